@@ -6,15 +6,21 @@
 #include "app/console/completions.h"
 #include "app/console/man_page.h"
 #include "app/console/studio_arguments.h"
+#include "core/io/disk_wait.h"
 
 #include <cstdio>
 #include <cstring>
+#include <new>
 #include <optional>
+#include <system_error>
 
+#include <opencv2/core.hpp>
 #include <opencv2/core/utils/logger.hpp>
 
 namespace alltact {
 namespace {
+
+constexpr auto kPatience = std::chrono::seconds(3);  // with a disk
 
 /// Wrong usage is told in one line; help is for those who ask for it.
 int usage_status(const CLI::App& program, const CLI::ParseError& error) {
@@ -84,6 +90,28 @@ void add_commands(CLI::App& program, Chosen& chosen, bool& json) {
     command->add_flag("--json", json, "One JSON object on standard output instead of text");
 }
 
+/// Beside whatever the command says.
+void say_slow_disk(const std::filesystem::path& file) {
+  const Message waiting = en::say("Waiting for {}: its disk does not answer.", file);
+  fmt::print(stderr, "{}\n", waiting.english());
+}
+
+/// What no function expected: memory or threads that cannot be had, else our own mistake.
+Error as_error(const std::exception& thrown) {
+  const auto* picture = dynamic_cast<const cv::Exception*>(&thrown);
+  const auto* system = dynamic_cast<const std::system_error*>(&thrown);
+  const bool is_memory =
+      dynamic_cast<const std::bad_alloc*>(&thrown) != nullptr ||
+      (picture != nullptr && picture->code == cv::Error::StsNoMem) ||
+      (system != nullptr && (system->code() == std::errc::resource_unavailable_try_again ||
+                             system->code() == std::errc::not_enough_memory));
+  if (is_memory)
+    return {en::say("there is not enough memory"), "", en::say("close other programs")};
+  return {en::say("unexpected: {}", std::string(thrown.what())),
+          "",
+          en::say("reporting this as a defect")};
+}
+
 int run(int argc, char** argv) {
   // Decoders' own messages would stand beside our sentences and say less.
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
@@ -98,12 +126,11 @@ int run(int argc, char** argv) {
     return usage_status(program, error);
   }
   Console console(json);
+  const DiskWatch slow_disks(kPatience, say_slow_disk);
   try {
     return console.finish(chosen(console));
   } catch (const std::exception& error) {
-    return console.finish(Error{en::say("unexpected: {}", std::string(error.what())),
-                                "",
-                                en::say("reporting this as a defect")});
+    return console.finish(as_error(error));
   }
 }
 

@@ -92,9 +92,9 @@ void sign_inputs(const CalibrationWork& work, FingerCalibration& done) {
     inputs.date = utc_now();
 }
 
-Status write_presses(const CalibrationWork& work) {
+Status write_presses(const CalibrationWork& work, const fs::path& folder) {
   if (work.is_repetition) return {};
-  const fs::path kept = work.store->folder() / kPressFolder;
+  const fs::path kept = folder / kPressFolder;
   if (const Status status = make_folder(kept); !status) return status;
   for (const FramePtr& frame : work.frames) {
     const Status status = write_picture(kept / (frame->name + ".png"),
@@ -105,7 +105,7 @@ Status write_presses(const CalibrationWork& work) {
   return {};
 }
 
-/// finger.yaml last: until then the finger measures as before.
+/// All files at once: until then the finger is as before.
 Status write(const CalibrationWork& work, FingerCalibration& done, const Job& job) {
   if (const Status status = settle_finger(work, done); !status) return status;
   sign_inputs(work, done);
@@ -121,24 +121,23 @@ Status write(const CalibrationWork& work, FingerCalibration& done, const Job& jo
     has_pages = reports.ok();
     if (has_pages) files.insert(files.end(), reports->begin(), reports->end());
   }
+  auto change = FolderChange::begin(work.store->folder());
+  if (!change) return change.error();
   if (work.untouched) {
-    const auto known = install_flat_reference(*work.untouched, work.store->folder(), done.finger);
+    const auto known = install_flat_reference(*work.untouched, change->staged(), done.finger);
     if (!known) return known.error();
   }
-  if (const Status status = write_presses(work); !status) return status;
-  for (const ReportFile& file : files) {
-    const Status status = write_file_atomically(work.store->folder() / file.name, file.content);
-    if (!status) return status;
-  }
-  if (!has_pages) {  // nor those about another solution
-    std::error_code absent;
-    for (const char* page : {kReportPage, kReportPaper})
-      fs::remove(work.store->folder() / page, absent);
-  }
+  if (const Status status = write_presses(work, change->staged()); !status) return status;
   // Where presses are being collected that is what is said of them now; elsewhere the inputs tell.
   std::error_code absent;
   if (fs::exists(work.store->folder() / PressSet::kFileName, absent))
-    if (const Status kept = work.store->keep_presses(done.inputs.said); !kept) return kept;
+    files.push_back({PressSet::kFileName, done.inputs.said.to_yaml()});
+  for (const ReportFile& file : files) {
+    const Status status = write_file_atomically(change->staged() / file.name, file.content);
+    if (!status) return status;
+  }
+  if (!has_pages)  // nor those about another solution
+    for (const char* page : {kReportPage, kReportPaper}) change->remove(page);
   auto saved = work.store->update([&](Finger& now) -> Status {
     if (finger_checksum(now) != done.inputs.finger_checksum)
       return Error{en::say("its camera, face or markers were changed while it was calibrated"),
@@ -146,7 +145,7 @@ Status write(const CalibrationWork& work, FingerCalibration& done, const Job& jo
                    en::say("calibrating again")};
     take_calibration(done.finger, now);
     if (work.untouched) take_reference(done.finger, now);
-    return {};
+    return commit_with(now, *change);
   });
   if (!saved) return saved.error();
   done.finger = (*saved)->finger;

@@ -81,8 +81,8 @@ struct FingerCalibrationInput {
 /// Errors: those of loading, of the first picture that is unreadable or has another size, two
 /// presses of one name, something said of a press that is not there, no usable
 /// press, the job was stopped. On any error before writing the folder is as it was, but for a
-/// picture of presses that could not be used (press_problem.h); a folder whose writing was cut off
-/// measures as before, and calibrate_finger_again() completes it.
+/// picture of presses that could not be used (press_problem.h); and whatever ends the program while
+/// it writes, all files are those of before or all are new (FolderChange).
 [[nodiscard]] Result<FingerCalibration> calibrate_finger(const FingerCalibrationInput& input,
                                                          const Job& job);
 

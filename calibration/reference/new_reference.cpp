@@ -11,16 +11,22 @@ namespace {
 constexpr const char* kWork = "making the reference";
 constexpr const char* kDate = "reference_date";
 
-Status save_reference(FingerStore& store, Finger& with_reference) {
+/// The reference's files and finger.yaml, together.
+Status save_reference(FingerStore& store, Finger& with_reference, FolderChange& files) {
   with_reference.provenance[kDate] = utc_now();
   const auto saved = store.update([&](Finger& finger) {
     take_reference(with_reference, finger);
-    return Status();
+    return commit_with(finger, files);
   });
   return saved ? Status() : saved.error();
 }
 
 }  // namespace
+
+Status commit_with(const Finger& finger, FolderChange& files) {
+  if (const Status saved = finger.save(files.staged()); !saved) return saved;
+  return files.commit();
+}
 
 void take_reference(const Finger& from, Finger& finger) {
   finger.reference = from.reference;
@@ -50,9 +56,11 @@ Result<ReferenceReport> give_reference(const std::filesystem::path& folder,
   Finger finger = (*before)->finger;
   auto source = open_source(inputs);
   if (!source) return source.error();
-  auto report = install_reference(**source, folder, finger, job, choices);
+  auto files = FolderChange::begin(folder);
+  if (!files) return files.error();
+  auto report = install_reference(**source, folder, finger, job, choices, files->staged());
   if (!report) return report.error();
-  if (const Status saved = save_reference(*store, finger); !saved) return saved.error();
+  if (const Status saved = save_reference(*store, finger, *files); !saved) return saved.error();
   return report;
 }
 
@@ -64,9 +72,11 @@ Result<std::vector<Message>> give_untouched_picture(const std::filesystem::path&
   const auto alone = store->hold_for_work(kWork);
   if (!alone) return alone.error();
   Finger finger = (*before)->finger;
-  auto warnings = install_flat_reference(picture, folder, finger);
+  auto files = FolderChange::begin(folder);
+  if (!files) return files.error();
+  auto warnings = install_flat_reference(picture, files->staged(), finger);
   if (!warnings) return warnings.error();
-  if (const Status saved = save_reference(*store, finger); !saved) return saved.error();
+  if (const Status saved = save_reference(*store, finger, *files); !saved) return saved.error();
   return warnings;
 }
 

@@ -3,6 +3,7 @@
 
 #include "calibration/reference/reference_recording.h"
 #include "core/finger/finger.h"
+#include "core/io/folder_change.h"
 #include "core/job.h"
 #include "core/message.h"
 #include "core/result.h"
@@ -27,6 +28,10 @@ namespace alltact {
 
 /// Pictures of both are compared with the same reference, through the same camera.
 [[nodiscard]] bool has_same_reference(const Finger& a, const Finger& b);
+
+/// finger.yaml takes its place together with the files of a change. For FingerStore::update(),
+/// which writes the same finger once more.
+[[nodiscard]] Status commit_with(const Finger& finger, FolderChange& files);
 
 /// What a reference changes of a finger: the reference, its markers, their rest, and what it was
 /// recorded with.

@@ -57,7 +57,8 @@ Result<ReferenceReport> install_reference(Source& source,
                                           const fs::path& folder,
                                           Finger& finger,
                                           const Job& job,
-                                          const ReferenceChoices& choices) {
+                                          const ReferenceChoices& choices,
+                                          const fs::path& into) {
   if (finger.face.kind != FaceKind::kFinRay)
     return Error{en::say("this finger has no markers to record a reference with"),
                  folder.string(),
@@ -66,14 +67,13 @@ Result<ReferenceReport> install_reference(Source& source,
   if (!camera) return camera.error();
   MadeReference made;
   made.report.coverage = MotionCoverage(choices.need);
+  const fs::path files = into.empty() ? folder : into;
   const Status written =
-      write_file_atomically(folder / kReferenceVideo, [&](const fs::path& temporary) -> Status {
+      write_file_atomically(files / kReferenceVideo, [&](const fs::path& temporary) -> Status {
         try {
           const Status status =
               make_reference(source, *camera, finger, job, choices, temporary, made);
-          // The table first: should the disk fill up here, the old video still stands beside the
-          // old table.
-          return status ? made.table.save(folder / kReferenceTable) : status;
+          return status ? made.table.save(files / kReferenceTable) : status;
         } catch (const std::exception& problem) {
           return Error{
               en::say("the recording could not be processed ({})", std::string(problem.what())),

@@ -61,6 +61,7 @@ inline constexpr const char* kReferenceProblem = "reference.problem.png";
 /// marker noise) and what the camera was set to. Where there are no markers to be found, places of
 /// the face stand in for them, and a warning says so. The files are written whole or not at all;
 /// `finger` is changed only on success and not saved.
+///   into: where the two files are put for now (FolderChange::staged); empty: in the folder
 ///
 /// Where markers are missing or the recording is refused, reference.problem.png in the folder shows
 /// what was found (problem_picture.h); it is removed by a recording without such a problem.
@@ -69,7 +70,8 @@ inline constexpr const char* kReferenceProblem = "reference.problem.png";
                                                         const std::filesystem::path& folder,
                                                         Finger& finger,
                                                         const Job& job,
-                                                        const ReferenceChoices& choices = {});
+                                                        const ReferenceChoices& choices = {},
+                                                        const std::filesystem::path& into = {});
 
 /// Of a flat sensor.
 struct UntouchedPicture {

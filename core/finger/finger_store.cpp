@@ -2,6 +2,7 @@
 
 #include "core/finger/force_model.h"
 #include "core/io/atomic_file.h"
+#include "core/io/folder_change.h"
 
 #include <map>
 
@@ -45,6 +46,17 @@ void load_force(const fs::path& folder, FingerSnapshot& snapshot) {
     snapshot.force = std::make_shared<const ForceModel>(std::move(*model));
   else
     snapshot.force_problem = model.error();
+}
+
+/// What another program had decided to change when it ended, or is about to change now.
+Status complete(const fs::path& folder) {
+  if (!has_open_change(folder)) return {};
+  const auto held = HeldFile::hold(folder / kChanging, this_process("changing"), kPatience);
+  if (held) return complete_change(folder);
+  Error why = held.error();
+  const Message reason = why.what;
+  why.what = en::say("a change of the finger that was interrupted cannot be completed: {}", reason);
+  return why;
 }
 
 }  // namespace
@@ -122,6 +134,7 @@ Result<FingerPtr> FingerStore::read() {
 }
 
 Result<FingerPtr> FingerStore::snapshot() {
+  if (const Status completed = complete(folder_); !completed) return completed.error();
   FingerPtr before;
   auto now = [&] {
     const std::lock_guard lock(mutex_);
@@ -140,6 +153,7 @@ Result<FingerPtr> FingerStore::update(const std::function<Status(Finger&)>& chan
   auto changed = [&]() -> Result<FingerPtr> {
     const auto held = HeldFile::hold(folder_ / kChanging, this_process("changing"), kPatience);
     if (!held) return held.error();
+    if (const Status completed = complete_change(folder_); !completed) return completed.error();
     auto finger = Finger::load(folder_);
     if (!finger) return finger.error();
     if (Status status = change(*finger); !status) return status.error();

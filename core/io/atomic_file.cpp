@@ -1,5 +1,6 @@
 #include "core/io/atomic_file.h"
 
+#include "core/io/disk_wait.h"
 #include "core/io/system_error.h"
 
 #include <cerrno>
@@ -106,6 +107,7 @@ Status sync_folder(const fs::path& folder) {
 Status replace(const fs::path& wanted,
                const std::function<Status(int number, const fs::path& temporary)>& fill,
                bool waits_for_disk = true) {
+  const DiskWait waiting(wanted);
   const fs::path file = without_links(wanted);
   std::error_code ignored;
   if (file.filename().empty() || fs::is_directory(file, ignored))
@@ -147,6 +149,7 @@ Status write_file_of_many(const fs::path& file, std::string_view content) {
 }
 
 Status sync_disk_of(const fs::path& folder) {
+  const DiskWait waiting(folder);
   Descriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (descriptor.number() < 0 || ::syncfs(descriptor.number()) != 0)
     return system_error(
@@ -168,6 +171,7 @@ Status write_file_atomically(const fs::path& file,
 
 Result<std::string> read_file(const fs::path& file, std::size_t limit_bytes) {
   const Message kReading = en::say("could not read the file");
+  const DiskWait waiting(file);
   Descriptor descriptor(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
   if (descriptor.number() < 0) return system_error(kReading, file, errno);
   struct stat status {};

@@ -3,6 +3,7 @@
 #include "core/io/system_error.h"
 #include "core/recording/journal.h"
 #include "core/recording/put_back.h"
+#include "core/recording/steady_sync.h"
 
 #include <cerrno>
 #include <condition_variable>
@@ -20,6 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t kMegabyte = 1000000;
+constexpr auto kSyncEvery = std::chrono::seconds(1);
 
 std::uint64_t bytes_of(const Frame& frame) {
   return frame.grey.total() * frame.grey.elemSize() + (frame.jpeg ? frame.jpeg->size() : 0);
@@ -122,6 +124,7 @@ struct Recorder::State {
   std::optional<Error> problem;
   bool is_ending = false;
 
+  std::optional<SteadySync> sync;
   std::jthread thread;
 
   State(fs::path file_, const RecorderSettings& settings_, double fps, JournalWriter journal_)
@@ -240,6 +243,7 @@ Status Recorder::State::check_disk() {
 
 /// After the thread has ended.
 Status Recorder::State::close(std::string_view why, const Job& job) {
+  sync.reset();
   Status first = problem ? Status(*problem) : Status();
   const auto note = [&](Status status) {
     if (first && !status) first = std::move(status);
@@ -317,6 +321,7 @@ Result<std::unique_ptr<Recorder>> Recorder::start(const fs::path& file,
   }
   auto state = std::make_unique<State>(file, settings, frames_per_s, std::move(*journal));
   state->counts.free_bytes = free_bytes;
+  state->sync.emplace(std::vector{file, journal_of(file)}, kSyncEvery);
   state->thread = std::jthread([s = state.get()] { s->run(); });
   return std::unique_ptr<Recorder>(new Recorder(std::move(state)));
 }

@@ -38,8 +38,8 @@ struct RecorderCounts {
 
 /// A recording under way: NAME.mkv and beside it NAME.frames.csv (see journal.h). It ends when
 /// finish() is called, or by itself, whole, when the disk is nearly full, when the recording cannot
-/// be written, or when it was removed behind our back (it is then put back where it was). Any
-/// thread may call any function, finish() once.
+/// be written, or when it was removed behind our back (it is then put back where it was). A power
+/// cut takes about its last second. Any thread may call any function, finish() once.
 class Recorder {
  public:
   /// Makes the two files. `frames_per_s`: about how often frames come. `source`: told in the

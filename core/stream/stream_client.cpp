@@ -129,7 +129,7 @@ bool StreamClient::begin_next() {
     next = std::exchange(newest_, nullptr);
   }
   if (!next) return false;
-  sending_.emplace();
+  sending_ = Sending();
   sending_->bytes = stream_bytes(*next, wanted(), lost_);
   sending_->size = sending_->bytes.head.size();
   for (const cv::Mat& part : sending_->bytes.parts)

@@ -87,7 +87,7 @@ def renew(build):
             row["formulas_ms"] = costs["formulas"]["ms"][frame_costs.PEERS[name]]
     joint = next(entry for entry in report.values() if isinstance(entry, dict))
     for row in told["accuracy"]:
-        row["measured"] = float(f"{joint[row['key']]:.1g}")
+        row["measured"] = round(joint[row["key"]], 3 if row["unit"] == "mm" else 2)
     FIGURES.write_text(json.dumps(told, indent=1) + "\n", encoding="utf-8")
 
 

@@ -3,9 +3,11 @@
 
 #include "app/studio/session_keeper.h"
 #include "core/io/atomic_file.h"
+#include "tests/fuzz/mutations.h"
 #include "tests/studio/studio_rig.h"
 
 #include <QTest>
+#include <random>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -55,6 +57,21 @@ TEST(SessionFile, MeetsEveryTruncation) {
   const std::string whole = session_to_json(example());
   for (std::size_t length = 0; length + 2 < whole.size(); ++length)
     EXPECT_FALSE(session_from_json(whole.substr(0, length), "a test")) << length;
+}
+
+TEST(SessionFile, MeetsDamageAndKeepsWhatItTook) {
+  std::mt19937 random(20);
+  for (int i = 0; i < 2000; ++i) {
+    const std::string text = damaged(session_to_json(example()), random);
+    const auto state = session_from_json(text, "a test");
+    if (!state) {
+      EXPECT_LT(state.error().sentence().size(), 1000U);
+      continue;
+    }
+    const auto again = session_from_json(session_to_json(*state), "a test");
+    ASSERT_TRUE(again) << text;
+    EXPECT_EQ(*again, *state) << text;
+  }
 }
 
 TEST(SessionFile, OfAPlaceThatTheWindowDoesNotHaveOpensTheFirst) {

@@ -1,0 +1,182 @@
+#include "core/io/folder_change.h"
+
+#include "core/io/atomic_file.h"
+#include "core/io/system_error.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <set>
+#include <sstream>
+#include <utility>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace alltact {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kList = ".change.list";
+constexpr const char* kStagedPrefix = ".change-";
+constexpr std::string_view kHead = "alltact-change/1";
+
+struct ChangeList {
+  std::string staged;  // name of the folder of new files
+  std::vector<std::string> taken, removed;
+};
+
+std::string text_of(const ChangeList& list) {
+  std::string text = std::string(kHead) + "\nfrom " + list.staged + "\n";
+  for (const std::string& name : list.taken) text += "take " + name + "\n";
+  for (const std::string& name : list.removed) text += "remove " + name + "\n";
+  return text + "end\n";
+}
+
+bool is_inside(const std::string& name) {
+  const fs::path path(name);
+  if (name.empty() || path.is_absolute()) return false;
+  return std::none_of(path.begin(), path.end(), [](const fs::path& part) { return part == ".."; });
+}
+
+Result<ChangeList> list_in(const fs::path& folder) {
+  const auto text = read_file(folder / kList);
+  if (!text) return text.error();
+  const Error broken{en::say("this is no list of files to be changed"),
+                     folder / kList,
+                     en::say("removing it; the finger's files are then some old, some new")};
+  std::istringstream lines(*text);
+  ChangeList list;
+  std::string line;
+  if (!std::getline(lines, line) || line != kHead) return broken;
+  while (std::getline(lines, line) && line != "end") {
+    const std::size_t space = line.find(' ');
+    const std::string what = line.substr(0, space);
+    const std::string name = space == std::string::npos ? "" : line.substr(space + 1);
+    if (!is_inside(name)) return broken;
+    if (what == "from" && name.starts_with(kStagedPrefix))
+      list.staged = name;
+    else if (what == "take")
+      list.taken.push_back(name);
+    else if (what == "remove")
+      list.removed.push_back(name);
+    else
+      return broken;
+  }
+  return line == "end" && !list.staged.empty() ? Result(list) : broken;
+}
+
+Status sync(const fs::path& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  const bool is_there =
+      descriptor >= 0 && (::fsync(descriptor) == 0 || errno == EINVAL);  // EINVAL: no such thing
+  const int problem = errno;
+  if (descriptor >= 0) ::close(descriptor);
+  if (is_there) return {};
+  return system_error(
+      en::say("could not make sure that the folder is on the disk"), folder, problem);
+}
+
+/// As often as it takes: what is done already is passed over.
+Status carry_out(const fs::path& folder, const ChangeList& list) {
+  const Message kChanging = en::say("could not be changed");
+  std::set<fs::path> touched{folder};
+  for (const std::string& name : list.taken) {
+    const fs::path from = folder / list.staged / name, to = folder / name;
+    if (const Status made = make_folder(to.parent_path()); !made) return made;
+    if (::rename(from.c_str(), to.c_str()) != 0 && errno != ENOENT)
+      return system_error(kChanging, to, errno);
+    touched.insert(to.parent_path());
+  }
+  for (const std::string& name : list.removed) {
+    const fs::path gone = folder / name;
+    if (::unlink(gone.c_str()) != 0 && errno != ENOENT) return system_error(kChanging, gone, errno);
+    touched.insert(gone.parent_path());
+  }
+  std::error_code absent;
+  for (const fs::path& one : touched)
+    if (fs::is_directory(one, absent))
+      if (const Status synced = sync(one); !synced) return synced;
+  if (::unlink((folder / kList).c_str()) != 0 && errno != ENOENT)
+    return system_error(kChanging, folder / kList, errno);
+  if (const Status synced = sync(folder); !synced) return synced;
+  std::error_code ignored;
+  fs::remove_all(folder / list.staged, ignored);
+  return {};
+}
+
+/// Files below a folder, by their names in it; makes sure that all their folders are on the disk.
+Result<std::vector<std::string>> files_below(const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code error;
+  if (const Status synced = sync(folder); !synced) return synced.error();
+  for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    if (!entry->is_directory())
+      names.push_back(fs::relative(entry->path(), folder).generic_string());
+    else if (const Status synced = sync(entry->path()); !synced)
+      return synced.error();
+  }
+  if (error) return system_error(en::say("could not read the folder"), folder, error.value());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// Of programs that ended before they had decided anything.
+void sweep(const fs::path& folder) {
+  std::vector<fs::path> left;
+  std::error_code ignored;
+  for (fs::directory_iterator entry(folder, ignored), end; !ignored && entry != end;
+       entry.increment(ignored))
+    if (entry->path().filename().string().starts_with(kStagedPrefix)) left.push_back(entry->path());
+  for (const fs::path& one : left) fs::remove_all(one, ignored);
+}
+
+}  // namespace
+
+Result<FolderChange> FolderChange::begin(const fs::path& folder) {
+  if (const Status completed = complete_change(folder); !completed) return completed.error();
+  sweep(folder);
+  FolderChange change(folder);
+  const fs::path staged = folder / fmt::format("{}{}", kStagedPrefix, ::getpid());
+  if (const Status made = make_folder(staged); !made) return made.error();
+  change.staged_ = staged;
+  return change;
+}
+
+FolderChange::FolderChange(FolderChange&& other) noexcept
+    : folder_(std::move(other.folder_)),
+      staged_(std::exchange(other.staged_, {})),
+      removed_(std::move(other.removed_)) {}
+
+FolderChange::~FolderChange() {
+  std::error_code ignored;
+  if (!staged_.empty()) fs::remove_all(staged_, ignored);
+}
+
+Status FolderChange::commit() {
+  auto names = files_below(staged_);
+  if (!names) return names.error();
+  const ChangeList list{staged_.filename().string(), std::move(*names), removed_};
+  if (const Status decided = write_file_atomically(folder_ / kList, text_of(list)); !decided) {
+    // Not where the list is there all the same, and only its folder could not be synced.
+    if (has_open_change(folder_)) staged_.clear();
+    return decided;
+  }
+  staged_.clear();  // the list's from now on
+  return carry_out(folder_, list);
+}
+
+bool has_open_change(const fs::path& folder) {
+  std::error_code absent;
+  return fs::exists(folder / kList, absent);
+}
+
+Status complete_change(const fs::path& folder) {
+  if (!has_open_change(folder)) return {};
+  const auto list = list_in(folder);
+  return list ? carry_out(folder, *list) : Status(list.error());
+}
+
+}  // namespace alltact

@@ -1,0 +1,186 @@
+// A disk that is full, read-only or broken from any of its operations on, few open files and little
+// memory: what was saved remains, and a sentence says why nothing new was.
+#include "core/finger/finger_store.h"
+#include "tests/support/flat_finger.h"
+#include "tests/support/recorded_disk.h"
+
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace alltact::test {
+namespace {
+
+namespace fs = std::filesystem;
+using Files = DiskModel::Files;
+using testing::AnyOf;
+using testing::HasSubstr;
+using testing::Not;
+
+Files files_in(const fs::path& folder) {
+  Files shown;
+  for (const auto& [name, bytes] : DiskModel(folder).files(DiskModel::Lost::kNothing))
+    if (name.find("/.") == std::string::npos && name.front() != '.') shown[name] = bytes;
+  return shown;
+}
+
+bool is_slow() {
+  return std::getenv("ALLTACT_SLOW") != nullptr;
+}
+
+class DiskFaults : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (std::string(ALLTACT_SANITIZE) != "")
+      GTEST_SKIP() << "sanitizers want to be loaded before the disk's faults";
+    ASSERT_EQ(flat_.make().status, 0);
+    ASSERT_EQ(flat_.calibrate({flat_.presses[0].string(), flat_.presses[1].string()}).status, 0);
+    fs::copy(flat_.finger(), kept_, fs::copy_options::recursive);
+  }
+  [[nodiscard]] std::string finger() const { return flat_.finger(); }
+  void put_back() const {
+    fs::remove_all(finger());
+    fs::copy(kept_, finger(), fs::copy_options::recursive);
+  }
+  [[nodiscard]] ProgramRun run(const std::string& settings, const std::string& arguments) const {
+    return run_shell(fmt::format("ALLTACT_DISK='{}' {} LD_PRELOAD={} {} {}",
+                                 finger(),
+                                 settings,
+                                 ALLTACT_FAULTY_DISK,
+                                 ALLTACT_DISK_CHILD,
+                                 arguments));
+  }
+
+  /// Every operation of a change is the first that fails, one after the other, until none does.
+  void fail_each(const std::string& arguments, int error_number, const std::string& words) {
+    const Files before = files_in(finger());
+    ASSERT_EQ(run("", arguments).status, 0);
+    const Files after = files_in(finger());
+    int refused = 0;
+    for (int first = 1;; first += is_slow() ? 1 : 1 + first / 12) {
+      put_back();
+      const ProgramRun failed =
+          run(fmt::format("ALLTACT_DISK_FAIL={}:{}", first, error_number), arguments);
+      const auto opened = open_finger(finger());
+      ASSERT_TRUE(opened) << first << opened.error().sentence();
+      const Files found = files_in(finger());
+      if (failed.status == 0) {
+        EXPECT_EQ(found, after);
+        break;
+      }
+      ++refused;
+      EXPECT_EQ(failed.status, 1) << first << failed.errors;
+      EXPECT_THAT(failed.errors, HasSubstr(words)) << first;
+      EXPECT_TRUE(found == before || found == after) << arguments << ", from " << first << " on";
+      ASSERT_LT(first, 1000);
+    }
+    EXPECT_GT(refused, 2);
+    put_back();
+  }
+
+  FlatFinger flat_;
+  fs::path kept_ = flat_.file("kept");
+};
+
+TEST_F(DiskFaults, AFullDiskAtEveryWrite) {
+  fail_each("rename " + finger() + " other", ENOSPC, "the disk is full");
+  fail_each("notes " + finger() + " 3.5", ENOSPC, "the disk is full");
+  fail_each("check " + finger(), ENOSPC, "the disk is full");
+  fail_each("picture " + finger() + " " + flat_.presses[3].string(), ENOSPC, "the disk is full");
+}
+
+TEST_F(DiskFaults, ADiskThatBecomesReadOnlyOrBreaksAtEveryWrite) {
+  const std::string picture = "picture " + finger() + " " + flat_.presses[3].string();
+  fail_each(picture, EROFS, "read-only");
+  fail_each(picture, EIO, finger());
+  fail_each("rename " + finger() + " other", EIO, finger());
+}
+
+TEST_F(DiskFaults, AFullDiskWhileAFingerIsCalibrated) {
+  if (!is_slow()) GTEST_SKIP() << "a minute: with ALLTACT_SLOW only";
+  std::string presses;
+  for (const auto& press : flat_.presses) presses += " " + press.string();
+  fail_each("calibrate " + finger() + presses, ENOSPC, "the disk is full");
+}
+
+TEST_F(DiskFaults, TheClockOfTheComputerWasSetBack) {
+  const auto check = [&](const std::string& settings) {
+    return run_shell(fmt::format("{} LD_PRELOAD={} {} check {} --presses {} {} {}",
+                                 settings,
+                                 ALLTACT_FAULTY_DISK,
+                                 ALLTACT_PROGRAM,
+                                 finger(),
+                                 flat_.presses[0].string(),
+                                 flat_.presses[1].string(),
+                                 flat_.presses[2].string()));
+  };
+  const std::string history = finger() + "/checks.csv";
+  const ProgramRun first = check("");
+  ASSERT_TRUE(fs::exists(history)) << first.errors << first.output;
+  const std::string one = text_of(history);
+  const ProgramRun second = check("ALLTACT_CLOCK=-400000000");
+  EXPECT_EQ(second.status, first.status) << second.errors;
+  const std::string both = text_of(history);
+  EXPECT_TRUE(both.starts_with(one)) << "what was there remains";
+  EXPECT_GT(both.size(), one.size());
+  EXPECT_THAT(both.substr(one.size()), HasSubstr("201")) << "and it says when by this clock";
+}
+
+TEST_F(DiskFaults, ADiskThatStallsIsToldOfAndCanBeLeft) {
+  if (!is_slow()) GTEST_SKIP() << "waits for seconds: with ALLTACT_SLOW only";
+  const ProgramRun run = run_shell(fmt::format(
+      "export ALLTACT_DISK='{0}' ALLTACT_DISK_STALL=20000; LD_PRELOAD={1} {2} check {0} & "
+      "sleep 4.9; kill -INT $!; sleep 0.2; kill -INT $!; wait $!",
+      finger(),
+      ALLTACT_FAULTY_DISK,
+      ALLTACT_PROGRAM));
+  EXPECT_THAT(run.errors, HasSubstr("finger.yaml: its disk does not answer"));
+  EXPECT_EQ(run.status, 128 + SIGINT);
+}
+
+TEST_F(DiskFaults, FewOpenFilesAreToldOrEnough) {
+  int refused = 0;
+  for (int files = 4; files <= 24; files += is_slow() ? 1 : 4) {
+    const ProgramRun run = run_shell(fmt::format("ulimit -n {}; {} reconstruct {} {} -o {}",
+                                                 files,
+                                                 ALLTACT_PROGRAM,
+                                                 finger(),
+                                                 flat_.presses[0].string(),
+                                                 flat_.file("out")));
+    EXPECT_THAT(run.status, AnyOf(0, 1)) << files << run.errors;
+    EXPECT_THAT(run.errors, Not(HasSubstr("unexpected"))) << files;
+    if (run.status == 1) {
+      EXPECT_NE(run.errors, "") << files;
+      ++refused;
+    }
+    EXPECT_EQ(files_in(finger()), files_in(kept_));
+  }
+  EXPECT_GT(refused, 0);
+}
+
+TEST_F(DiskFaults, LittleMemoryIsToldOrEnough) {
+  int refused = 0;
+  for (int megabytes = 60; megabytes <= 900; megabytes += is_slow() ? 40 : 210) {
+    const ProgramRun run =
+        run_shell(fmt::format("ulimit -v {}; timeout -s KILL 60 {} reconstruct {} {} -o {}",
+                              1000 * megabytes,
+                              ALLTACT_PROGRAM,
+                              finger(),
+                              flat_.presses[0].string(),
+                              flat_.file("out")));
+    EXPECT_THAT(run.status, AnyOf(0, 1)) << megabytes << run.errors;
+    if (run.status == 1) {
+      EXPECT_THAT(run.errors, HasSubstr("Try: ")) << megabytes;
+      ++refused;
+    }
+    EXPECT_EQ(files_in(finger()), files_in(kept_));
+  }
+  EXPECT_GT(refused, 0);
+}
+
+}  // namespace
+}  // namespace alltact::test

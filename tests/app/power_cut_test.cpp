@@ -1,0 +1,198 @@
+// Power that fails at any moment of a change leaves what was there before or what was to be there
+// then, never some of both, and nothing that anybody has to clear away.
+#include "calibration/reference/new_reference.h"
+#include "core/finger/finger_store.h"
+#include "core/recording/journal.h"
+#include "core/recording/video_file.h"
+#include "tests/support/flat_finger.h"
+#include "tests/support/marked_finger.h"
+#include "tests/support/recorded_disk.h"
+
+#include <algorithm>
+#include <random>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <opencv2/imgcodecs.hpp>
+
+namespace alltact::test {
+namespace {
+
+namespace fs = std::filesystem;
+using Lost = DiskModel::Lost;
+using Files = DiskModel::Files;
+
+constexpr std::array kLosses{Lost::kNothing, Lost::kBytes, Lost::kNames, Lost::kBoth};
+
+/// Runs disk_child on a disk that writes down what it does.
+std::vector<DiskOperation> log_of(const fs::path& disk, const std::string& arguments) {
+  const TemporaryFolder folder;
+  const ProgramRun run = run_shell(
+      "ALLTACT_DISK='" + disk.string() + "' ALLTACT_DISK_LOG='" + (folder / "log").string() +
+      "' LD_PRELOAD=" + ALLTACT_FAULTY_DISK + " " + ALLTACT_DISK_CHILD + " " + arguments);
+  EXPECT_EQ(run.status, 0) << run.errors;
+  return disk_log(folder / "log");
+}
+
+/// What lies in a folder but for files that are hidden: those nobody misses.
+Files shown(const Files& files) {
+  Files left;
+  for (const auto& [name, bytes] : files)
+    if (name.find("/.") == std::string::npos && name.front() != '.') left[name] = bytes;
+  return left;
+}
+Files files_in(const fs::path& folder) {
+  return shown(DiskModel(folder).files(Lost::kNothing));
+}
+
+std::string names_of(const Files& files, const Files& before, const Files& after) {
+  std::string names;
+  for (const auto& [name, bytes] : files) {
+    const auto is_in = [&, n = name, b = bytes](const Files& others) {
+      const auto found = others.find(n);
+      return found != others.end() && found->second == b;
+    };
+    names += name +
+             (is_in(before)  ? is_in(after) ? " (both)" : " (old)"
+              : is_in(after) ? " (new)"
+                             : " (neither)") +
+             "\n";
+  }
+  return names;
+}
+
+/// Plays a change up to each of its moments; what a program finds then, once it has opened the
+/// finger, is all old or all new.
+void expect_old_or_new(const fs::path& finger, const std::string& arguments) {
+  DiskModel disk(finger);
+  const Files before = shown(disk.files(Lost::kNothing));
+  const auto operations = log_of(finger, arguments);
+  const Files after = files_in(finger);
+  ASSERT_NE(before, after);
+  const TemporaryFolder scratch;
+  std::set<Files> seen;
+  std::size_t old_ones = 0, new_ones = 0;
+  for (std::size_t done = 0; done <= operations.size(); ++done) {
+    if (done > 0) disk.apply(operations[done - 1]);
+    for (const Lost lost : kLosses) {
+      const Files left = disk.files(lost);
+      if (!seen.insert(left).second) continue;
+      const fs::path folder = scratch / std::to_string(seen.size());
+      lay_out(left, folder);
+      const auto opened = open_finger(folder);
+      ASSERT_TRUE(opened) << opened.error().sentence() << " after " << done << " of "
+                          << operations.size();
+      const Files found = files_in(folder);
+      EXPECT_TRUE(found == before || found == after)
+          << "cut after " << done << " of " << operations.size() << ", "
+          << (done > 0 ? operations[done - 1].what + " " + operations[done - 1].path : "") << "\n"
+          << names_of(found, before, after);
+      old_ones += found == before, new_ones += found == after;
+      fs::remove_all(folder);
+    }
+  }
+  EXPECT_GT(old_ones, 0U);
+  EXPECT_GT(new_ones, 0U);
+}
+
+class PowerCut : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (std::string(ALLTACT_SANITIZE) != "")
+      GTEST_SKIP() << "sanitizers want to be loaded before the disk's faults";
+    ASSERT_EQ(flat_.make().status, 0);
+    ASSERT_EQ(flat_.calibrate({flat_.presses[0].string(), flat_.presses[1].string()}).status, 0);
+  }
+  [[nodiscard]] std::string finger() const { return flat_.finger(); }
+  FlatFinger flat_;
+};
+
+TEST_F(PowerCut, WhileAFingerIsChanged) {
+  expect_old_or_new(finger(), "rename " + finger() + " other");
+  expect_old_or_new(finger(), "notes " + finger() + " 3.5");
+  expect_old_or_new(finger(), "check " + finger());
+  expect_old_or_new(finger(), "check " + finger());
+}
+
+TEST_F(PowerCut, WhileAnUntouchedPictureIsInstalled) {
+  expect_old_or_new(finger(), "picture " + finger() + " " + flat_.presses[3].string());
+}
+
+TEST_F(PowerCut, WhileAFingerIsCalibratedAgainWithMorePresses) {
+  std::string presses;
+  for (const auto& press : flat_.presses) presses += " " + press.string();
+  expect_old_or_new(finger(), "calibrate " + finger() + presses);
+}
+
+/// A finger that bends to and fro, as pictures in a folder.
+void write_bending(const fs::path& finger_folder, const fs::path& pictures, double width_px) {
+  MarkedFinger drawn;
+  drawn.width = 480, drawn.height = 270, drawn.focal = 262, drawn.dot_mm = 0.9, drawn.noise = 0.4;
+  Finger finger;
+  finger.name = "drawn";
+  finger.camera = drawn.camera();
+  finger.face = drawn.face();
+  finger.markers = {drawn.per_row, Polarity::kAuto};
+  if (!fs::exists(finger_folder)) {
+    fs::create_directory(finger_folder);
+    ASSERT_TRUE(finger.save(finger_folder));
+  }
+  fs::create_directory(pictures);
+  std::mt19937 random(11);
+  for (int i = 0; i < 12; ++i) {
+    const double t = 2 * M_PI * i / 12;
+    const Bend bend{0.35 * std::sin(t), 0.2 * std::sin(2 * t + 1), width_px * std::cos(3 * t), 0};
+    cv::imwrite(pictures / fmt::format("frame_{:05}.png", i),
+                drawn.with_noise(drawn.clean(bend), random));
+  }
+}
+
+TEST_F(PowerCut, WhileARecordingIsInstalled) {
+  const TemporaryFolder folder;
+  const fs::path finger = folder / "drawn";
+  ASSERT_NO_FATAL_FAILURE(write_bending(finger, folder / "one", 6));
+  ASSERT_NO_FATAL_FAILURE(write_bending(finger, folder / "two", 4));
+  const std::string install = "reference " + finger.string() + " ";
+  (void)log_of(finger, install + (folder / "one").string());
+  ASSERT_TRUE(fs::exists(finger / "reference.mkv"));
+  expect_old_or_new(finger, install + (folder / "two").string());
+}
+
+/// Whoever records loses the last second, and no frame of which the frame log tells.
+TEST_F(PowerCut, WhileARecordingIsMade) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder / "day");
+  const fs::path day = folder / "day";
+  DiskModel disk(day);
+  const auto operations = log_of(day, "record " + (day / "v.mkv").string() + " 20");
+  std::size_t most = 0, syncs = 0;
+  std::set<Files> seen;
+  for (std::size_t done = 1; done <= operations.size(); ++done) {
+    disk.apply(operations[done - 1]);
+    syncs += operations[done - 1].what == "sync" ? 1 : 0;
+    for (const Lost lost : kLosses) {
+      const Files left = disk.files(lost);
+      if (!left.contains("v.mkv") || left.at("v.mkv").empty() || !seen.insert(left).second)
+        continue;
+      const fs::path there = folder / std::to_string(seen.size());
+      lay_out(left, there);
+      auto video = VideoFile::open(there / "v.mkv");
+      const auto told = read_journal(journal_of(there / "v.mkv"));
+      ASSERT_TRUE(told) << told.error().sentence();
+      // Lines may be ahead of frames only where not even the last sync counts.
+      const bool is_whole = lost == Lost::kNothing || lost == Lost::kBoth;
+      if (is_whole && !told->empty()) {
+        ASSERT_TRUE(video) << done << ": " << video.error().sentence();
+        EXPECT_GE(video->frame_count() + (lost == Lost::kNothing ? 1 : 0), told->size()) << done;
+      }
+      if (lost == Lost::kBoth && video && done < operations.size() * 9 / 10)
+        most = std::max(most, video->frame_count());
+      fs::remove_all(there);
+    }
+  }
+  EXPECT_GT(syncs, 4U);
+  EXPECT_GT(most, 5U) << "it was on the disk while it was still being made";
+}
+
+}  // namespace
+}  // namespace alltact::test

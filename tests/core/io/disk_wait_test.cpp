@@ -1,0 +1,33 @@
+#include "core/io/disk_wait.h"
+
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace alltact {
+namespace {
+
+using namespace std::chrono_literals;
+
+TEST(DiskWait, IsToldOfOnceWhereItIsLong) {
+  std::mutex mutex;
+  std::vector<std::filesystem::path> told;
+  {
+    const DiskWatch watch(20ms, [&](const std::filesystem::path& file) {
+      const std::lock_guard lock(mutex);
+      told.push_back(file);
+    });
+    const DiskWait is_long("/net/long");
+    for (int i = 0; i < 100; ++i) const DiskWait is_short("/disk/short");
+    std::this_thread::sleep_for(150ms);
+    const std::lock_guard lock(mutex);
+    EXPECT_EQ(told, std::vector<std::filesystem::path>{"/net/long"});
+  }
+  const DiskWait unwatched("/net/other");
+  EXPECT_EQ(told.size(), 1U);
+}
+
+}  // namespace
+}  // namespace alltact
