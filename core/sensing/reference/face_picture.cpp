@@ -56,22 +56,19 @@ FacePicture keep_face(const cv::Mat& grey, const FaceChart& chart, const FaceGri
   picture.first = warp.inner_first() - grid.origin.x;
   picture.end = warp.inner_end() - grid.origin.x;
   picture.grey.assign(grid.runs.pixels(), 0);
-  cv::Mat u(grid.size, CV_32FC1, cv::Scalar(0)), v(grid.size, CV_32FC1, cv::Scalar(0)), laid;
+  std::vector<float> at(2 * static_cast<std::size_t>(grid.size.width));
   for (const FaceRun& run : grid.runs.runs) {
     const int first = std::max(run.first, picture.first), end = std::min(run.end, picture.end);
     if (first >= end) continue;
+    const cv::Size size(end - first, 1);
+    const cv::Mat u(size, CV_32FC1, at.data()), v(size, CV_32FC1, at.data() + grid.size.width);
     warp.places(run.row + grid.origin.y,
                 first + grid.origin.x,
-                end - first,
-                u.ptr<float>(run.row) + first,
-                v.ptr<float>(run.row) + first);
-  }
-  cv::remap(grey, laid, u, v, cv::INTER_CUBIC, cv::BORDER_REPLICATE);
-  for (const FaceRun& run : grid.runs.runs) {
-    const int first = std::max(run.first, picture.first), end = std::min(run.end, picture.end);
-    if (first >= end) continue;
-    const auto* row = laid.ptr<std::uint8_t>(run.row);
-    std::copy(row + first, row + end, picture.grey.begin() + run.before + (first - run.first));
+                size.width,
+                at.data(),
+                at.data() + grid.size.width);
+    cv::Mat laid(size, CV_8UC1, picture.grey.data() + run.before + (first - run.first));
+    cv::remap(grey, laid, u, v, cv::INTER_CUBIC, cv::BORDER_REPLICATE);
   }
   return picture;
 }

@@ -1,6 +1,7 @@
 #include "core/sensing/reference/reference_error.h"
 
 #include "core/grey_range.h"
+#include "core/numerics/dispatch.h"
 #include "core/numerics/median.h"
 
 #include <algorithm>
@@ -110,15 +111,33 @@ Eigen::MatrixXd pose_terms(const Eigen::MatrixXd& modes) {
   return terms;
 }
 
+/// One row's pixels times a + b u + c u^2; clipped ones stay clipped.
+ALLTACT_WIDE void multiply_row(
+    std::uint8_t* grey, int count, int first, float a, float b, float c) {
+  for (int i = 0; i < count; ++i) {
+    const auto u = static_cast<float>(first + i);
+    const auto level = static_cast<float>(grey[i]);
+    const float bright = (a + u * (b + u * c)) * level + 0.5F;
+    const float most = kClippedFrom - 1;
+    const float within = bright < 0.0F ? 0.0F : bright < most ? bright : most;
+    grey[i] = static_cast<std::uint8_t>(
+        static_cast<std::int32_t>(level >= static_cast<float>(kClippedFrom) ? level : within));
+  }
+}
+
 void multiply(const FaceGrid& grid, const Terms& light, FacePicture& face) {
   for (const FaceRun& run : grid.runs.runs) {
-    std::uint8_t* grey = face.grey.data() + run.before;
-    for (int u = run.first; u < run.end; ++u) {
-      std::uint8_t& pixel = grey[u - run.first];
-      if (pixel >= kClippedFrom) continue;  // clipped stays clipped
-      const double q = 1.0 + basis_at(grid.size, u + 0.5, run.row + 0.5).dot(light);
-      pixel = static_cast<std::uint8_t>(std::clamp(std::lround(q * pixel), 0L, kClippedFrom - 1L));
-    }
+    // basis_at() of the row, in powers of the column.
+    const double per_px = 2.0 / grid.size.width, from = per_px * 0.5 - 1.0,
+                 t = 2.0 * (run.row + 0.5) / grid.size.height - 1.0;
+    const double constant = 1.0 + light[0] + t * (light[2] + t * light[5]),
+                 slope = light[1] + t * light[4];
+    multiply_row(face.grey.data() + run.before,
+                 run.size(),
+                 run.first,
+                 static_cast<float>(constant + from * (slope + from * light[3])),
+                 static_cast<float>(per_px * (slope + 2.0 * from * light[3])),
+                 static_cast<float>(per_px * per_px * light[3]));
   }
 }
 
