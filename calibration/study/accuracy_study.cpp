@@ -189,20 +189,37 @@ class AccuracyStudyRun {
       }
     }
     const std::size_t frames = world_.frames.size();
-    const auto rounds = static_cast<std::size_t>(options_.repeats) * frames;
-    for (std::size_t round = 0; round < rounds; ++round) {
+    for (std::size_t number = 0; number < frames; ++number) {
       if (job_.stop_requested()) return Error{en::say("stopped before the study was over"), "", ""};
       clock_.report(job_,
-                    from + (to - from) * static_cast<double>(round) / static_cast<double>(rounds),
+                    from + (to - from) * static_cast<double>(number) / static_cast<double>(frames),
                     en::say("measuring what settings cost"));
-      const std::size_t number = round % frames;
       const StudyFrame& frame = world_.frames[number];
-      double base_ms = 1;
       for (std::size_t i = 0; i < choices.size(); ++i) {
         pipelines[i].forget();
         const auto alone = pipelines[i](frame.picture);
         if (!alone) return alone.error();
-        if (round < frames) measured[i].add_errors(frame, answers_[number], *alone);
+        measured[i].add_errors(frame, answers_[number], *alone);
+      }
+      if (const Status timed = time_following(frame, pipelines, measured); !timed)
+        return timed.error();
+    }
+    std::vector<StudyRow> rows;
+    for (std::size_t i = 0; i < choices.size(); ++i) rows.push_back(measured[i].row(choices[i]));
+    return rows;
+  }
+
+ private:
+  /// Of pipelines that have seen this frame, the base's first, turn by turn.
+  [[nodiscard]] Status time_following(const StudyFrame& frame,
+                                      std::vector<Pipeline>& pipelines,
+                                      std::vector<Measured>& measured) const {
+    constexpr double kSlow = 10;  // times the base: one turn a frame tells enough
+    std::vector<char> is_slow(pipelines.size(), 0);
+    for (int repeat = 0; repeat < options_.repeats; ++repeat) {
+      double base_ms = 1;
+      for (std::size_t i = 0; i < pipelines.size(); ++i) {
+        if (is_slow[i] != 0) continue;
         const double begin_s = computed_s();
         const auto following = pipelines[i](frame.picture);
         const double processor_ms = 1000 * (computed_s() - begin_s);
@@ -212,14 +229,12 @@ class AccuracyStudyRun {
             cv::getNumThreads() <= 1 ? processor_ms : following->times_ms.total;
         if (i == 0) base_ms = milliseconds;
         measured[i].add_time(milliseconds, base_ms);
+        is_slow[i] = milliseconds > kSlow * base_ms ? 1 : 0;
       }
     }
-    std::vector<StudyRow> rows;
-    for (std::size_t i = 0; i < choices.size(); ++i) rows.push_back(measured[i].row(choices[i]));
-    return rows;
+    return {};
   }
 
- private:
   [[nodiscard]] const ReferenceLibrary& library_of(const PipelineSettings& settings) const {
     const auto other = others_.find(pictures_of(settings));
     return other == others_.end() ? world_.library : other->second;

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <memory>
 
 #include <fmt/format.h>
 
@@ -83,6 +85,31 @@ Error stopped_painting() {
   return {en::say("stopped before the study was over"), "", ""};
 }
 
+/// A recording's frames, decoded once for libraries of several sizes of picture, as long as they
+/// take no more than this.
+class DecodedFrames {
+ public:
+  explicit DecodedFrames(VideoFile video) : video_(std::move(video)) {}
+  [[nodiscard]] std::size_t count() const { return video_.frame_count(); }
+  Result<cv::Mat> operator()(std::size_t number) {
+    if (const auto known = greys_.find(number); known != greys_.end()) return known->second;
+    const auto frame = video_.frame(number);
+    if (!frame) return frame.error();
+    const cv::Mat& grey = (*frame)->grey;
+    if (bytes_ + grey.total() <= kMostBytes) {
+      bytes_ += grey.total();
+      greys_.emplace(number, grey);
+    }
+    return grey;
+  }
+
+ private:
+  static constexpr std::size_t kMostBytes = 256U << 20U;
+  VideoFile video_;
+  std::map<std::size_t, cv::Mat> greys_;
+  std::size_t bytes_ = 0;
+};
+
 Result<UntouchedPictures> untouched_of_recording(const FingerSnapshot& snapshot,
                                                  const StudyWorldOptions& options,
                                                  const Job& job) {
@@ -97,22 +124,34 @@ Result<UntouchedPictures> untouched_of_recording(const FingerSnapshot& snapshot,
   const auto file = snapshot.folder / finger.reference->video;
   const Split split = split_of(table->frames.size(), static_cast<std::size_t>(options.frames));
   if (split.painted.size() < kLeastFrames) return too_few(snapshot);
-  const auto library_of = [file, kept = rows_of(*table, split.kept), snapshot](
+  auto video = VideoFile::open(file, job);
+  if (!video) return video.error();
+  const auto frames = std::make_shared<DecodedFrames>(std::move(video).value());
+  const auto library_of = [file, frames, kept = rows_of(*table, split.kept), snapshot](
                               const PipelineSettings& settings, const Job& doing) {
-    return ReferenceLibrary::from_recording(
-        file, kept, finger_as_measured(snapshot, settings), doing);
+    const FingerSnapshot measuring = finger_as_measured(snapshot, settings);
+    const auto picture = [&](std::size_t number) -> Result<cv::Mat> {
+      const auto grey = (*frames)(number);
+      if (!grey) return grey.error();
+      return picture_for(measuring, *grey, en::say("the recording's picture"), "", "");
+    };
+    return ReferenceLibrary::from_frames(picture,
+                                         frames->count(),
+                                         file,
+                                         reduced_table(kept, measuring.reduced_by),
+                                         measuring.finger,
+                                         measuring.camera,
+                                         doing);
   };
   auto library = library_of({}, job);
   if (!library) return library.error();
-  auto video = VideoFile::open(file, job);
-  if (!video) return video.error();
   UntouchedPictures untouched{nullptr, std::move(library).value(), {}, library_of};
   for (const std::size_t row : split.painted) {
     if (job.stop_requested()) return stopped_painting();
-    const auto frame = video->frame(static_cast<std::size_t>(table->frames[row]));
-    if (!frame) return frame.error();
-    auto grey = oriented_for(
-        finger.camera, (*frame)->grey, en::say("the recording's picture"), file.string(), "");
+    const auto raw = (*frames)(static_cast<std::size_t>(table->frames[row]));
+    if (!raw) return raw.error();
+    auto grey =
+        oriented_for(finger.camera, *raw, en::say("the recording's picture"), file.string(), "");
     if (!grey) return grey.error();
     untouched.pictures.push_back(grey->clone());
   }

@@ -53,29 +53,35 @@ struct Loop {
 };
 
 // NaN passes both of these, and each is one instruction.
-inline double at_least(double low, double x) {
+template <class Number>
+[[gnu::always_inline]] inline Number at_least(Number low, std::type_identity_t<Number> x) {
   return low > x ? low : x;
 }
-inline double at_most(double high, double x) {
+template <class Number>
+[[gnu::always_inline]] inline Number at_most(Number high, std::type_identity_t<Number> x) {
   return high < x ? high : x;
 }
 
-/// `powers` holds exactly N values; unrolled, so that only x and the result touch memory.
+/// In single precision: t lies within -1 and 1, where the sum is off by some 1e-7 of its largest
+/// coefficient. `powers` holds exactly N values; unrolled, so that only x and the result touch
+/// memory.
 template <int N>
 [[gnu::always_inline]] inline void polynomial_loop(
     const double* powers, Loop loop, const float* x, float* depth_mm, int n) {
-  double p[N];
-  for (int k = 0; k < N; ++k) p[k] = powers[k];
-  const double scale = 2 / loop.x_max;
+  float p[N];
+  for (int k = 0; k < N; ++k) p[k] = static_cast<float>(powers[k]);
+  const auto x_max = static_cast<float>(loop.x_max), limit = static_cast<float>(loop.limit),
+             scale = static_cast<float>(2 / loop.x_max),
+             end_slope = static_cast<float>(loop.end_slope);
 #pragma GCC ivdep  // also where x and depth_mm are the same array
   for (int i = 0; i < n; ++i) {
-    const double pressed = at_least(0.0, x[i]);
-    const double inside = at_most(loop.x_max, pressed);
-    const double t = inside * scale - 1;
-    double sum = p[N - 1];
+    const float pressed = at_least(0.0F, x[i]);
+    const float inside = at_most(x_max, pressed);
+    const float t = inside * scale - 1.0F;
+    float sum = p[N - 1];
     for (int k = N - 2; k >= 0; --k) sum = sum * t + p[k];
-    const double depth = inside * sum + loop.end_slope * (pressed - inside);
-    depth_mm[i] = static_cast<float>(at_most(loop.limit, depth));
+    const float depth = inside * sum + end_slope * (pressed - inside);
+    depth_mm[i] = at_most(limit, depth);
   }
 }
 

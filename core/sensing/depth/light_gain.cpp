@@ -15,7 +15,7 @@
 namespace alltact {
 namespace {
 
-constexpr double kBlocks = 1500;     // enough for six numbers, few enough to cost nothing
+constexpr double kBlocks = 600;      // enough for six numbers, few enough to cost little
 constexpr double kFloor = 0.002;     // what references are off by apart from noise
 constexpr double kTukey = 4.0;       // sigmas beyond which a block says nothing
 constexpr double kConstantSd = 0.5;  // what changes are to be expected

@@ -9,9 +9,6 @@ namespace alltact {
 namespace {
 
 constexpr double kMarginPx = 2.0;  // beyond the face: what is looked up lies between pixels
-// Where pixels off the face are looked up, which nobody reads: far enough from the picture's border
-// that the sampling need not ask at every step what lies beyond it.
-constexpr float kAnywherePx = 8.0F;
 
 /// Columns of one row that lie between the edges of the grid's chart.
 std::vector<FaceRun> runs_of(const FaceGrid& grid, int row) {
@@ -59,27 +56,19 @@ FacePicture keep_face(const cv::Mat& grey, const FaceChart& chart, const FaceGri
   picture.first = warp.inner_first() - grid.origin.x;
   picture.end = warp.inner_end() - grid.origin.x;
   picture.grey.assign(grid.runs.pixels(), 0);
-  // Kept from frame to frame: fresh memory would cost as much as the places that are written to it.
-  thread_local cv::Mat u, v, laid;
-  for (cv::Mat* places : {&u, &v}) {
-    places->create(grid.size, CV_32FC1);
-    places->setTo(kAnywherePx);
-  }
+  std::vector<float> at(2 * static_cast<std::size_t>(grid.size.width));
   for (const FaceRun& run : grid.runs.runs) {
     const int first = std::max(run.first, picture.first), end = std::min(run.end, picture.end);
     if (first >= end) continue;
+    const cv::Size size(end - first, 1);
+    const cv::Mat u(size, CV_32FC1, at.data()), v(size, CV_32FC1, at.data() + grid.size.width);
     warp.places(run.row + grid.origin.y,
                 first + grid.origin.x,
-                end - first,
-                u.ptr<float>(run.row) + first,
-                v.ptr<float>(run.row) + first);
-  }
-  cv::remap(grey, laid, u, v, cv::INTER_CUBIC, cv::BORDER_REPLICATE);
-  for (const FaceRun& run : grid.runs.runs) {
-    const int first = std::max(run.first, picture.first), end = std::min(run.end, picture.end);
-    if (first >= end) continue;
-    const auto* row = laid.ptr<std::uint8_t>(run.row);
-    std::copy(row + first, row + end, picture.grey.begin() + run.before + (first - run.first));
+                size.width,
+                at.data(),
+                at.data() + grid.size.width);
+    cv::Mat laid(size, CV_8UC1, picture.grey.data() + run.before + (first - run.first));
+    cv::remap(grey, laid, u, v, cv::INTER_CUBIC, cv::BORDER_REPLICATE);
   }
   return picture;
 }

@@ -111,29 +111,33 @@ Eigen::MatrixXd pose_terms(const Eigen::MatrixXd& modes) {
   return terms;
 }
 
-/// Grey levels times constant + u (slope + u bow), u from 0 on; clipped ones stay clipped.
+/// One row's pixels times a + b u + c u^2; clipped ones stay clipped.
 ALLTACT_WIDE void multiply_row(
-    float constant, float slope, float bow, int count, std::uint8_t* grey) {
-  for (int u = 0; u < count; ++u) {
-    const auto at = static_cast<float>(u);
-    const float level = grey[u];
-    const float changed = (constant + at * (slope + at * bow)) * level + 0.5F;
-    const float kept = std::min(std::max(changed, 0.0F), kClippedFrom - 1.0F);
-    grey[u] = static_cast<std::uint8_t>(level < kClippedFrom ? kept : level);
+    std::uint8_t* grey, int count, int first, float a, float b, float c) {
+  for (int i = 0; i < count; ++i) {
+    const auto u = static_cast<float>(first + i);
+    const auto level = static_cast<float>(grey[i]);
+    const float bright = (a + u * (b + u * c)) * level + 0.5F;
+    const float most = kClippedFrom - 1;
+    const float within = bright < 0.0F ? 0.0F : bright < most ? bright : most;
+    grey[i] = static_cast<std::uint8_t>(
+        static_cast<std::int32_t>(level >= static_cast<float>(kClippedFrom) ? level : within));
   }
 }
 
-/// Multiplies a face with 1 + basis light.
 void multiply(const FaceGrid& grid, const Terms& light, FacePicture& face) {
-  const double per_u = 2.0 / grid.size.width;  // of s
   for (const FaceRun& run : grid.runs.runs) {
-    const Terms at = basis_at(grid.size, run.first + 0.5, run.row + 0.5);
-    const double s = at[1], t = at[2];
-    multiply_row(static_cast<float>(1.0 + at.dot(light)),
-                 static_cast<float>(per_u * (light[1] + 2.0 * s * light[3] + t * light[4])),
-                 static_cast<float>(per_u * per_u * light[3]),
-                 run.end - run.first,
-                 face.grey.data() + run.before);
+    // basis_at() of the row, in powers of the column.
+    const double per_px = 2.0 / grid.size.width, from = per_px * 0.5 - 1.0,
+                 t = 2.0 * (run.row + 0.5) / grid.size.height - 1.0;
+    const double constant = 1.0 + light[0] + t * (light[2] + t * light[5]),
+                 slope = light[1] + t * light[4];
+    multiply_row(face.grey.data() + run.before,
+                 run.size(),
+                 run.first,
+                 static_cast<float>(constant + from * (slope + from * light[3])),
+                 static_cast<float>(per_px * (slope + 2.0 * from * light[3])),
+                 static_cast<float>(per_px * per_px * light[3]));
   }
 }
 
