@@ -12968,5 +12968,33 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>the push on the back moves the markers too little to tell how far from the base it is</source>
         <translation>der Druck auf den Rücken bewegt die Marken zu wenig, um zu sagen, wie weit von der Basis er ist</translation>
     </message>
+    <message>
+        <source>a change of the finger that was interrupted cannot be completed: {}</source>
+        <translation>eine unterbrochene Änderung des Fingers kann nicht abgeschlossen werden: {}</translation>
+    </message>
+    <message>
+        <source>{} lies in a folder that is a link to elsewhere</source>
+        <translation>{} liegt in einem Ordner, der nur ein Verweis auf einen anderen Ort ist</translation>
+    </message>
+    <message>
+        <source>putting that folder itself there instead of the link</source>
+        <translation>den Ordner selbst statt des Verweises dorthin legen</translation>
+    </message>
+    <message>
+        <source>this is no list of files to be changed</source>
+        <translation>dies ist keine Liste zu ändernder Dateien</translation>
+    </message>
+    <message>
+        <source>removing it; the finger&apos;s files are then some old, some new</source>
+        <translation>sie entfernen; die Dateien des Fingers sind dann teils alt, teils neu</translation>
+    </message>
+    <message>
+        <source>could not be changed</source>
+        <translation>konnte nicht geändert werden</translation>
+    </message>
+    <message>
+        <source>could not read the folder</source>
+        <translation>der Ordner konnte nicht gelesen werden</translation>
+    </message>
 </context>
 </TS>

@@ -12917,5 +12917,33 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>the push on the back moves the markers too little to tell how far from the base it is</source>
         <translation>对背面的推压使标记点移动太少，无法说明距根部多远</translation>
     </message>
+    <message>
+        <source>a change of the finger that was interrupted cannot be completed: {}</source>
+        <translation>无法完成被中断的手指更改：{}</translation>
+    </message>
+    <message>
+        <source>{} lies in a folder that is a link to elsewhere</source>
+        <translation>{} 所在的文件夹是指向别处的链接</translation>
+    </message>
+    <message>
+        <source>putting that folder itself there instead of the link</source>
+        <translation>用该文件夹本身代替链接</translation>
+    </message>
+    <message>
+        <source>this is no list of files to be changed</source>
+        <translation>这不是待更改文件的列表</translation>
+    </message>
+    <message>
+        <source>removing it; the finger&apos;s files are then some old, some new</source>
+        <translation>删除它；此后手指的文件部分为旧、部分为新</translation>
+    </message>
+    <message>
+        <source>could not be changed</source>
+        <translation>无法更改</translation>
+    </message>
+    <message>
+        <source>could not read the folder</source>
+        <translation>无法读取文件夹</translation>
+    </message>
 </context>
 </TS>

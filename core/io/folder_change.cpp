@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <utility>
@@ -40,6 +41,32 @@ bool is_inside(const std::string& name) {
   return std::none_of(path.begin(), path.end(), [](const fs::path& part) { return part == ".."; });
 }
 
+/// No folder on the way to a file is a link: what stands in a list stays in its folder, and renames
+/// stay on its disk.
+bool is_without_links(const fs::path& folder, const fs::path& name) {
+  std::error_code absent;
+  fs::path way = folder;
+  for (const fs::path& part : name.parent_path())
+    if (fs::is_symlink(fs::symlink_status(way /= part, absent))) return false;
+  return true;
+}
+
+/// The first name that leads through a link.
+std::optional<std::string> through_a_link(const fs::path& folder, const ChangeList& list) {
+  for (const std::string& name : list.taken)
+    if (!is_without_links(folder, name) || !is_without_links(folder, list.staged + "/" + name))
+      return name;
+  for (const std::string& name : list.removed)
+    if (!is_without_links(folder, name)) return name;
+  return std::nullopt;
+}
+
+Error leads_elsewhere(const fs::path& folder, const std::string& name) {
+  return {en::say("{} lies in a folder that is a link to elsewhere", name),
+          folder,
+          en::say("putting that folder itself there instead of the link")};
+}
+
 Result<ChangeList> list_in(const fs::path& folder) {
   const auto text = read_file(folder / kList);
   if (!text) return text.error();
@@ -64,7 +91,9 @@ Result<ChangeList> list_in(const fs::path& folder) {
     else
       return broken;
   }
-  return line == "end" && !list.staged.empty() ? Result(list) : broken;
+  if (line != "end" || list.staged.empty()) return broken;
+  if (const auto name = through_a_link(folder, list)) return leads_elsewhere(folder, *name);
+  return list;
 }
 
 Status sync(const fs::path& folder) {
@@ -159,6 +188,7 @@ Status FolderChange::commit() {
   auto names = files_below(staged_);
   if (!names) return names.error();
   const ChangeList list{staged_.filename().string(), std::move(*names), removed_};
+  if (const auto name = through_a_link(folder_, list)) return leads_elsewhere(folder_, *name);
   if (const Status decided = write_file_atomically(folder_ / kList, text_of(list)); !decided) {
     // Not where the list is there all the same, and only its folder could not be synced.
     if (has_open_change(folder_)) staged_.clear();

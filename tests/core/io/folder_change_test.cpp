@@ -98,5 +98,22 @@ TEST_F(FolderChanges, NeverReachOutOfTheirFolder) {
   EXPECT_EQ(text("a"), "old a");
 }
 
+TEST_F(FolderChanges, FollowNoLink) {
+  const TemporaryFolder elsewhere;
+  ASSERT_TRUE(write_file_atomically(elsewhere / "theirs", "theirs"));
+  fs::create_directory_symlink(elsewhere.path(), folder_ / "deep");
+  put(".change.list", "alltact-change/1\nfrom .change-1\nremove deep/theirs\nend\n");
+  const Status removed = complete_change(folder_.path());
+  ASSERT_FALSE(removed);
+  EXPECT_THAT(removed.error().sentence(), HasSubstr("a link to elsewhere"));
+  fs::remove(folder_ / ".change.list");
+  const Status moved = begun().commit();
+  ASSERT_FALSE(moved);
+  EXPECT_THAT(moved.error().sentence(), HasSubstr("a link to elsewhere"));
+  EXPECT_EQ(entries_in(elsewhere.path()), 1U);
+  EXPECT_EQ(text("a"), "old a");
+  EXPECT_FALSE(has_open_change(folder_.path())) << "nothing was decided";
+}
+
 }  // namespace
 }  // namespace alltact::test
