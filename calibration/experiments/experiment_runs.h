@@ -17,6 +17,7 @@ namespace alltact {
 [[nodiscard]] Result<ExperimentOutcome> run_room_light(const ExperimentBench& bench);
 [[nodiscard]] Result<ExperimentOutcome> run_thread(const ExperimentBench& bench);
 [[nodiscard]] Result<ExperimentOutcome> run_usb_plug(const ExperimentBench& bench);
+[[nodiscard]] Result<ExperimentOutcome> run_markers(const ExperimentBench& bench);
 [[nodiscard]] Result<ExperimentOutcome> run_time(const ExperimentBench& bench);
 
 /// On so many fingers drawn at random force and light of the room are measured.

@@ -216,6 +216,27 @@ TEST_F(ExperimentsOnAFinger, MapsShowTheThreadInMillimetres) {
   EXPECT_GT(rms_of(bent[1].mm), 1.2 * rms_of(bent[0].mm));
 }
 
+// Hidden markers lie nearer to what the recording knows than half-way between their neighbours.
+TEST_F(ExperimentsOnAFinger, WaysOfFindingMarkersAreCompared) {
+  if (!test::is_slow_run()) GTEST_SKIP() << "makes fingers of its own; packaging/test --slow";
+  const ExperimentOutcome markers = outcome_of("markers");
+  constexpr std::size_t kOfAWay = 5;  // found, elsewhere, off, hidden, ms
+  ASSERT_EQ(markers.figures.size(), 3 * kOfAWay);
+  const auto of = [&](std::size_t way, std::size_t figure) {
+    return markers.figures[way * kOfAWay + figure].ours;
+  };
+  for (const std::size_t way : {0, 2}) {  // blobs, network
+    EXPECT_GT(of(way, 0), 85) << way;
+    EXPECT_LT(of(way, 1), 1) << way;
+    EXPECT_LT(of(way, 3), 0.1 * of(1, 3)) << way;
+  }
+  EXPECT_GT(of(2, 4), of(0, 4)) << "a network costs more";
+  for (const ExperimentPlot& plot : markers.plots) {
+    EXPECT_EQ(plot.series.size(), 3U);
+    EXPECT_EQ(plot.categories.size(), 6U);
+  }
+}
+
 TEST_F(ExperimentsOnAFinger, AStopIsHeard) {
   Job stopped;
   stopped.request_stop();
