@@ -12996,5 +12996,89 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>could not read the folder</source>
         <translation>der Ordner konnte nicht gelesen werden</translation>
     </message>
+    <message>
+        <source>what the ways of finding markers cost and gain</source>
+        <translation>was die Arten, Marker zu finden, kosten und bringen</translation>
+    </message>
+    <message>
+        <source>blobs, the default</source>
+        <translation>Flecken (Vorgabe)</translation>
+    </message>
+    <message>
+        <source>the paper&apos;s rows</source>
+        <translation>Reihen wie in der Arbeit</translation>
+    </message>
+    <message>
+        <source>network</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <source>clear</source>
+        <translation>klar</translation>
+    </message>
+    <message>
+        <source>half hidden</source>
+        <translation>halb verdeckt</translation>
+    </message>
+    <message>
+        <source>worn</source>
+        <translation>abgenutzt</translation>
+    </message>
+    <message>
+        <source>blurred</source>
+        <translation>unscharf</translation>
+    </message>
+    <message>
+        <source>partly lit</source>
+        <translation>teils beleuchtet</translation>
+    </message>
+    <message>
+        <source>dirty</source>
+        <translation>verschmutzt</translation>
+    </message>
+    <message>
+        <source>{}: markers in sight that are found</source>
+        <translation>{}: sichtbare Marker, die gefunden werden</translation>
+    </message>
+    <message>
+        <source>{}: told as seen, and elsewhere</source>
+        <translation>{}: als gesehen gemeldet, doch anderswo</translation>
+    </message>
+    <message>
+        <source>{}: those found, root mean square</source>
+        <translation>{}: gefundene, quadratisches Mittel</translation>
+    </message>
+    <message>
+        <source>{}: hidden ones, root mean square</source>
+        <translation>{}: verdeckte, quadratisches Mittel</translation>
+    </message>
+    <message>
+        <source>{}: time of a frame, median</source>
+        <translation>{}: Zeit für ein Bild, Median</translation>
+    </message>
+    <message>
+        <source>what is difficult</source>
+        <translation>was es schwer macht</translation>
+    </message>
+    <message>
+        <source>markers in sight that are found, each frame by itself</source>
+        <translation>sichtbare Marker, die gefunden werden, jedes Bild für sich</translation>
+    </message>
+    <message>
+        <source>found (%)</source>
+        <translation>gefunden (%)</translation>
+    </message>
+    <message>
+        <source>how far hidden markers are from where they are said to be</source>
+        <translation>wie weit verdeckte Marker von der angegebenen Stelle entfernt sind</translation>
+    </message>
+    <message>
+        <source>root mean square (px)</source>
+        <translation>quadratisches Mittel (px)</translation>
+    </message>
+    <message>
+        <source>The demonstration&apos;s finger and {} drawn at random, which the network has not been trained on. Blobs and network are numbered by the recording, the paper&apos;s rows from left to right with hidden ones between their neighbours; each frame is looked at anew, as if none had come before. The paper tells no figure of its markers</source>
+        <translation>Der Finger der Vorführung und {} zufällig gezogene, mit denen das Netz nicht trainiert wurde. Flecken und Netz werden nach der Aufnahme nummeriert, die Reihen der Arbeit von links nach rechts, verdeckte zwischen ihren Nachbarn; jedes Bild wird neu betrachtet, als wäre keines vorausgegangen. Die Arbeit nennt für ihre Marker keine Zahl</translation>
+    </message>
 </context>
 </TS>

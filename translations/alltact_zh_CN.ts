@@ -12945,5 +12945,89 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>could not read the folder</source>
         <translation>无法读取文件夹</translation>
     </message>
+    <message>
+        <source>what the ways of finding markers cost and gain</source>
+        <translation>各种标记查找方法的代价与收益</translation>
+    </message>
+    <message>
+        <source>blobs, the default</source>
+        <translation>斑点（默认）</translation>
+    </message>
+    <message>
+        <source>the paper&apos;s rows</source>
+        <translation>论文的行排序</translation>
+    </message>
+    <message>
+        <source>network</source>
+        <translation>网络</translation>
+    </message>
+    <message>
+        <source>clear</source>
+        <translation>清晰</translation>
+    </message>
+    <message>
+        <source>half hidden</source>
+        <translation>半遮挡</translation>
+    </message>
+    <message>
+        <source>worn</source>
+        <translation>磨损</translation>
+    </message>
+    <message>
+        <source>blurred</source>
+        <translation>模糊</translation>
+    </message>
+    <message>
+        <source>partly lit</source>
+        <translation>部分照明</translation>
+    </message>
+    <message>
+        <source>dirty</source>
+        <translation>脏污</translation>
+    </message>
+    <message>
+        <source>{}: markers in sight that are found</source>
+        <translation>{}：可见标记中被找到的</translation>
+    </message>
+    <message>
+        <source>{}: told as seen, and elsewhere</source>
+        <translation>{}：报告为可见但位置不对</translation>
+    </message>
+    <message>
+        <source>{}: those found, root mean square</source>
+        <translation>{}：已找到的，均方根</translation>
+    </message>
+    <message>
+        <source>{}: hidden ones, root mean square</source>
+        <translation>{}：被遮挡的，均方根</translation>
+    </message>
+    <message>
+        <source>{}: time of a frame, median</source>
+        <translation>{}：每帧时间，中位数</translation>
+    </message>
+    <message>
+        <source>what is difficult</source>
+        <translation>困难所在</translation>
+    </message>
+    <message>
+        <source>markers in sight that are found, each frame by itself</source>
+        <translation>可见标记中被找到的，每帧单独处理</translation>
+    </message>
+    <message>
+        <source>found (%)</source>
+        <translation>已找到（%）</translation>
+    </message>
+    <message>
+        <source>how far hidden markers are from where they are said to be</source>
+        <translation>被遮挡标记与报告位置的距离</translation>
+    </message>
+    <message>
+        <source>root mean square (px)</source>
+        <translation>均方根（px）</translation>
+    </message>
+    <message>
+        <source>The demonstration&apos;s finger and {} drawn at random, which the network has not been trained on. Blobs and network are numbered by the recording, the paper&apos;s rows from left to right with hidden ones between their neighbours; each frame is looked at anew, as if none had come before. The paper tells no figure of its markers</source>
+        <translation>演示用手指以及 {} 个随机生成的手指，网络未用它们训练过。斑点和网络按参考录像编号，论文的行从左到右编号，被遮挡的取相邻标记之间；每帧都重新查看，不依赖前一帧。论文未给出其标记的数据</translation>
+    </message>
 </context>
 </TS>
