@@ -13006,7 +13006,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>the paper&apos;s rows</source>
-        <translation>Reihen wie in der Arbeit</translation>
+        <translation>Reihen wie in der Quellarbeit</translation>
     </message>
     <message>
         <source>network</source>
@@ -13078,7 +13078,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>The demonstration&apos;s finger and {} drawn at random, which the network has not been trained on. Blobs and network are numbered by the recording, the paper&apos;s rows from left to right with hidden ones between their neighbours; each frame is looked at anew, as if none had come before. The paper tells no figure of its markers</source>
-        <translation>Der Finger der Vorführung und {} zufällig gezogene, mit denen das Netz nicht trainiert wurde. Flecken und Netz werden nach der Aufnahme nummeriert, die Reihen der Arbeit von links nach rechts, verdeckte zwischen ihren Nachbarn; jedes Bild wird neu betrachtet, als wäre keines vorausgegangen. Die Arbeit nennt für ihre Marker keine Zahl</translation>
+        <translation>Der Finger der Vorführung und {} zufällig gezogene, mit denen das Netz nicht trainiert wurde. Flecken und Netz werden nach der Aufnahme nummeriert, die Reihen der Quellarbeit von links nach rechts, verdeckte zwischen ihren Nachbarn; jedes Bild wird neu betrachtet, als wäre keines vorausgegangen. Die Quellarbeit nennt für ihre Marker keine Zahl</translation>
     </message>
 </context>
 </TS>
