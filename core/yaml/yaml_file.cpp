@@ -7,6 +7,9 @@
 
 #include <algorithm>
 #include <optional>
+#include <sstream>
+
+#include <yaml-cpp/eventhandler.h>
 
 namespace alltact {
 namespace {
@@ -44,6 +47,52 @@ std::optional<YamlValue> kept(const YAML::Node& node, int depth, std::size_t& pa
   return value;
 }
 
+/// Notes where a document begins.
+class DocumentStart : public YAML::EventHandler {
+ public:
+  std::optional<YAML::Mark> mark;
+
+  void OnDocumentStart(const YAML::Mark&) override {}
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark& at, YAML::anchor_t) override { note(at); }
+  void OnAlias(const YAML::Mark& at, YAML::anchor_t) override { note(at); }
+  void OnScalar(const YAML::Mark& at,
+                const std::string&,
+                YAML::anchor_t,
+                const std::string&) override {
+    note(at);
+  }
+  void OnSequenceStart(const YAML::Mark& at,
+                       const std::string&,
+                       YAML::anchor_t,
+                       YAML::EmitterStyle::value) override {
+    note(at);
+  }
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark& at,
+                  const std::string&,
+                  YAML::anchor_t,
+                  YAML::EmitterStyle::value) override {
+    note(at);
+  }
+  void OnMapEnd() override {}
+
+ private:
+  void note(const YAML::Mark& at) {
+    if (!mark) mark = at;
+  }
+};
+
+/// Where a second document begins; nullopt: there is none. No further than that: of a stray comma
+/// yaml-cpp makes documents without end.
+std::optional<YAML::Mark> second_document(const std::string& content) {
+  std::istringstream stream(content);
+  YAML::Parser parser(stream);
+  DocumentStart first, second;
+  if (!parser.HandleNextDocument(first) || !parser.HandleNextDocument(second)) return std::nullopt;
+  return second.mark.value_or(YAML::Mark());
+}
+
 }  // namespace
 
 YamlFile::YamlFile(std::filesystem::path path, Unknown policy)
@@ -64,13 +113,12 @@ Status YamlFile::load(const std::function<void(YamlSection&)>& reader) {
 
 Status YamlFile::read(const std::string& content, const std::function<void(YamlSection&)>& reader) {
   try {
-    const std::vector<YAML::Node> documents = YAML::LoadAll(content);
-    if (documents.size() > 1)
+    if (const auto mark = second_document(content))
       return error(en::say("holds more than one document"),
-                   line_of_mark(documents[1].Mark()),
+                   line_of_mark(*mark),
                    "",
                    en::say("leave out the lines '---'"));
-    YamlSection top(*this, documents.empty() ? YAML::Node() : documents[0], "", 1);
+    YamlSection top(*this, YAML::Load(content), "", 1);
     reader(top);
     look_at_the_rest();
     return {};

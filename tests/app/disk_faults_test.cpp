@@ -21,24 +21,17 @@ using testing::AnyOf;
 using testing::HasSubstr;
 using testing::Not;
 
-Files files_in(const fs::path& folder) {
-  Files shown;
-  for (const auto& [name, bytes] : DiskModel(folder).files(DiskModel::Lost::kNothing))
-    if (name.find("/.") == std::string::npos && name.front() != '.') shown[name] = bytes;
-  return shown;
-}
-
-bool is_slow() {
-  return std::getenv("ALLTACT_SLOW") != nullptr;
-}
-
 class DiskFaults : public testing::Test {
  protected:
   void SetUp() override {
     if (std::string(ALLTACT_SANITIZE) != "")
       GTEST_SKIP() << "sanitizers want to be loaded before the disk's faults";
-    ASSERT_EQ(flat_.make().status, 0);
-    ASSERT_EQ(flat_.calibrate({flat_.presses[0].string(), flat_.presses[1].string()}).status, 0);
+    const fs::path folder = finger();
+    fs::create_directory(folder);
+    Finger made = flat_sensor_finger(true);
+    made.reference = ReferenceFiles{"", "", "reference.png"};
+    ASSERT_TRUE(made.save(folder));
+    fs::copy(flat_.file("ref.png"), folder / "reference.png");
     fs::copy(flat_.finger(), kept_, fs::copy_options::recursive);
   }
   [[nodiscard]] std::string finger() const { return flat_.finger(); }
@@ -61,7 +54,7 @@ class DiskFaults : public testing::Test {
     ASSERT_EQ(run("", arguments).status, 0);
     const Files after = files_in(finger());
     int refused = 0;
-    for (int first = 1;; first += is_slow() ? 1 : 1 + first / 12) {
+    for (int first = 1;; first += tries_all() ? 1 : 1 + first / 12) {
       put_back();
       const ProgramRun failed =
           run(fmt::format("ALLTACT_DISK_FAIL={}:{}", first, error_number), arguments);
@@ -101,7 +94,7 @@ TEST_F(DiskFaults, ADiskThatBecomesReadOnlyOrBreaksAtEveryWrite) {
 }
 
 TEST_F(DiskFaults, AFullDiskWhileAFingerIsCalibrated) {
-  if (!is_slow()) GTEST_SKIP() << "a minute: with ALLTACT_SLOW only";
+  if (!tries_all()) GTEST_SKIP() << "a minute: with ALLTACT_SLOW only";
   std::string presses;
   for (const auto& press : flat_.presses) presses += " " + press.string();
   fail_each("calibrate " + finger() + presses, ENOSPC, "the disk is full");
@@ -131,7 +124,7 @@ TEST_F(DiskFaults, TheClockOfTheComputerWasSetBack) {
 }
 
 TEST_F(DiskFaults, ADiskThatStallsIsToldOfAndCanBeLeft) {
-  if (!is_slow()) GTEST_SKIP() << "waits for seconds: with ALLTACT_SLOW only";
+  if (!tries_all()) GTEST_SKIP() << "waits for seconds: with ALLTACT_SLOW only";
   const ProgramRun run = run_shell(fmt::format(
       "export ALLTACT_DISK='{0}' ALLTACT_DISK_STALL=20000; LD_PRELOAD={1} {2} check {0} & "
       "sleep 4.9; kill -INT $!; sleep 0.2; kill -INT $!; wait $!",
@@ -144,7 +137,7 @@ TEST_F(DiskFaults, ADiskThatStallsIsToldOfAndCanBeLeft) {
 
 TEST_F(DiskFaults, FewOpenFilesAreToldOrEnough) {
   int refused = 0;
-  for (int files = 4; files <= 24; files += is_slow() ? 1 : 4) {
+  for (int files = 4; files <= 24; files += tries_all() ? 1 : 4) {
     const ProgramRun run = run_shell(fmt::format("ulimit -n {}; {} reconstruct {} {} -o {}",
                                                  files,
                                                  ALLTACT_PROGRAM,
@@ -164,7 +157,7 @@ TEST_F(DiskFaults, FewOpenFilesAreToldOrEnough) {
 
 TEST_F(DiskFaults, LittleMemoryIsToldOrEnough) {
   int refused = 0;
-  for (int megabytes = 60; megabytes <= 900; megabytes += is_slow() ? 40 : 210) {
+  for (int megabytes = 60; megabytes <= 900; megabytes += tries_all() ? 40 : 210) {
     const ProgramRun run =
         run_shell(fmt::format("ulimit -v {}; timeout -s KILL 60 {} reconstruct {} {} -o {}",
                               1000 * megabytes,

@@ -208,7 +208,8 @@ class Disturbance {
 TEST(LiveUse, NothingGrowsAndNoFrameIsLostInSilence) {
   const Bench bench;
   const test::FlatFinger flat;
-  ASSERT_EQ(flat.make().status, 0);
+  std::filesystem::create_directory(flat.finger());
+  ASSERT_TRUE(test::flat_sensor_finger(false).save(flat.finger()).ok());
   test::FakeCamera fake(bench.camera);
   auto opened =
       V4l2Camera::open({&fake,

@@ -19,7 +19,7 @@ namespace {
 
 /// About how many bytes a format may cost in all.
 std::size_t budget() {
-  return std::getenv("ALLTACT_SLOW") != nullptr ? 200'000'000 : 600'000;
+  return std::getenv("ALLTACT_SLOW") != nullptr ? 200'000'000 : 150'000;
 }
 
 class Readers : public testing::TestWithParam<Reader> {};

@@ -182,7 +182,7 @@ std::vector<std::string> frame_line_seeds() {
   line.line = result_seeds().front();
   line.is_measured = true;
   line.total_ms = 2.5;
-  line.contacts.emplace();
+  line.contacts = FrameLine::Contacts();
   line.contacts->texts.fill("{\"face\": \"contact\"}");
   line.contacts->faces.fill(PushedFace::kContact);
   return {line.to_json()};

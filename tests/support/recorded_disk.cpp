@@ -1,5 +1,6 @@
 #include "tests/support/recorded_disk.h"
 
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -125,6 +126,21 @@ DiskModel::Files DiskModel::files(Lost lost) const {
     if (is_reached) files[name] = has_bytes ? file->now : file->synced;
   }
   return files;
+}
+
+DiskModel::Files shown(const DiskModel::Files& files) {
+  DiskModel::Files left;
+  for (const auto& [name, bytes] : files)
+    if (name.find("/.") == std::string::npos && name.front() != '.') left[name] = bytes;
+  return left;
+}
+
+DiskModel::Files files_in(const fs::path& folder) {
+  return shown(DiskModel(folder).files(DiskModel::Lost::kNothing));
+}
+
+bool tries_all() {
+  return std::getenv("ALLTACT_SLOW") != nullptr;
 }
 
 void lay_out(const DiskModel::Files& files, const fs::path& folder) {

@@ -249,5 +249,14 @@ TEST(YamlReader, WhatIsKeptIsTheSameWhenItIsReadAgain) {
   }));
 }
 
+TEST(YamlReader, AStrayCommaIsNoDocumentWithoutEnd) {
+  for (const char* text : {", ", ",a: 1\n", ",\nname: x\n", "a: 1\n---\nb: 2\n"}) {
+    YamlFile file("b.yaml");
+    const Status status = file.read(text, read_nothing);
+    ASSERT_FALSE(status) << text;
+    EXPECT_NE(status.error().sentence().find("b.yaml"), std::string::npos);
+  }
+}
+
 }  // namespace
 }  // namespace alltact
