@@ -65,14 +65,22 @@ TEST_F(Accuracy, OffersToMeasureWhereNothingIsMeasured) {
   ASSERT_TRUE(wait_until([&] { return !place().run().is_running(); }, 20000));
   EXPECT_EQ(studio_->problems(), "");
   const bool has_some = place().run().study() != nullptr;
-  studio_->click(has_some ? "Measure what is missing" : button->text().remove('&'));
-  ASSERT_TRUE(wait_until(
-      [&] { return place().run().study() && place().run().study()->has_all_single; }, 120000));
-  EXPECT_TRUE(place().plot().isVisible());
+  const QString on =
+      has_some ? QStringLiteral("Measure what is missing") : button->text().remove('&');
+  EXPECT_NE(studio_->find<QPushButton>(on), nullptr);
+  if (is_thorough()) {
+    studio_->click(on);
+    ASSERT_TRUE(wait_until(
+        [&] { return place().run().study() && place().run().study()->has_all_single; }, 120000));
+  }
+  EXPECT_EQ(place().plot().isVisible(), place().run().study() != nullptr);
+  const auto measured = place().run().study();
   studio_.reset();
   open_again({});
+  if (!measured) return;
   ASSERT_TRUE(wait_for_study()) << "there at once on the second day";
-  EXPECT_TRUE(place().run().study()->has_all_single);
+  EXPECT_EQ(place().run().study()->study.rows.size(), measured->study.rows.size());
+  EXPECT_EQ(place().run().study()->has_all_single, measured->has_all_single);
 }
 
 TEST_F(Accuracy, SaysWhatIsMissingFirst) {

@@ -73,11 +73,10 @@ CalibrateStudio::CalibrateStudio(int presses) {
   must(own.save(finger()));
   must(write_file_atomically(folder_ / "pressing.yaml", pressing_scene()));
   if (presses == 0) return;
-  const Plan plan = Plan::compile(Scene::load(folder_ / "pressing.yaml").value(), 1).value();
   std::filesystem::create_directories(finger() / "presses");
   for (int i = 0; i < presses; ++i)
     must(write_picture(finger() / "presses" / fmt::format("press_{:02}.png", i + 1),
-                       plan.render((15 * i + 7) % 90)));
+                       remembered_frame(folder_ / "pressing.yaml", (15 * i + 7) % 90)));
 }
 
 CalibratePlace& CalibrateStudio::place() {

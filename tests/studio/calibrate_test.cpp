@@ -37,7 +37,10 @@ TEST(Calibrate, EveryStepSaysWhatItNeedsFirst) {
   QTest::keyClicks(file, QString::fromStdString(MadeFingers::get().camera().string()));
   QTest::keyClick(file, Qt::Key_Return);
   EXPECT_EQ(studio.problems(), "");
-  EXPECT_TRUE(says(studio, "960 × 540 px, focal length 523.9 px"));
+  const cv::Size size = small_size_px();
+  const std::string lens = fmt::format(
+      "{} × {} px, focal length {:.1f} px", size.width, size.height, 523.9 * size.width / 960);
+  EXPECT_TRUE(says(studio, lens.c_str()));
   studio.click("Next: Finger");
   EXPECT_TRUE(says(studio, "make one, or open one"));
   EXPECT_FALSE(studio.find<QPushButton>("Next: Presses")->isEnabled());

@@ -45,7 +45,8 @@ TEST(SpaceBar, TakesAPressWhereverTheFocusIsAndTypesIntoNoNumber) {
 
 TEST(Refusals, AreAWordInTheListAndASentenceBesideThePicture) {
   CalibrateStudio rig(1);
-  must(write_picture(rig.finger() / "presses/zz.png", cv::Mat(540, 960, CV_8U, cv::Scalar(90))));
+  must(write_picture(rig.finger() / "presses/zz.png",
+                     cv::Mat(small_size_px(), CV_8U, cv::Scalar(90))));
   rig.open();
   rig.go_to_step("Presses");
   rig.type_radius("4");

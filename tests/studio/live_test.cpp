@@ -212,13 +212,13 @@ TEST(Live, SaysThatAFingerIsOfAnotherCamera) {
   const TemporaryFolder folder;
   QFile scene(QString::fromStdString((folder / "large.yaml").string()));
   ASSERT_TRUE(scene.open(QIODevice::WriteOnly));
-  scene.write(small_scene(false, 640).c_str());
+  scene.write(small_scene(false, 480).c_str());
   scene.close();
   StudioOptions options = simulated();
   options.source = {folder / "large.yaml"};
   Studio studio(options);
-  ASSERT_TRUE(wait_until([&] { return studio.problems().find("640") != std::string::npos; }));
-  EXPECT_THAT(studio.problems(), HasSubstr("960"));
+  ASSERT_TRUE(wait_until([&] { return studio.problems().find("480") != std::string::npos; }));
+  EXPECT_THAT(studio.problems(), HasSubstr(std::to_string(small_size_px().width)));
 }
 
 TEST(Live, TellsWhenAVideoEndsAndPlaysItAgain) {

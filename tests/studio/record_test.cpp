@@ -75,7 +75,8 @@ TEST_F(RecordTest, RecordsEveryFrameExactly) {
   for (std::size_t i = 0; i < video->frame_count(); ++i, ++expected) {
     const FramePtr frame = video->frame(i).value();
     ASSERT_EQ(frame->sequence, expected);
-    const cv::Mat truth = plan.render(static_cast<int>(expected));
+    // The test's source shows the scene again and again.
+    const cv::Mat truth = plan.render(static_cast<int>(expected) % plan.frame_count());
     ASSERT_EQ(cv::norm(frame->grey, truth, cv::NORM_INF), 0) << "frame " << expected;
   }
 }

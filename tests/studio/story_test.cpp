@@ -19,7 +19,7 @@ namespace {
 FakeOptions looking_at_a_finger() {
   const Plan plan = Plan::compile(Scene::load(MadeFingers::get().bending()).value(), 1).value();
   FakeOptions options;
-  options.sizes = {{960, 540}};
+  options.sizes = {{small_size_px().width, small_size_px().height}};
   for (int i = 0; i < 60; ++i) cv::imencode(".jpg", plan.render(i), options.packets.emplace_back());
   return options;
 }

@@ -19,6 +19,15 @@ void must(const Status& status) {
   if (!status) throw std::runtime_error(status.error().sentence());
 }
 
+bool is_thorough() {
+  return qEnvironmentVariableIsSet("ALLTACT_SLOW") ||
+         qEnvironmentVariableIsSet("ALLTACT_RENEW_HELP");
+}
+
+cv::Size small_size_px() {
+  return is_thorough() ? cv::Size(960, 540) : cv::Size(768, 432);
+}
+
 std::string small_scene(bool is_touched, int width_px) {
   const double scale = width_px / 960.0;
   const std::string ball =
@@ -104,7 +113,7 @@ MadeFingers::MadeFingers() {
 SourceOpener with_camera(FakeCamera& fake) {
   return [&fake](const std::vector<std::filesystem::path>& inputs,
                  const SourceOptions& options) -> Result<std::unique_ptr<Source>> {
-    if (inputs.front() != "camera") return open_source(inputs, options);
+    if (inputs.front() != "camera") return open_remembered(inputs, options);
     CameraPlace place;
     place.calls = &fake;
     place.identity = "camera";
@@ -142,6 +151,9 @@ StudioOptions simulated() {
 
 Studio::Studio(StudioOptions options) {
   if (options.session_folder.empty()) options.session_folder = folder_ / "session";
+  using Open = decltype(&open_source);
+  if (const Open* open = options.opener.target<Open>(); open && *open == &open_source)
+    options.opener = &open_remembered;
   if (!options.lister) options.lister = [] { return std::vector<FoundCamera>{}; };
   dresser_.wear({Theme::kLight, QStringLiteral("en")});
   for (const char* place : {"live", "calibrate", "record", "inspect", "accuracy"})

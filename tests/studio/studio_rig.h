@@ -20,9 +20,16 @@
 
 namespace alltact::test {
 
-/// A scene of a finger of 960 x 540 px that bends; with `is_touched` a ball is pressed in in every
-/// frame.
-[[nodiscard]] std::string small_scene(bool is_touched = false, int width_px = 960);
+/// True where the run may take as long as it likes (ALLTACT_SLOW), or renews pictures that are
+/// kept.
+[[nodiscard]] bool is_thorough();
+
+/// Of the small finger's pictures: 768 x 432, in thorough runs 960 x 540.
+[[nodiscard]] cv::Size small_size_px();
+
+/// A scene of a finger that bends; with `is_touched` a ball is pressed in in every frame.
+[[nodiscard]] std::string small_scene(bool is_touched = false,
+                                      int width_px = small_size_px().width);
 
 /// A folder of its own with the scenes `bending.yaml` and `touched.yaml`, a finger that is
 /// `described` only, and one that is `calibrated`. Made once for all tests.
@@ -51,11 +58,19 @@ void must(const Status& status);
 /// What a program that died leaves in its session's folder.
 void leave_as_after_a_crash(const std::filesystem::path& session_folder);
 
+/// As open_source; what a scene shows at the camera's pace is rendered once for all tests, and
+/// comes again from its first frame on after its last one.
+[[nodiscard]] Result<std::unique_ptr<Source>> open_remembered(
+    const std::vector<std::filesystem::path>& inputs, const SourceOptions& options);
+
+/// One of the frames that open_remembered would give of a scene made by small_scene.
+[[nodiscard]] cv::Mat remembered_frame(const std::filesystem::path& scene, int number);
+
 /// Opens the fake camera under the name "camera", everything else as ever.
 [[nodiscard]] SourceOpener with_camera(FakeCamera& fake);
 
 /// Turns the event loop until it is so; false after `patience_ms`.
-bool wait_until(const std::function<bool()>& is_so, int patience_ms = 10000);
+bool wait_until(const std::function<bool()>& is_so, int patience_ms = 30000);
 
 class Studio {
  public:

@@ -168,6 +168,7 @@ void PressesPage::connect_parts() {
   connect(&desk_, &PressDesk::refused, this, [this](const Problem& problem) {
     refused_ = problem;
     show_problems();
+    show_taken();
   });
   connect(&run_, &CalibrationRun::changed, this, &PressesPage::show_shown);
   connect(&forecast_, &PressForecast::changed, this, [this] {

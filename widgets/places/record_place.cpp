@@ -66,6 +66,7 @@ RecordPlace::RecordPlace(LiveSession& session, ReferenceInstaller installer, QWi
       install_(new QPushButton),
       keep_(new QPushButton),
       again_(new QPushButton),
+      onward_(new QPushButton),
       video_(new QPushButton),
       stop_install_(new QPushButton),
       bar_(new QProgressBar),
@@ -97,6 +98,7 @@ void RecordPlace::connect_parts() {
   connect(install_, &QPushButton::clicked, this, &RecordPlace::install);
   connect(keep_, &QPushButton::clicked, this, &RecordPlace::keep_take);
   connect(again_, &QPushButton::clicked, this, &RecordPlace::record_again);
+  connect(onward_, &QPushButton::clicked, this, [this] { Q_EMIT place_wanted("calibrate"); });
   connect(video_, &QPushButton::clicked, this, &RecordPlace::choose_video);
   connect(stop_install_, &QPushButton::clicked, this, [this] { install_work_.stop(); });
   connect(&judge_, &TakeJudge::changed, this, &RecordPlace::show_status);
@@ -162,6 +164,7 @@ void RecordPlace::make_result_group(QVBoxLayout& column) {
   layout->addLayout(other);
   layout->addLayout(line);
   layout->addWidget(outcome_);
+  layout->addWidget(onward_);
   layout->addWidget(rejected_);
   column.addWidget(result_group_);
 }
@@ -181,6 +184,7 @@ void RecordPlace::name_parts() {
   keep_->setText(tr("&Keep for later"));
   keep_->setToolTip(tr("The video stays where it is, and the finger stays as it is."));
   again_->setText(tr("Record a&gain"));
+  onward_->setText(tr("&Go to Calibrate"));
   again_->setToolTip(tr("Puts this video into the waste bin and records another one."));
   video_->setText(tr("Install a &video that is there…"));
   stop_install_->setText(tr("&Stop"));
@@ -298,7 +302,10 @@ void RecordPlace::install() {
   install_work_.start([this, folder, video, choices, installer = installer_](const Job& job) {
     auto report = std::make_shared<Result<ReferenceReport>>(installer(folder, video, choices, job));
     const QImage picture(QString::fromStdString((folder / kReferenceProblem).string()));
-    return std::function<void()>([this, report, video, picture] {
+    // Who stopped it knows why nothing was installed.
+    const bool is_stopped = job.stop_requested() && !report->ok();
+    return std::function<void()>([this, report, video, picture, is_stopped] {
+      if (is_stopped) return;
       installed_ = video;
       report_ = *report;
       problem_picture_ = picture;

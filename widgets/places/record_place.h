@@ -99,7 +99,7 @@ class RecordPlace : public Place {
   QPushButton *browse_, *record_;
   QLabel *reason_, *progress_, *space_;
   QLabel* summary_;
-  QPushButton *install_, *keep_, *again_, *video_, *stop_install_;
+  QPushButton *install_, *keep_, *again_, *onward_, *video_, *stop_install_;
   QProgressBar* bar_;
   QLabel *install_reason_, *judged_, *outcome_;
   QListWidget* rejected_;

@@ -170,6 +170,7 @@ void RecordPlace::show_offer(const LiveStatus& status) {
     other->setVisible(!is_installing && !is_installed);
   }
   again_->setEnabled(again_->isEnabled() && record_->isEnabled());
+  onward_->setVisible(is_installed && !is_installing);
   install_reason_->setText(why);
   install_reason_->setVisible(!why.isEmpty());
   judged_->setText(judged_words());
@@ -188,6 +189,7 @@ void RecordPlace::show_recorded(const LiveStatus& status) {
     for (QWidget* widget : {static_cast<QWidget*>(install_),
                             static_cast<QWidget*>(keep_),
                             static_cast<QWidget*>(again_),
+                            static_cast<QWidget*>(onward_),
                             static_cast<QWidget*>(install_reason_),
                             static_cast<QWidget*>(judged_),
                             static_cast<QWidget*>(bar_),

@@ -78,10 +78,14 @@ QString RecordPlace::why_not_install(const LiveStatus& status) const {
 }
 
 void RecordPlace::mark_primary() {
-  const bool is_installed = report_ && report_->ok() && installed_ == recorded_;
-  const bool installs = !recorded_.empty() && install_->isEnabled() && !is_installed;
+  const bool is_offered = !recorded_.empty() && installed_ != recorded_;
+  const bool is_refused = judge_.report() && !judge_.report()->ok();
+  const bool installs = is_offered && install_->isEnabled() && !is_refused;
+  const bool is_installed = !recorded_.empty() && report_ && report_->ok();
   set_primary(*install_, installs);
-  set_primary(*record_, !installs);
+  set_primary(*again_, is_offered && is_refused && again_->isEnabled());
+  set_primary(*onward_, is_installed);
+  set_primary(*record_, !is_offered && !is_installed && !install_work_.is_running());
 }
 
 QString RecordPlace::outcome_text() const {
