@@ -4265,6 +4265,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>The contact face is touched; such frames are left out.</source>
         <translation>Die Kontaktfläche wird berührt; solche Bilder werden ausgelassen.</translation>
     </message>
+    <message>
+        <source>&amp;Go to Calibrate</source>
+        <translation>&amp;Weiter zu Kalibrieren</translation>
+    </message>
 </context>
 <context>
     <name>alltact::RigCheckBox</name>

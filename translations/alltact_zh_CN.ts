@@ -4232,6 +4232,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>The contact face is touched; such frames are left out.</source>
         <translation>接触面被触碰；这样的帧会被排除。</translation>
     </message>
+    <message>
+        <source>&amp;Go to Calibrate</source>
+        <translation>前往“标定”(&amp;G)</translation>
+    </message>
 </context>
 <context>
     <name>alltact::RigCheckBox</name>
