@@ -3,6 +3,7 @@
 // One theme and a few sizes by default; everything with ALLTACT_SLOW, at three scales of the
 // screen, with pictures of all below the build's folder, screens/pages. ALLTACT_RENEW_GALLERY=1
 // keeps them, reduced, a sheet a page in tests/gallery/pages: look at them before committing.
+// ALLTACT_DRESSES="1024x700 de" looks at those alone whose name has these words.
 #include "app/studio/session_file.h"
 #include "core/io/atomic_file.h"
 #include "tests/studio/calibrate_rig.h"
@@ -62,7 +63,9 @@ const std::vector<Dress>& dresses() {
     for (const Theme theme : {Theme::kLight, Theme::kDark, Theme::kHighContrast})
       for (const char* language : {"en", "de", "zh_CN"})
         for (const QSize size : {small, middle, wide, large})
-          every.push_back({size, language, theme});
+          if (const Dress dress{size, language, theme};
+              dress.name().find(qgetenv("ALLTACT_DRESSES").toStdString()) != std::string::npos)
+            every.push_back(dress);
     return every;
   }();
   return all;
@@ -86,7 +89,7 @@ class Geometry : public testing::Test {
     std::string where_least, where_most;
     Dresser dresser;
     QImage sheet(kSizes * kTile.width(),
-                 static_cast<int>(dresses().size()) / kSizes * kTile.height(),
+                 (static_cast<int>(dresses().size()) + kSizes - 1) / kSizes * kTile.height(),
                  QImage::Format_RGB32);
     sheet.fill(Qt::white);
     for (const Dress& dress : dresses()) {
@@ -110,6 +113,7 @@ class Geometry : public testing::Test {
     }
     if (is_slow_run()) keep_sheet(name, sheet);
     dresser.wear({Theme::kLight, QStringLiteral("en")});
+    QTest::qWait(kSettling_ms);
     std::printf("[ figures  ] %-20s pictured %.2f (%s), empty %.2f (%s)\n",
                 name,
                 least,

@@ -177,6 +177,7 @@ QWidget* CheckPage::make_side() {
   inside->addWidget(sentence_);
   inside->addWidget(plot_, 1);
   side.column->addWidget(verdict_group_, 1);
+  foot_ = side.foot;
   return side.whole;
 }
 

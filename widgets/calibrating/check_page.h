@@ -29,6 +29,7 @@ class CheckPage : public StepPage {
   [[nodiscard]] QString title() const override { return tr("Check"); }
   [[nodiscard]] StepState state() const override;
   void press_pedal() override;
+  [[nodiscard]] QVBoxLayout* foot() const override { return foot_; }
   [[nodiscard]] QWidget* main_control() const override { return take_; }
   [[nodiscard]] QString missing() const override { return {}; }
   void show_status();
@@ -53,6 +54,7 @@ class CheckPage : public StepPage {
   [[nodiscard]] const CheckEntry* latest() const;
   [[nodiscard]] QString verdict_words(const CheckEntry& check) const;
 
+  QVBoxLayout* foot_ = nullptr;
   LiveSession& session_;
   PressDesk& desk_;
   const CalibrationRun& run_;

@@ -14,7 +14,7 @@
 namespace alltact {
 namespace {
 
-constexpr int kFingerSideWidth = 300;
+constexpr int kFingerSideWidth = 280;
 // As the assistant for a new finger has them.
 constexpr double kLeastWidth_mm = 0.1, kMostWidth_mm = 500, kLeastLayer_mm = 0.01,
                  kMostLayer_mm = 50;
@@ -102,6 +102,7 @@ QWidget* FingerPage::make_side() {
   side.column->addWidget(reference_group_);
   side.column->addStretch();
   for (QPushButton* primary : {make_, record_, untouched_}) primary->setMinimumHeight(40);
+  foot_ = side.foot;
   return side.whole;
 }
 

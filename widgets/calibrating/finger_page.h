@@ -24,6 +24,7 @@ class FingerPage : public StepPage {
   [[nodiscard]] QString title() const override { return tr("Finger"); }
   [[nodiscard]] StepState state() const override;
   [[nodiscard]] QString missing() const override;
+  [[nodiscard]] QVBoxLayout* foot() const override { return foot_; }
   [[nodiscard]] QWidget* main_control() const override { return make_; }
   void show_status();
   /// Where a new finger's lens is to be read from; may be empty.
@@ -50,6 +51,7 @@ class FingerPage : public StepPage {
   using Sizes = std::pair<double, double>;
   void write_sizes(const std::filesystem::path& folder, const Sizes& sizes);
 
+  QVBoxLayout* foot_ = nullptr;
   LiveSession& session_;
   QUndoStack& undo_;
   PicturePanel* live_;

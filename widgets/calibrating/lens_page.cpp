@@ -16,7 +16,7 @@
 namespace alltact {
 namespace {
 
-constexpr int kLensSideWidth = 300;
+constexpr int kLensSideWidth = 280;
 
 QString model_text(CameraModel model) {
   switch (model) {
@@ -145,6 +145,7 @@ QWidget* LensPage::make_side() {
   side.column->addWidget(board_group_);
   side.column->addStretch();
   pictures_label_->setBuddy(pictures_);
+  foot_ = side.foot;
   return side.whole;
 }
 
@@ -152,6 +153,7 @@ void LensPage::connect_parts() {
   connect(file_, &QLineEdit::editingFinished, this, [this] {
     if (!file_->text().trimmed().isEmpty()) take_file(file_->text().trimmed().toStdString());
   });
+  connect(file_, &QLineEdit::textChanged, file_, &QWidget::setToolTip);  // a path may be long
   connect(choose_file_, &QPushButton::clicked, this, &LensPage::choose_file);
   connect(choose_pictures_, &QPushButton::clicked, this, &LensPage::choose_pictures);
   connect(simulated_, &QPushButton::clicked, this, &LensPage::use_simulated);
@@ -175,6 +177,7 @@ void LensPage::name_parts() {
   live_group_->setTitle(tr("With a board before the camera"));
   file_->setAccessibleName(tr("Camera file"));
   file_->setPlaceholderText(tr("camera.yaml, as the lens calibration writes it"));
+  file_->setToolTip(file_->text().isEmpty() ? file_->placeholderText() : file_->text());
   choose_file_->setText(tr("&Choose…"));
   choose_file_->setAccessibleName(tr("Choose a camera file"));
   simulated_->setText(tr("&Use the simulated camera's lens"));

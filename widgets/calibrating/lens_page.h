@@ -52,6 +52,7 @@ class LensPage : public StepPage {
   [[nodiscard]] StepState state() const override;
   [[nodiscard]] QString missing() const override;
   void press_pedal() override;
+  [[nodiscard]] QVBoxLayout* foot() const override { return foot_; }
   [[nodiscard]] QWidget* main_control() const override;
   /// A camera file that can be used; empty where a finger is open, or none was chosen yet.
   [[nodiscard]] const std::filesystem::path& camera_file() const { return camera_file_; }
@@ -85,6 +86,7 @@ class LensPage : public StepPage {
   [[nodiscard]] QString board_words() const;
   [[nodiscard]] std::vector<Overlay> overlays(const LiveView& view) const;
 
+  QVBoxLayout* foot_ = nullptr;
   LiveSession& session_;
   LensMeasurer measurer_;
   std::filesystem::path work_folder_;

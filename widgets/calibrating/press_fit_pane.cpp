@@ -12,7 +12,6 @@
 namespace alltact {
 namespace {
 
-constexpr int kWordsWidth = 230;
 constexpr int kOpaque = 170;  // of 255
 
 Overlay squares_overlay(const PressFit& fit) {
@@ -49,12 +48,11 @@ PressFitPane::PressFitPane(QWidget* parent)
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(plot_, 1);
   words_->setWordWrap(true);
-  words_->setFixedWidth(kWordsWidth);
   words_->setTextFormat(Qt::RichText);
   words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  row->addWidget(words_);
   say([this] { words_->setAccessibleName(tr("Error of this press")); });
   hide();
+  words_->hide();
 }
 
 void PressFitPane::show_fit(const PressFit* fit,
@@ -62,6 +60,7 @@ void PressFitPane::show_fit(const PressFit* fit,
                             const Calibration* calibration,
                             const QString& forecast) {
   setVisible(fit != nullptr && calibration != nullptr);
+  words_->setVisible(fit != nullptr && calibration != nullptr);
   if (fit == nullptr || calibration == nullptr) return;
   MappingPlotData data = mapping_figure(*calibration, {fit->residuals});
   data.is_small = true;

@@ -28,6 +28,9 @@ class PressFitPane : public Translated<QWidget> {
                 const Calibration* calibration,
                 const QString& forecast);
 
+  /// What the plot says, to be laid out beside the picture; shown with it.
+  [[nodiscard]] QLabel* words() const { return words_; }
+
   [[nodiscard]] QSize sizeHint() const override { return {640, 190}; }
   [[nodiscard]] QSize minimumSizeHint() const override { return {320, 150}; }
 

@@ -14,7 +14,7 @@
 namespace alltact {
 namespace {
 
-constexpr int kPressSideWidth = 300;
+constexpr int kPressSideWidth = 280;
 constexpr int kLeastListHeight = 150;
 
 }  // namespace
@@ -80,17 +80,6 @@ QWidget* PressesPage::make_pictures() {
   auto* pictures = new QWidget;
   auto* column = new QVBoxLayout(pictures);
   column->setContentsMargins(0, 0, 0, 0);
-  auto* row = new QHBoxLayout;
-  auto* which = new QButtonGroup(this);
-  for (QPushButton* button : {live_button_, press_button_}) {
-    button->setCheckable(true);
-    which->addButton(button);
-    row->addWidget(button);
-  }
-  row->addStretch();
-  residual_->setChecked(true);
-  row->addWidget(residual_);
-  column->addLayout(row);
   auto* edited = new QWidget;
   auto* inside = new QVBoxLayout(edited);
   inside->setContentsMargins(0, 0, 0, 0);
@@ -111,9 +100,18 @@ QWidget* PressesPage::make_pictures() {
 
 QWidget* PressesPage::make_side() {
   const SidePanel side(kPressSideWidth);
+  auto* shown = new QHBoxLayout;
+  auto* which = new QButtonGroup(this);
+  for (QPushButton* button : {live_button_, press_button_}) {
+    button->setCheckable(true);
+    which->addButton(button);
+    shown->addWidget(button);
+  }
+  side.column->addLayout(shown);
   make_taking(*side.column);
   make_press(*side.column);
   make_list(*side.column);
+  foot_ = side.foot;
   return side.whole;
 }
 
@@ -141,6 +139,9 @@ void PressesPage::make_taking(QVBoxLayout& column) {
 void PressesPage::make_press(QVBoxLayout& column) {
   auto* inside = new QVBoxLayout(press_group_);
   inside->addWidget(press_text_);
+  inside->addWidget(fit_pane_->words());
+  residual_->setChecked(true);
+  inside->addWidget(residual_);
   inside->addWidget(find_);
   inside->addWidget(more_);
   more_->setCheckable(true);

@@ -34,6 +34,7 @@ class PressesPage : public StepPage {
   [[nodiscard]] QString title() const override { return tr("Presses"); }
   [[nodiscard]] StepState state() const override;
   void press_pedal() override;
+  [[nodiscard]] QVBoxLayout* foot() const override { return foot_; }
   [[nodiscard]] QWidget* main_control() const override { return take_; }
   [[nodiscard]] QString missing() const override;
   void show_status();
@@ -79,6 +80,7 @@ class PressesPage : public StepPage {
   [[nodiscard]] std::optional<Eigen::Vector3d> solved_ball(const DeskPress& press) const;
   [[nodiscard]] QString advice_for(const DeskPress& press) const;
 
+  QVBoxLayout* foot_ = nullptr;
   LiveSession& session_;
   PressDesk& desk_;
   const CalibrationRun& run_;

@@ -5,6 +5,7 @@
 #include "widgets/translated.h"
 
 #include <QLabel>
+#include <QVBoxLayout>
 
 namespace alltact {
 
@@ -18,6 +19,8 @@ class StepPage : public Translated<QWidget> {
   [[nodiscard]] virtual QString missing() const = 0;
   /// What a foot pedal does here, as the space bar.
   virtual void press_pedal() {}
+  /// Where the way back and on stands: below the column beside the picture. Null: below the page.
+  [[nodiscard]] virtual QVBoxLayout* foot() const { return nullptr; }
   /// What is most likely used next; has the focus when the step is gone to.
   [[nodiscard]] virtual QWidget* main_control() const = 0;
 

@@ -7,7 +7,7 @@
 namespace alltact {
 namespace {
 
-constexpr int kMostWords = 230;  // px
+constexpr int kMostWords = 200;  // px
 
 }  // namespace
 
@@ -20,6 +20,7 @@ UndoBar::UndoBar(QUndoStack& undo, const LiveSession& session, QWidget* parent)
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   for (QToolButton* button : {undo_, redo_}) row->addWidget(button);
+  row->addStretch();
   undo_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   connect(undo_, &QToolButton::clicked, &stack_, &QUndoStack::undo);
   connect(redo_, &QToolButton::clicked, &stack_, &QUndoStack::redo);

@@ -18,7 +18,7 @@ SaveBar::SaveBar(QWidget* parent)
   progress_->setMaximumWidth(160);
   kind_->setMinimumWidth(52);  // where the window is small
   for (QWidget* widget : std::initializer_list<QWidget*>{progress_, stop_, kind_, save_})
-    row->addWidget(widget);
+    row->addWidget(widget, widget == kind_ ? 1 : 0);
   connect(save_, &QPushButton::clicked, this, [this] {
     Q_EMIT wanted(kind_->currentData().toString());
   });

@@ -11,6 +11,7 @@ namespace alltact {
 namespace {
 
 constexpr int kFlash_ms = 500;
+constexpr int kStripIcon = 16;
 
 }  // namespace
 
@@ -30,6 +31,7 @@ PicturePanel::PicturePanel(LiveSession& session, QWidget* parent)
       fit_(new QToolButton),
       actual_(new QToolButton) {
   column_->setContentsMargins(0, 0, 0, 0);
+  column_->setSpacing(2);
   title_->hide();
   title_->setMinimumWidth(1);
   column_->addWidget(title_);
@@ -39,8 +41,12 @@ PicturePanel::PicturePanel(LiveSession& session, QWidget* parent)
   zoom_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   strip_->addWidget(readout_, 1);
   strip_->addWidget(zoom_);
-  for (QToolButton* button : {freeze_, snapshot_, further_, closer_, fit_, actual_})
+  strip_->setSpacing(2);
+  for (QToolButton* button : {freeze_, snapshot_, further_, closer_, fit_, actual_}) {
+    button->setAutoRaise(true);
+    button->setIconSize({kStripIcon, kStripIcon});
     strip_->addWidget(button);
+  }
   freeze_->setCheckable(true);
   flash_.setSingleShot(true);
   flash_.setInterval(kFlash_ms);

@@ -6,11 +6,12 @@
 
 namespace alltact {
 
-/// Scrolls where the window is low; `column` takes the groups.
+/// `column` takes the groups, and scrolls where the window is low; `foot` what stays below them.
+/// As wide as told, or as its content needs in the window's language.
 struct SidePanel {
-  explicit SidePanel(int width_px);
-  QScrollArea* whole;
-  QVBoxLayout* column;
+  explicit SidePanel(int least_width_px);
+  QWidget* whole;
+  QVBoxLayout *column, *foot;
 };
 
 }  // namespace alltact

@@ -3,9 +3,6 @@
 #include "calibration/reference/new_reference.h"
 #include "widgets/shell/primary_button.h"
 
-#include <QHBoxLayout>
-#include <QVBoxLayout>
-
 namespace alltact {
 namespace {
 
@@ -31,23 +28,26 @@ CalibratePlace::CalibratePlace(LiveSession& session,
       pages_{lens_, finger_, presses_, mapping_, verdict_, check_},
       steps_(new StepList),
       stack_(new QStackedWidget),
+      column_(new QVBoxLayout(this)),
+      foot_(new QWidget),
+      foot_row_(new QBoxLayout(QBoxLayout::LeftToRight, foot_)),
       missing_(wrapped_text()),
       next_(new QPushButton) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->addWidget(steps_);
+  column_->setContentsMargins(0, 0, 0, 0);
+  column_->setSpacing(3);
+  column_->addWidget(steps_);
   connect(steps_, &StepList::chosen, this, &CalibratePlace::go_to);
   for (StepPage* page : pages_) {
     stack_->addWidget(page);
     connect(page, &StepPage::changed, this, &CalibratePlace::show_steps);
   }
-  column->addWidget(stack_, 1);
-  auto* foot = new QHBoxLayout;
-  foot->addWidget(new UndoBar(undo, session));
-  foot->addWidget(missing_, 1);
-  foot->addWidget(next_);
-  column->addLayout(foot);
+  column_->addWidget(stack_, 1);
+  foot_row_->setContentsMargins(0, 0, 0, 0);
+  foot_row_->addWidget(new UndoBar(undo, session));
+  foot_row_->addWidget(missing_, 1);
+  foot_row_->addWidget(next_);
   missing_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  show_page(0);
   connect(next_, &QPushButton::clicked, this, [this] { go_to(step_ + 1); });
   connect(finger_, &FingerPage::new_finger_wanted, this, &CalibratePlace::new_finger_wanted);
   connect(finger_, &FingerPage::open_finger_wanted, this, &CalibratePlace::open_finger_wanted);
@@ -106,21 +106,26 @@ void CalibratePlace::go_to_next_to_do() {
 }
 
 void CalibratePlace::go_to(std::size_t step) {
-  step_ = std::min(step, last_open());
-  stack_->setCurrentWidget(pages_[step_]);
+  show_page(std::min(step, last_open()));
   show_steps();
   QWidget* control = pages_[step_]->main_control();
   (control->isEnabled() && control->isVisible() ? control : pages_[step_])->setFocus();
+}
+
+void CalibratePlace::show_page(std::size_t step) {
+  step_ = step;
+  stack_->setCurrentWidget(pages_[step_]);
+  QVBoxLayout* beside = pages_[step_]->foot();
+  foot_row_->setDirection(beside != nullptr ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+  (beside != nullptr ? beside : column_)->addWidget(foot_);
+  foot_->show();  // at once: another parent hides it
 }
 
 void CalibratePlace::show_steps() {
   if (!is_made_) return;
   finger_->set_camera_file(lens_->camera_file());
   const std::size_t open = last_open();
-  if (step_ > open) {  // what it stands on has gone
-    step_ = open;
-    stack_->setCurrentWidget(pages_[step_]);
-  }
+  if (step_ > open) show_page(open);  // what it stands on has gone
   const bool is_reading = session_.status().finger.state == FingerState::kLoading;
   std::vector<Step> steps;
   for (std::size_t i = 0; i < kSteps; ++i)
@@ -134,6 +139,7 @@ void CalibratePlace::show_steps() {
   const bool is_last = step_ + 1 == kSteps;
   const QString missing = pages_[step_]->missing();
   missing_->setText(missing);
+  missing_->setVisible(!missing.isEmpty());
   next_->setVisible(!is_last);
   next_->setEnabled(missing.isEmpty());
   if (!is_last) next_->setText(tr("&Next: %1").arg(pages_[step_ + 1]->title()));

@@ -13,6 +13,7 @@
 #include "widgets/places/place.h"
 
 #include <QStackedWidget>
+#include <QVBoxLayout>
 #include <array>
 
 namespace alltact {
@@ -53,6 +54,7 @@ class CalibratePlace : public Place {
   void follow();
   void show_steps();
   void go_to(std::size_t step);
+  void show_page(std::size_t step);
   /// The furthest step that can be gone to: nothing is missing before it.
   [[nodiscard]] std::size_t last_open() const;
 
@@ -69,6 +71,9 @@ class CalibratePlace : public Place {
   std::array<StepPage*, kSteps> pages_;
   StepList* steps_;
   QStackedWidget* stack_;
+  QVBoxLayout* column_;
+  QWidget* foot_;  // below the page, or below the column beside its picture
+  QBoxLayout* foot_row_;
   QLabel* missing_;
   QPushButton* next_;
   std::size_t step_ = 0;

@@ -13,7 +13,7 @@
 namespace alltact {
 namespace {
 
-constexpr int kInspectSideWidth = 320;
+constexpr int kInspectSideWidth = 296;
 constexpr int kFirstTurn = 21000, kTurns = 1000;  // merge ids
 constexpr int kOneTurn_ms = 700;                  // steps of wheel and keys that belong together
 
@@ -44,6 +44,7 @@ InspectPlace::InspectPlace(LiveSession& session, QUndoStack& undo, QWidget* pare
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   auto* column = new QVBoxLayout;
+  column->setSpacing(3);
   column->addWidget(make_header());
   column->addWidget(problems_);
   auto* panes = new QHBoxLayout;
@@ -52,9 +53,8 @@ InspectPlace::InspectPlace(LiveSession& session, QUndoStack& undo, QWidget* pare
   column->addLayout(panes, 1);
   auto* words = new QHBoxLayout;
   words->addWidget(summary_);
-  words->addWidget(saved_, 1);
+  words->addWidget(probe_, 1);
   column->addLayout(words);
-  column->addWidget(probe_);
   column->addWidget(time_line_);
   row->addLayout(column, 1);
   row->addWidget(make_side());
@@ -78,7 +78,6 @@ QWidget* InspectPlace::make_header() {
     row->addWidget(button);
   shown_->setMinimumWidth(1);
   row->addWidget(shown_, 1);
-  row->addWidget(save_bar_);
   saved_->setMinimumWidth(1);
   saved_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   saved_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -90,6 +89,8 @@ QWidget* InspectPlace::make_side() {
   panel.column->addWidget(pair_box_);
   make_touch(*panel.column);
   panel.column->addWidget(side_);
+  panel.foot->addWidget(saved_);
+  panel.foot->addWidget(save_bar_);
   return panel.whole;
 }
 

@@ -11,7 +11,7 @@ namespace alltact {
 namespace {
 
 constexpr int kStepSymbol = 16;
-constexpr int kHeight = 34, kHighHeight = 46;
+constexpr int kHeight = 34, kHighHeight = 36;
 constexpr int kBesideText = kStepSymbol + 22;  // px of a button
 
 QString state_word(StepState state) {
