@@ -31,7 +31,8 @@ template <class T>
 std::optional<std::vector<T>> values_at(std::string_view bytes, std::size_t at, std::size_t count) {
   if (at > bytes.size() || count > (bytes.size() - at) / sizeof(T)) return std::nullopt;
   std::vector<T> values(count);
-  std::memcpy(static_cast<void*>(values.data()), bytes.data() + at, count * sizeof(T));
+  if (count > 0)
+    std::memcpy(static_cast<void*>(values.data()), bytes.data() + at, count * sizeof(T));
   return values;
 }
 

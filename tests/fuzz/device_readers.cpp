@@ -32,8 +32,8 @@ class Supply {
   }
   void fill(void* to, std::size_t size) {
     const std::size_t there = std::min(size, rest_.size());
-    std::memset(to, 0, size);
-    std::memcpy(to, rest_.data(), there);
+    if (size > 0) std::memset(to, 0, size);
+    if (there > 0) std::memcpy(to, rest_.data(), there);
     rest_.remove_prefix(there);
   }
   /// Its length stands in its first byte.

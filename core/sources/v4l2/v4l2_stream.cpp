@@ -42,7 +42,10 @@ std::int64_t now_ns() {
 std::int64_t time_of(const v4l2_buffer& buffer) {
   const bool is_monotonic =
       (buffer.flags & V4L2_BUF_FLAG_TIMESTAMP_MASK) == V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC;
-  if (!is_monotonic) return now_ns();
+  constexpr std::int64_t kMostSeconds = std::int64_t{1} << 33;  // what is beyond is no time
+  const bool is_time = buffer.timestamp.tv_sec >= 0 && buffer.timestamp.tv_sec < kMostSeconds &&
+                       buffer.timestamp.tv_usec >= 0 && buffer.timestamp.tv_usec < 1'000'000;
+  if (!is_monotonic || !is_time) return now_ns();
   return std::int64_t{buffer.timestamp.tv_sec} * 1'000'000'000 +
          std::int64_t{buffer.timestamp.tv_usec} * 1000;
 }
