@@ -114,6 +114,14 @@ std::optional<AlongFinger> push_along_back(const Markers& markers,
   if (!alone.is_told()) return std::nullopt;
   const Eigen::VectorXd did = alone(ways_px), q1 = alone(motions.col(0)),
                         q2 = alone(motions.col(1));
+  // Where no place explains what the markers did, all are less sure by as much.
+  Eigen::MatrixXd bends(size, 2);
+  bends << q1, q2;
+  const double left = (did - bends * bends.colPivHouseholderQr().solve(did)).squaredNorm();
+  const auto known = std::count_if(
+      body->places().begin(), body->places().end(), [](const auto& p) { return p.is_known; });
+  const double free = 2.0 * static_cast<double>(known) - 4;  // sway, twist and both bends
+  const double times_noise = free > 0 ? std::max(1.0, left / free) : 1.0;
   PlaceLogs logs;
   for (const double falls : kFalls) {
     const Eigen::Matrix2d stiffness = bending_stiffness(falls);
@@ -124,7 +132,7 @@ std::optional<AlongFinger> push_along_back(const Markers& markers,
         const Eigen::VectorXd push = q1 + share_of_modes(stiffness, t, drag) * q2;
         // Over all amplitudes, whose sd is kBendScale_mm before anything is seen.
         const double all = push.squaredNorm() + 1 / (kBendScale_mm * kBendScale_mm);
-        of_places[i] = 0.5 * std::pow(push.dot(did), 2) / all - 0.5 * std::log(all);
+        of_places[i] = 0.5 * std::pow(push.dot(did), 2) / all / times_noise - 0.5 * std::log(all);
       }
     }
   }

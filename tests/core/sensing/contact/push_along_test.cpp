@@ -3,7 +3,7 @@
 #include "core/sensing/contact/push_along.h"
 
 #include "tests/core/sensing/contact/drawn_push.h"
-#include "tests/support/slow_run.h"
+#include "tests/stability/awaited.h"
 
 #include <cstdio>
 #include <vector>
@@ -72,20 +72,28 @@ AlongErrors errors_on_drawn(unsigned seed, int fingers) {
   return errors;
 }
 
+void expect_as_sure_as_it_says(AlongErrors errors, int fingers) {
+  errors.print("along the back");
+  EXPECT_GT(errors.told(), 0.6 * fingers);
+  EXPECT_LT(errors.at(0.5), 8);
+  EXPECT_LT(errors.at(1), 25);
+  EXPECT_LT(errors.sd_mm / errors.told(), 10);
+  // Bodies are not drawn as they are taken to be, so that some less than 1 is to be expected, too.
+  EXPECT_GT(errors.nees(), 0.3);
+  EXPECT_LT(errors.nees(), 1.7);
+}
+
 TEST(PushAlong, TheBacksPlaceIsAsSureAsItSaysOnDrawnFingers) {
-  const int fingers = test::as_many_as(26, 60);
-  for (const unsigned seed : test::is_slow_run() ? std::vector{5U, 2611U} : std::vector{5U}) {
-    AlongErrors errors = errors_on_drawn(seed, fingers);
-    errors.print("along the back");
-    EXPECT_GT(errors.told(), 0.6 * fingers);
-    EXPECT_LT(errors.at(0.5), 8);
-    EXPECT_LT(errors.at(1), 25);
-    EXPECT_LT(errors.sd_mm / errors.told(), 10);
-    // Bodies are not drawn as they are taken to be, so that some less than 1 is to be expected,
-    // too.
-    EXPECT_GT(errors.nees(), 0.3);
-    EXPECT_LT(errors.nees(), 1.7);
-  }
+  constexpr int kFingers = 26;
+  expect_as_sure_as_it_says(errors_on_drawn(5, kFingers), kFingers);
+}
+
+TEST(PushAlong, TheBacksPlaceIsAsSureAsItSaysOnMoreFingers) {
+  if (!test::is_slow_run()) GTEST_SKIP() << "packaging/test --slow";
+  ALLTACT_SKIP_IF_AWAITED();
+  constexpr int kFingers = 60;
+  for (const unsigned seed : {5U, 2611U})
+    expect_as_sure_as_it_says(errors_on_drawn(seed, kFingers), kFingers);
 }
 
 TEST(PushAlong, ASideIsToldWithoutAPlaceAndWhy) {
