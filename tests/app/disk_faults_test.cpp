@@ -63,7 +63,7 @@ class DiskFaults : public testing::Test {
     ASSERT_EQ(run("", arguments).status, 0);
     const Files after = undated_files_in(finger());
     int refused = 0;
-    for (int first = 1;; first += tries_all() ? 1 : 1 + first / 12) {
+    for (int first = 1;; first += tries_all() ? 1 : first) {
       put_back();
       const ProgramRun failed =
           run(fmt::format("ALLTACT_DISK_FAIL={}:{}", first, error_number), arguments);
@@ -100,6 +100,7 @@ TEST_F(DiskFaults, ADiskThatBecomesReadOnlyOrBreaksAtEveryWrite) {
   fail_each(picture, EROFS, "read-only");
   fail_each(picture, EIO, finger());
   fail_each("rename " + finger() + " other", EIO, finger());
+  fail_each("rename " + finger() + " other", EMFILE, "too many");
 }
 
 TEST_F(DiskFaults, AFullDiskWhileAFingerIsCalibrated) {
@@ -110,6 +111,12 @@ TEST_F(DiskFaults, AFullDiskWhileAFingerIsCalibrated) {
 }
 
 TEST_F(DiskFaults, TheClockOfTheComputerWasSetBack) {
+  ASSERT_EQ(
+      run("",
+          fmt::format(
+              "calibrate {} {} {}", finger(), flat_.presses[0].string(), flat_.presses[1].string()))
+          .status,
+      0);
   const auto check = [&](const std::string& settings) {
     return run_shell(fmt::format("{} LD_PRELOAD={} {} check {} --presses {} {} {}",
                                  settings,
@@ -145,7 +152,6 @@ TEST_F(DiskFaults, ADiskThatStallsIsToldOfAndCanBeLeft) {
 }
 
 TEST_F(DiskFaults, FewOpenFilesAreToldOrEnough) {
-  int refused = 0;
   for (int files = 4; files <= 24; files += tries_all() ? 1 : 4) {
     const ProgramRun run = run_shell(fmt::format("ulimit -n {}; {} reconstruct {} {} -o {}",
                                                  files,
@@ -157,11 +163,9 @@ TEST_F(DiskFaults, FewOpenFilesAreToldOrEnough) {
     EXPECT_THAT(run.errors, Not(HasSubstr("unexpected"))) << files;
     if (run.status == 1) {
       EXPECT_NE(run.errors, "") << files;
-      ++refused;
     }
     EXPECT_EQ(undated_files_in(finger()), undated_files_in(kept_));
   }
-  EXPECT_GT(refused, 0);
 }
 
 TEST_F(DiskFaults, LittleMemoryIsToldOrEnough) {
