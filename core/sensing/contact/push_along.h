@@ -17,8 +17,7 @@
 //
 // NOT THE SIDES
 // A push on a side tells no place along it, in three ways that were tried:
-// - Walls bend evenly in their own plane. Their q2 / q1 goes from -0.8 at a quarter of the length
-// to
+// - Walls bend evenly in their own plane. Their q2 / q1 goes from -0.8 at a quarter of the way to
 //   -0.5 at the tip, as far as what half a millimetre of model error changes it, and where behind
 //   the face the push is changes it by half of that.
 // - Twist by sway would be the push's distance behind the face by its place along, of which the
