@@ -175,7 +175,7 @@ bool is_ply_type(const std::string& word) {
 /// behind it as there are elements: of others assimp writes where it must not, or never comes back.
 bool is_ply(std::string_view bytes) {
   const std::size_t end = bytes.find(kPlyEnd);
-  if (end == std::string_view::npos) return false;
+  if (end == std::string_view::npos || end == 0 || bytes[end - 1] != '\n') return false;
   std::istringstream lines{std::string(bytes.substr(0, end))};
   std::string line;
   if (!std::getline(lines, line) || words_of(line) != std::vector<std::string>{"ply"}) return false;
@@ -185,6 +185,11 @@ bool is_ply(std::string_view bytes) {
     const auto words = words_of(line);
     if (words.empty()) return false;
     if (words[0] == "comment" || words[0] == "obj_info") continue;
+    const bool is_plain =
+        std::all_of(words.back().begin(), words.back().end(), [](unsigned char c) {
+          return std::isalnum(c) != 0 || c == '_' || c == '.';
+        });
+    if (!is_plain) return false;
     if (words[0] == "format" && words.size() == 3 && !has_format) {
       has_format = true;
     } else if (words[0] == "element" && words.size() == 3 && has_format) {
