@@ -8,7 +8,9 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -143,6 +145,73 @@ std::optional<Triangles> from_glb(std::string_view bytes) {
   }
 }
 
+/// Words of a line without the carriage return at its end.
+std::vector<std::string> words_of(const std::string& line) {
+  std::istringstream stream(line);
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+
+bool is_ply_type(const std::string& word) {
+  constexpr std::array kTypes{"char",
+                              "uchar",
+                              "short",
+                              "ushort",
+                              "int",
+                              "uint",
+                              "float",
+                              "double",
+                              "int8",
+                              "uint8",
+                              "int16",
+                              "uint16",
+                              "int32",
+                              "uint32",
+                              "float32",
+                              "float64"};
+  return std::find(kTypes.begin(), kTypes.end(), word) != kTypes.end();
+}
+
+/// A header as its format has it (Turk, "The PLY polygon file format", 1994), and as many bytes
+/// behind it as there are elements: of others assimp writes where it must not, or never comes back.
+bool is_ply(std::string_view bytes) {
+  const std::size_t end = bytes.find(kPlyEnd);
+  if (end == std::string_view::npos || end == 0 || bytes[end - 1] != '\n') return false;
+  std::istringstream lines{std::string(bytes.substr(0, end))};
+  std::string line;
+  if (!std::getline(lines, line) || words_of(line) != std::vector<std::string>{"ply"}) return false;
+  std::size_t elements = 0;
+  bool has_format = false, has_property = false;
+  while (std::getline(lines, line)) {
+    const auto words = words_of(line);
+    if (words.empty()) return false;
+    if (words[0] == "comment" || words[0] == "obj_info") continue;
+    const bool is_plain =
+        std::all_of(words.back().begin(), words.back().end(), [](unsigned char c) {
+          return std::isalnum(c) != 0 || c == '_' || c == '.';
+        });
+    if (!is_plain) return false;
+    if (words[0] == "format" && words.size() == 3 && !has_format) {
+      has_format = true;
+    } else if (words[0] == "element" && words.size() == 3 && has_format) {
+      std::size_t count = 0;
+      const auto [rest, status] =
+          std::from_chars(words[2].data(), words[2].data() + words[2].size(), count);
+      if (status != std::errc{} || *rest != '\0' || (elements > 0 && !has_property)) return false;
+      if (count > bytes.size()) return false;
+      elements += count;
+      has_property = false;
+    } else if (words[0] == "property" && elements > 0) {
+      const bool is_list =
+          words.size() == 5 && words[1] == "list" && is_ply_type(words[2]) && is_ply_type(words[3]);
+      if (!is_list && !(words.size() == 3 && is_ply_type(words[1]))) return false;
+      has_property = true;
+    } else {
+      return false;
+    }
+  }
+  return has_property && elements <= bytes.size() - end;
+}
+
 /// Validated, since its steps follow corners that are not there.
 std::optional<Triangles> by_assimp(const std::string& bytes, const std::string& kind) {
   constexpr unsigned kSteps =
@@ -204,11 +273,10 @@ Result<Triangles> read_triangles(const std::filesystem::path& file) {
                    : kind == ".vtp" ? from_vtp(*bytes)
                    : kind == ".glb" ? from_glb(*bytes)
                                     : std::nullopt;
-  // assimp never comes back from a PLY that ends in its header, and takes one of ours that ends
-  // among its faces for a whole one.
+  // assimp takes one of ours that ends among its faces for a whole one.
   const bool is_cut =
-      kind == ".ply" && (bytes->find(kPlyEnd) == std::string::npos ||
-                         bytes->find("property float depth_mm") != std::string::npos);
+      kind == ".ply" &&
+      (!is_ply(*bytes) || bytes->find("property float depth_mm") != std::string::npos);
   if (!triangles && kind != ".vtp" && !is_cut) triangles = by_assimp(*bytes, kind.substr(1));
   if (!triangles) return refuse(en::say("the mesh cannot be read"));
   if (triangles->corners.empty()) return refuse(en::say("the mesh has no triangles"));

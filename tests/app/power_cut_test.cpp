@@ -165,13 +165,13 @@ TEST_F(PowerCut, WhileARecordingIsMade) {
   DiskModel disk(day);
   const auto operations = log_of(day, "record " + (day / "v.mkv").string() + " 20");
   std::size_t most = 0, syncs = 0;
-  std::set<Files> seen;
+  std::set<std::pair<Lost, Files>> seen;
   for (std::size_t done = 1; done <= operations.size(); ++done) {
     disk.apply(operations[done - 1]);
     syncs += operations[done - 1].what == "sync" ? 1 : 0;
     for (const Lost lost : kLosses) {
       const Files left = disk.files(lost);
-      if (!left.contains("v.mkv") || left.at("v.mkv").empty() || !seen.insert(left).second)
+      if (!left.contains("v.mkv") || left.at("v.mkv").empty() || !seen.emplace(lost, left).second)
         continue;
       const fs::path there = folder / std::to_string(seen.size());
       lay_out(left, there);

@@ -44,6 +44,23 @@ TEST_F(ReadTriangles, GivesBackWhatWasWrittenWithItsDepth) {
   }
 }
 
+TEST_F(ReadTriangles, RefusesAPlyWhoseHeaderIsNone) {
+  const std::string head = "ply\nformat ascii 1.0\n", body = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  const std::string points =
+      "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
+  const std::string faces = "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  const auto is_read = [&](const std::string& text) {
+    write_text(folder_ / "h.ply", text);
+    return read_triangles(folder_ / "h.ply").ok();
+  };
+  EXPECT_TRUE(is_read(head + points + faces + body));
+  EXPECT_FALSE(is_read("ply\nformat ascii 1.0" + head + points + faces + body));
+  EXPECT_FALSE(is_read(head + "propevertexrty float z\n" + points + faces + body));
+  EXPECT_FALSE(is_read(head + points + "property soft w\n" + faces + body));
+  EXPECT_FALSE(is_read(head + "element vertex 4000000000\nproperty float x\n" + faces + body));
+  EXPECT_FALSE(is_read(head + points + faces));
+}
+
 TEST_F(ReadTriangles, ReadsThoseOfOtherProgramsWithoutDepth) {
   const auto stl = read_triangles(write("a.stl"));
   ASSERT_TRUE(stl.ok()) << stl.error().sentence();
