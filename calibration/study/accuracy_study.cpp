@@ -32,7 +32,9 @@ std::optional<ErrorSpread> spread_of(std::vector<float>& errors) {
 
 double part_of(std::vector<double> values, double part) {
   if (values.empty()) return 0;
-  const auto rank = static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
+  // Of an even number the upper middle one, as upper_median(): no part is less than a smaller one.
+  const auto rank = static_cast<std::ptrdiff_t>(
+      std::min(part * static_cast<double>(values.size()), static_cast<double>(values.size() - 1)));
   std::nth_element(values.begin(), values.begin() + rank, values.end());
   return values[static_cast<std::size_t>(rank)];
 }

@@ -7,6 +7,7 @@
 #include "widgets/accuracy/more_box.h"
 #include "widgets/places/accuracy_place.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,6 +15,18 @@ namespace alltact::test {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// For people to look at: below the build's folder, screens/.
+void keep_pictures(Studio& studio, const std::string& name) {
+  fs::create_directories(ALLTACT_SCREENS);
+  for (const QSize size : {QSize(1024, 700), QSize(1440, 900)}) {
+    studio.window().resize(size);
+    QTest::qWait(400);
+    EXPECT_EQ(studio.window().size(), size);
+    const std::string file = fmt::format("{}/{}_{}.png", ALLTACT_SCREENS, name, size.width());
+    EXPECT_TRUE(studio.window().grab().save(QString::fromStdString(file)));
+  }
+}
 
 struct SideBySidePlace : testing::Test {
   TemporaryFolder folder;
@@ -68,6 +81,7 @@ TEST_F(SideBySidePlace, ShowsBothDepthsOfTheSameFrameAndWhatTheyDifferBy) {
                            "Depth with the chosen setting",
                            "Difference of the two depths"})
     EXPECT_NE(studio->find<ImageView>(name), nullptr) << name;
+  keep_pictures(*studio, "side_by_side");
   // Used, it is the one in use: the calibration's stands beside it then.
   place().run().use(static_cast<std::size_t>(row - rows.begin()));
   EXPECT_TRUE(wait_until(
