@@ -152,7 +152,10 @@ TEST_F(DiskFaults, ADiskThatStallsIsToldOfAndCanBeLeft) {
 }
 
 TEST_F(DiskFaults, FewOpenFilesAreToldOrEnough) {
-  for (int files = 4; files <= 24; files += tries_all() ? 1 : 4) {
+  int least = 4;  // with fewer the system cannot even begin the program (127)
+  while (run_shell(fmt::format("ulimit -n {}; {} --version", least, ALLTACT_PROGRAM)).status == 127)
+    ASSERT_LT(++least, 64);
+  for (int files = least; files <= least + 20; files += tries_all() ? 1 : 4) {
     const ProgramRun run = run_shell(fmt::format("ulimit -n {}; {} reconstruct {} {} -o {}",
                                                  files,
                                                  ALLTACT_PROGRAM,
