@@ -74,21 +74,37 @@ def readme(is_check):
         path.write_text(new, encoding="utf-8")
 
 
+def rounded(value, digits=3):
+    return float(f"{value:.{digits}g}")
+
+
+def text_of(told):
+    """One figure a line, so that a change of one is seen as such."""
+    def row(value):
+        return json.dumps(value)
+    lines = [f' "about": {row(told["about"])}', ' "accuracy": [\n  ' + ",\n  ".join(map(row, told["accuracy"])) + "\n ]"]
+    for part in ("steps", "watched"):
+        rows = ",\n".join(f"  {row(name)}: {row(value)}" for name, value in told[part].items())
+        lines.append(f' "{part}": {{\n{rows}\n }}')
+    return "{\n" + ",\n".join(lines) + "\n}\n"
+
+
 def renew(build):
     told = json.loads(FIGURES.read_text(encoding="utf-8"))
+    run(["cmake", "--build", build, "--target", "frame_costs", "alltact"])
     with tempfile.TemporaryDirectory() as scratch:
         costs = frame_costs.measure(build, f"{scratch}/demo", 9)
         report = json.loads(Path(scratch, "demo/report.json").read_text())
     for name, step in costs["ours"]["steps"].items():
-        row = told["steps"][name] = {"ms": step["ms"], "bytes": step["bytes"]}
+        row = told["steps"][name] = {"ms": rounded(step["ms"]), "bytes": int(step["bytes"])}
         if step["bytes"] > 1e5:
-            row["of_a_copy"] = step["ms"] / step["copy_ms"]
+            row["of_a_copy"] = rounded(step["ms"] / step["copy_ms"])
         if name in frame_costs.PEERS:
-            row["formulas_ms"] = costs["formulas"]["ms"][frame_costs.PEERS[name]]
+            row["formulas_ms"] = rounded(costs["formulas"]["ms"][frame_costs.PEERS[name]])
     joint = next(entry for entry in report.values() if isinstance(entry, dict))
     for row in told["accuracy"]:
-        row["measured"] = round(joint[row["key"]], 3 if row["unit"] == "mm" else 2)
-    FIGURES.write_text(json.dumps(told, indent=1) + "\n", encoding="utf-8")
+        row["measured"] = rounded(joint[row["key"]], 2)
+    FIGURES.write_text(text_of(told), encoding="utf-8")
 
 
 def run(command, **rest):
