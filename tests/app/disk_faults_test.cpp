@@ -1,8 +1,9 @@
 // A disk that is full, read-only or broken from any of its operations on, few open files and little
 // memory: what was saved remains, and a sentence says why nothing new was.
 #include "core/finger/finger_store.h"
-#include "tests/support/flat_finger.h"
+#include "tests/support/finger_on_disk.h"
 #include "tests/support/recorded_disk.h"
+#include "tests/support/slow_run.h"
 
 #include <cerrno>
 #include <csignal>
@@ -30,20 +31,13 @@ Files undated_files_in(const fs::path& folder) {
   return files;
 }
 
-class DiskFaults : public testing::Test {
+class DiskFaults : public FingerOnDisk {
  protected:
   void SetUp() override {
-    if (std::string(ALLTACT_SANITIZE) != "")
-      GTEST_SKIP() << "sanitizers want to be loaded before the disk's faults";
-    const fs::path folder = finger();
-    fs::create_directory(folder);
-    Finger made = flat_sensor_finger(true);
-    made.reference = ReferenceFiles{"", "", "reference.png"};
-    ASSERT_TRUE(made.save(folder));
-    fs::copy(flat_.file("ref.png"), folder / "reference.png");
-    fs::copy(flat_.finger(), kept_, fs::copy_options::recursive);
+    FingerOnDisk::SetUp();
+    if (IsSkipped() || HasFatalFailure()) return;
+    fs::copy(finger(), kept_, fs::copy_options::recursive);
   }
-  [[nodiscard]] std::string finger() const { return flat_.finger(); }
   void put_back() const {
     fs::remove_all(finger());
     fs::copy(kept_, finger(), fs::copy_options::recursive);
@@ -63,7 +57,7 @@ class DiskFaults : public testing::Test {
     ASSERT_EQ(run("", arguments).status, 0);
     const Files after = undated_files_in(finger());
     int refused = 0;
-    for (int first = 1;; first += tries_all() ? 1 : first) {
+    for (int first = 1;; first += is_slow_run() ? 1 : first) {
       put_back();
       const ProgramRun failed =
           run(fmt::format("ALLTACT_DISK_FAIL={}:{}", first, error_number), arguments);
@@ -84,7 +78,6 @@ class DiskFaults : public testing::Test {
     put_back();
   }
 
-  FlatFinger flat_;
   fs::path kept_ = flat_.file("kept");
 };
 
@@ -104,7 +97,7 @@ TEST_F(DiskFaults, ADiskThatBecomesReadOnlyOrBreaksAtEveryWrite) {
 }
 
 TEST_F(DiskFaults, AFullDiskWhileAFingerIsCalibrated) {
-  if (!tries_all()) GTEST_SKIP() << "a minute: with ALLTACT_SLOW only";
+  if (!is_slow_run()) GTEST_SKIP() << "a minute: with ALLTACT_SLOW only";
   std::string presses;
   for (const auto& press : flat_.presses) presses += " " + press.string();
   fail_each("calibrate " + finger() + presses, ENOSPC, "the disk is full");
@@ -140,7 +133,7 @@ TEST_F(DiskFaults, TheClockOfTheComputerWasSetBack) {
 }
 
 TEST_F(DiskFaults, ADiskThatStallsIsToldOfAndCanBeLeft) {
-  if (!tries_all()) GTEST_SKIP() << "waits for seconds: with ALLTACT_SLOW only";
+  if (!is_slow_run()) GTEST_SKIP() << "waits for seconds: with ALLTACT_SLOW only";
   const ProgramRun run = run_shell(fmt::format(
       "export ALLTACT_DISK='{0}' ALLTACT_DISK_STALL=20000; LD_PRELOAD={1} {2} check {0} & "
       "sleep 4.9; kill -INT $!; sleep 0.2; kill -INT $!; wait $!",
@@ -155,7 +148,7 @@ TEST_F(DiskFaults, FewOpenFilesAreToldOrEnough) {
   int least = 4;  // with fewer the system cannot even begin the program (127)
   while (run_shell(fmt::format("ulimit -n {}; {} --version", least, ALLTACT_PROGRAM)).status == 127)
     ASSERT_LT(++least, 64);
-  for (int files = least; files <= least + 20; files += tries_all() ? 1 : 4) {
+  for (int files = least; files <= least + 20; files += is_slow_run() ? 1 : 4) {
     const ProgramRun run = run_shell(fmt::format("ulimit -n {}; {} reconstruct {} {} -o {}",
                                                  files,
                                                  ALLTACT_PROGRAM,
@@ -173,7 +166,7 @@ TEST_F(DiskFaults, FewOpenFilesAreToldOrEnough) {
 
 TEST_F(DiskFaults, LittleMemoryIsToldOrEnough) {
   int refused = 0;
-  for (int megabytes = 60; megabytes <= 900; megabytes += tries_all() ? 40 : 210) {
+  for (int megabytes = 60; megabytes <= 900; megabytes += is_slow_run() ? 40 : 210) {
     const ProgramRun run =
         run_shell(fmt::format("ulimit -v {}; timeout -s KILL 60 {} reconstruct {} {} -o {}",
                               1000 * megabytes,

@@ -4,9 +4,10 @@
 #include "core/finger/finger_store.h"
 #include "core/recording/journal.h"
 #include "core/recording/video_file.h"
-#include "tests/support/flat_finger.h"
+#include "tests/support/finger_on_disk.h"
 #include "tests/support/marked_finger.h"
 #include "tests/support/recorded_disk.h"
+#include "tests/support/slow_run.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -85,21 +86,7 @@ void expect_old_or_new(const fs::path& finger, const std::string& arguments) {
   EXPECT_GT(new_ones, 0U);
 }
 
-class PowerCut : public testing::Test {
- protected:
-  void SetUp() override {
-    if (std::string(ALLTACT_SANITIZE) != "")
-      GTEST_SKIP() << "sanitizers want to be loaded before the disk's faults";
-    const fs::path folder = finger();
-    fs::create_directory(folder);
-    Finger made = flat_sensor_finger(true);
-    made.reference = ReferenceFiles{"", "", "reference.png"};
-    ASSERT_TRUE(made.save(folder));
-    fs::copy(flat_.file("ref.png"), folder / "reference.png");
-  }
-  [[nodiscard]] std::string finger() const { return flat_.finger(); }
-  FlatFinger flat_;
-};
+using PowerCut = FingerOnDisk;
 
 TEST_F(PowerCut, WhileAFingerIsChanged) {
   expect_old_or_new(finger(), "rename " + finger() + " other");
@@ -113,7 +100,7 @@ TEST_F(PowerCut, WhileAnUntouchedPictureIsInstalled) {
 }
 
 TEST_F(PowerCut, WhileAFingerIsCalibratedAgainWithMorePresses) {
-  if (!tries_all()) GTEST_SKIP() << "seconds: with ALLTACT_SLOW only";
+  if (!is_slow_run()) GTEST_SKIP() << "seconds: with ALLTACT_SLOW only";
   const std::string calibrate =
       "calibrate " + finger() + " " + flat_.presses[0].string() + " " + flat_.presses[1].string();
   (void)log_of(finger(), calibrate);
@@ -145,7 +132,7 @@ void write_bending(const fs::path& finger_folder, const fs::path& pictures, doub
 }
 
 TEST_F(PowerCut, WhileARecordingIsInstalled) {
-  if (!tries_all()) GTEST_SKIP() << "seconds: with ALLTACT_SLOW only";
+  if (!is_slow_run()) GTEST_SKIP() << "seconds: with ALLTACT_SLOW only";
   const TemporaryFolder folder;
   const fs::path finger = folder / "drawn";
   ASSERT_NO_FATAL_FAILURE(write_bending(finger, folder / "one", 6));
@@ -158,7 +145,7 @@ TEST_F(PowerCut, WhileARecordingIsInstalled) {
 
 /// Whoever records loses the last second, and no frame of which the frame log tells.
 TEST_F(PowerCut, WhileARecordingIsMade) {
-  if (!tries_all()) GTEST_SKIP() << "seconds: with ALLTACT_SLOW only";
+  if (!is_slow_run()) GTEST_SKIP() << "seconds: with ALLTACT_SLOW only";
   const TemporaryFolder folder;
   fs::create_directory(folder / "day");
   const fs::path day = folder / "day";

@@ -3,6 +3,7 @@
 #include "core/sensing/pipeline_settings.h"
 #include "tests/support/flat_sensor.h"
 #include "tests/support/program.h"
+#include "tests/support/slow_run.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -179,7 +180,7 @@ TEST(Usage, ANewFingerMayBeToldWhereItSitsInTheGripper) {
 }
 
 TEST(Usage, ChecksTheComputersOwnNumbers) {
-  if (std::getenv("ALLTACT_SLOW") != nullptr) {  // the same once more, in words
+  if (is_slow_run()) {  // the same once more, in words
     const ProgramRun run = run_alltact({"check", "--numerics"});
     EXPECT_EQ(run.status, 0) << run.errors;
     EXPECT_THAT(run.output, HasSubstr("as exact on this computer as they must be"));

@@ -2,6 +2,7 @@
 #include "calibration/study/evaluate.h"
 #include "tests/support/program.h"
 #include "tests/support/python_loader.h"
+#include "tests/support/slow_run.h"
 
 #include <fstream>
 #include <sstream>
@@ -59,7 +60,7 @@ class Morning {
     const auto place = text.find(all);
     if (place == std::string::npos)
       trouble_ += "the demonstration has other frames\n";
-    else if (std::getenv("ALLTACT_SLOW") == nullptr)
+    else if (!is_slow_run())
       text.replace(place, all.size(), "frames: 180");
     write_text(file("recording.yaml"), text);
     step(

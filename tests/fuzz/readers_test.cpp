@@ -2,8 +2,8 @@
 #include "tests/fuzz/readers.h"
 
 #include "tests/fuzz/mutations.h"
+#include "tests/support/slow_run.h"
 
-#include <cstdlib>
 #include <ostream>
 #include <random>
 
@@ -19,7 +19,7 @@ namespace {
 
 /// About how many bytes a format may cost in all.
 std::size_t budget() {
-  return std::getenv("ALLTACT_SLOW") != nullptr ? 200'000'000 : 150'000;
+  return is_slow_run() ? 200'000'000 : 150'000;
 }
 
 class Readers : public testing::TestWithParam<Reader> {};

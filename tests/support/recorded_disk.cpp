@@ -139,10 +139,6 @@ DiskModel::Files files_in(const fs::path& folder) {
   return shown(DiskModel(folder).files(DiskModel::Lost::kNothing));
 }
 
-bool tries_all() {
-  return std::getenv("ALLTACT_SLOW") != nullptr;
-}
-
 void lay_out(const DiskModel::Files& files, const fs::path& folder) {
   fs::remove_all(folder);
   fs::create_directories(folder);

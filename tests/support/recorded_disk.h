@@ -53,9 +53,6 @@ class DiskModel {
 /// Of a folder as it is now, by the same measure.
 [[nodiscard]] DiskModel::Files files_in(const std::filesystem::path& folder);
 
-/// Every moment and every operation is tried, not some (ALLTACT_SLOW).
-[[nodiscard]] bool tries_all();
-
 /// Makes a folder that holds these files and nothing else.
 void lay_out(const DiskModel::Files& files, const std::filesystem::path& folder);
 
