@@ -62,22 +62,45 @@ FramePtr frame_of_plan(const Plan& plan, int number) {
   return frame;
 }
 
+/// work(i) for each i of a range, some of them side by side.
+void for_each_of(const cv::Range& range, int threads, const std::function<void(int)>& work) {
+  const auto part_of = [&](const cv::Range& part) {
+    for (int i = part.start; i < part.end; ++i) work(i);
+  };
+  if (threads > 1)
+    cv::parallel_for_(range, part_of, threads);
+  else
+    part_of(range);
+}
+
 /// A range of every n-th of a plan's frames.
 std::vector<FramePtr> frames_of_plan(const Plan& plan,
                                      const cv::Range& range,
                                      int every,
                                      int threads) {
   std::vector<FramePtr> frames(static_cast<std::size_t>(range.size()));
-  const auto render = [&](const cv::Range& part) {
-    for (int i = part.start; i < part.end; ++i)
-      frames[static_cast<std::size_t>(i)] = frame_of_plan(plan, every * (range.start + i));
-  };
-  const cv::Range all(0, range.size());
-  if (threads > 1)
-    cv::parallel_for_(all, render, threads);
-  else
-    render(all);
+  for_each_of(range, threads, [&](int i) {
+    frames[static_cast<std::size_t>(i - range.start)] = frame_of_plan(plan, every * i);
+  });
   return frames;
+}
+
+/// A frame and what is true of it.
+struct Shot {
+  FramePtr picture;
+  Truth truth;
+};
+
+std::vector<Shot> shots_of_plan(const Plan& plan,
+                                const cv::Range& range,
+                                TruthDetail detail,
+                                int threads) {
+  std::vector<Shot> shots(static_cast<std::size_t>(range.size()));
+  for_each_of(range, threads, [&](int i) {
+    shots[static_cast<std::size_t>(i - range.start)] = {frame_of_plan(plan, i),
+                                                        plan.truth(i, detail)};
+  });
+  return shots;
 }
 
 Error stopped_in_experiment() {
@@ -266,35 +289,37 @@ std::vector<FramePtr> ExperimentBench::frames(const Plan& plan, int first, int e
 }
 
 Result<int> ExperimentBench::measure(const std::string& scene,
-                                     const std::vector<PipelineSettings>& settings,
-                                     const Take& take,
-                                     std::optional<double> room_level) const {
-  assert(!settings.empty());
+                                     const Measuring& measuring,
+                                     const Take& take) const {
+  assert(!measuring.settings.empty());
   DrawnFinger lit = options_.finger;
-  lit.room_level = room_level;
+  lit.room_level = measuring.room_level;
   const auto scene_plan = plan_of_scene(scene, options_.seed, lit);
   if (!scene_plan) return scene_plan.error();
   std::vector<Pipeline> pipelines;
-  for (const PipelineSettings& choice : settings) {
+  for (const PipelineSettings& choice : measuring.settings) {
     auto pipeline = Pipeline::create(finger(), choice, job());
     if (!pipeline) return pipeline.error();
     pipelines.push_back(std::move(pipeline).value());
   }
   const int count = scene_plan->frame_count();
-  std::vector<FramePtr> pictures;
+  std::vector<Shot> shots;
   for (int number = 0; number < count; ++number) {
     if (job().stop_requested()) return stopped_in_experiment();
     job().report(static_cast<double>(number) / count,
                  en::say("{}: frame {} of {}", scene, number + 1, count));
     const auto at = static_cast<std::size_t>(number % kAtATime);
-    if (at == 0) pictures = frames(*scene_plan, number, std::min(count, number + kAtATime));
-    const FramePtr picture = std::move(pictures[at]);
-    const Truth truth = scene_plan->truth(number);
+    if (at == 0)
+      shots = shots_of_plan(*scene_plan,
+                            {number, std::min(count, number + kAtATime)},
+                            measuring.truth,
+                            options_.threads);
+    const Shot shot = std::move(shots[at]);
     for (std::size_t which = 0; which < pipelines.size(); ++which) {
       pipelines[which].forget();
-      const auto result = pipelines[which](picture);
+      const auto result = pipelines[which](shot.picture);
       if (!result) return result.error();
-      take(which, truth, *result);
+      take(which, shot.truth, *result);
     }
   }
   return count;

@@ -77,13 +77,17 @@ class ExperimentBench {
   using Take =
       std::function<void(std::size_t which, const Truth& truth, const FrameResult& result)>;
 
+  struct Measuring {
+    std::vector<PipelineSettings> settings{PipelineSettings{}};
+    TruthDetail truth = TruthDetail::kWithoutPictures;
+    /// Of a scene that names ambient, instead of its own; absent: as it stands there.
+    std::optional<double> room_level;
+  };
   /// Measures all frames of a scene, each by itself and with each of the settings. Gives the number
   /// of frames. Errors: those of plan() and Pipeline; stopped.
-  ///   room_level: of a scene that names ambient, instead of its own; absent: as it stands there
   [[nodiscard]] Result<int> measure(const std::string& scene,
-                                    const std::vector<PipelineSettings>& settings,
-                                    const Take& take,
-                                    std::optional<double> room_level = {}) const;
+                                    const Measuring& measuring,
+                                    const Take& take) const;
 
   /// Pictures of the frames [first, end) as a source would give them.
   [[nodiscard]] std::vector<FramePtr> frames(const Plan& plan, int first, int end) const;

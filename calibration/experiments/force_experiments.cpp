@@ -62,10 +62,8 @@ struct PushedFrame {
 Result<ExperimentOutcome> run_least_touch(const ExperimentBench& bench) {
   static constexpr const char* kScene = "experiment_least_touch";
   std::map<double, std::vector<FeltTouch>> by_height;
-  const auto frames = bench.measure(
-      kScene,
-      {PipelineSettings{}},
-      [&](std::size_t, const Truth& truth, const FrameResult& result) {
+  const auto frames =
+      bench.measure(kScene, {}, [&](std::size_t, const Truth& truth, const FrameResult& result) {
         const ContactTruth& contact = truth.contacts.front();
         by_height[contact.along_mm].push_back({contact.depth_mm, !result.regions.empty()});
       });
@@ -98,16 +96,14 @@ Result<ExperimentOutcome> run_least_force(const ExperimentBench& bench) {
   static constexpr const char* kScene = "experiment_least_force";
   std::vector<PushedFrame> pushes;
   const auto frames =
-      bench.measure(kScene,
-                    {PipelineSettings{}},
-                    [&](std::size_t, const Truth& truth, const FrameResult& result) {
-                      PushedFrame frame;
-                      if (!truth.contacts.empty()) frame.contact = truth.contacts.front();
-                      frame.markers = result.markers;
-                      frame.base_at_low_u = !result.shape || result.shape->base_at_low_u();
-                      frame.has_region = !result.regions.empty();
-                      pushes.push_back(std::move(frame));
-                    });
+      bench.measure(kScene, {}, [&](std::size_t, const Truth& truth, const FrameResult& result) {
+        PushedFrame frame;
+        if (!truth.contacts.empty()) frame.contact = truth.contacts.front();
+        frame.markers = result.markers;
+        frame.base_at_low_u = !result.shape || result.shape->base_at_low_u();
+        frame.has_region = !result.regions.empty();
+        pushes.push_back(std::move(frame));
+      });
   if (!frames) return frames.error();
   // Where the dots rest is taken from the frame in which nothing pushes: the recording's own rest
   // is one of its poses, bent a little.

@@ -47,25 +47,25 @@ double level_of_room(std::size_t room) {
 Result<int> measure_rooms(const ExperimentBench& bench, ErrorsOfRooms& rooms) {
   int frames = 0;
   for (std::size_t i = 0; i < kRooms; ++i) {
+    ExperimentBench::Measuring room;
+    room.room_level = level_of_room(i);
     const auto touched = bench.measure(
         "experiment_room_light",
-        {PipelineSettings{}},
+        room,
         [&](std::size_t, const Truth& truth, const FrameResult& result) {
           if (!result.regions.empty())
             rooms[i].place_mm.add(place_error_mm(result.regions.front(), truth.contacts.front()));
-        },
-        level_of_room(i));
+        });
     if (!touched) return touched.error();
     const auto pushed = bench.measure(
         "experiment_room_force",
-        {PipelineSettings{}},
+        room,
         [&](std::size_t, const Truth& truth, const FrameResult& result) {
           if (!result.force) return;
           const Eigen::Vector3d truly_N = truth.contacts.front().force_N.value();
           for (Eigen::Index axis = 0; axis < 2; ++axis)
             rooms[i].force_N.add(std::abs(result.force->force_N[axis] - truly_N[axis]));
-        },
-        level_of_room(i));
+        });
     if (!pushed) return pushed.error();
     frames += *touched + *pushed;
   }
@@ -74,20 +74,20 @@ Result<int> measure_rooms(const ExperimentBench& bench, ErrorsOfRooms& rooms) {
 
 /// Mean error of the depth in the last room.
 Result<double> depth_error_mm(const ExperimentBench& bench, LightChange light) {
-  PipelineSettings settings;
-  settings.light = light;
+  ExperimentBench::Measuring measuring{
+      {PipelineSettings{}}, TruthDetail::kAll, level_of_room(kRooms - 1)};
+  measuring.settings.front().light = light;
   Evaluator errors(bench.finger().camera);
-  const auto frames = bench.measure(
-      "experiment_room_light",
-      {settings},
-      [&](std::size_t, const Truth& truth, const FrameResult& result) {
-        if (!result.depth) return errors.add_missing();
-        errors.add(truth,
-                   result.depth->depth_mm,
-                   contact_face_points_mm(result, bench.finger().finger.face),
-                   result.markers.value_or(Markers{}));
-      },
-      level_of_room(kRooms - 1));
+  const auto frames =
+      bench.measure("experiment_room_light",
+                    measuring,
+                    [&](std::size_t, const Truth& truth, const FrameResult& result) {
+                      if (!result.depth) return errors.add_missing();
+                      errors.add(truth,
+                                 result.depth->depth_mm,
+                                 contact_face_points_mm(result, bench.finger().finger.face),
+                                 result.markers.value_or(Markers{}));
+                    });
   if (!frames) return frames.error();
   const auto mean = errors.evaluation().contact_depth_mm;
   if (!mean) return untold("experiment_room_light");

@@ -78,14 +78,15 @@ struct WayTally {
 using WayTallies = std::vector<WayTally>;
 
 Result<int> measure_ways(const ExperimentBench& bench, WayTallies& tallies) {
-  std::vector<PipelineSettings> settings;
-  for (const Way& way : ways()) settings.emplace_back().marker_method = way.method;
+  ExperimentBench::Measuring measuring;
+  measuring.settings.clear();
+  for (const Way& way : ways()) measuring.settings.emplace_back().marker_method = way.method;
   const auto all = difficulties();
   int frames = 0;
   for (std::size_t i = 0; i < all.size(); ++i)
     for (const char* scene : all[i].scenes) {
       const auto measured = bench.measure(
-          scene, settings, [&](std::size_t which, const Truth& truth, const FrameResult& result) {
+          scene, measuring, [&](std::size_t which, const Truth& truth, const FrameResult& result) {
             tallies[which].all.add(truth.markers, result);
             tallies[which].by_difficulty[i].add(truth.markers, result);
           });

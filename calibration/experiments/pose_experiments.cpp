@@ -81,10 +81,8 @@ Result<ExperimentOutcome> run_direction(const ExperimentBench& bench) {
   int pushed = 0, right = 0;
   ExperimentSeries by_direction{en::say("ours, simulated"), ExperimentSeries::Look::kDots, {}, {}};
   for (const char* scene : {"experiment_direction", "experiment_references"}) {
-    const auto frames = bench.measure(
-        scene,
-        {PipelineSettings{}},
-        [&](std::size_t, const Truth& truth, const FrameResult& result) {
+    const auto frames =
+        bench.measure(scene, {}, [&](std::size_t, const Truth& truth, const FrameResult& result) {
           const Eigen::Vector2d truly = true_offset_px(truth, bench.truth_at_rest());
           if (truly.norm() <= least_px) return;  // pushed less than can be told
           ++pushed;
@@ -136,15 +134,17 @@ Result<ExperimentOutcome> run_references(const ExperimentBench& bench) {
   static constexpr double kClose_px = 40;  // summed over the dots, as the paper has it
   static constexpr std::array kMethods{
       ReferenceMethod::kSingle, ReferenceMethod::kNearest, ReferenceMethod::kLocal};
-  std::vector<PipelineSettings> settings(kMethods.size());
-  for (std::size_t i = 0; i < kMethods.size(); ++i) settings[i].reference = kMethods[i];
+  ExperimentBench::Measuring measuring;
+  measuring.truth = TruthDetail::kAll;
+  measuring.settings.resize(kMethods.size());
+  for (std::size_t i = 0; i < kMethods.size(); ++i) measuring.settings[i].reference = kMethods[i];
   std::array<int, kMethods.size()> close{};
   std::array<std::vector<double>, kMethods.size()> distances_px;
   std::vector<Evaluator> errors(kMethods.size(), Evaluator(bench.finger().camera));
   NearReferences near;
   const auto frames = bench.measure(
       kReferencesScene,
-      settings,
+      measuring,
       [&](std::size_t which, const Truth& truth, const FrameResult& result) {
         if (kMethods[which] == ReferenceMethod::kLocal) near.add(bench.library(), result);
         if (result.reference && result.markers) {
@@ -162,11 +162,10 @@ Result<ExperimentOutcome> run_references(const ExperimentBench& bench) {
   for (int number = 1; number <= kDrawnFingers; ++number) {
     const auto drawn = bench.drawn_untaught(number);
     if (!drawn) return drawn.error();
-    const auto more = (*drawn)->measure(kReferencesScene,
-                                        {PipelineSettings{}},
-                                        [&](std::size_t, const Truth&, const FrameResult& result) {
-                                          near.add((*drawn)->library(), result);
-                                        });
+    const auto more = (*drawn)->measure(
+        kReferencesScene, {}, [&](std::size_t, const Truth&, const FrameResult& result) {
+          near.add((*drawn)->library(), result);
+        });
     if (!more) return more.error();
   }
   std::array<double, kMethods.size()> false_depth_mm{};

@@ -110,8 +110,8 @@ Result<ForceTable> table_of_pushes(const ExperimentBench& bench,
   ForceGauge gauge;
   gauge.has_block = true;
   int number = 0;
-  const auto measured = bench.measure(
-      scene, {PipelineSettings{}}, [&](std::size_t, const Truth& truth, const FrameResult& result) {
+  const auto measured =
+      bench.measure(scene, {}, [&](std::size_t, const Truth& truth, const FrameResult& result) {
         const int place = number++ % places;
         if (!result.markers || truth.contacts.empty()) return;
         std::optional<Eigen::Vector2d> place_mm;

@@ -150,7 +150,7 @@ Result<ExperimentOutcome> relief_of(const ExperimentBench& bench, const std::str
   int number = 0;
   const auto frames =
       bench.measure(scene,
-                    {PipelineSettings{}, single},
+                    {{PipelineSettings{}, single}, TruthDetail::kAll, {}},
                     [&](std::size_t which, const Truth& truth, const FrameResult& result) {
                       const int frame = number++ / 2;
                       Evaluator& here = errors[2 * which + (is_bent(truth) ? 1 : 0)];

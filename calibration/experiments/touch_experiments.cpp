@@ -22,7 +22,7 @@ Result<LocalisationErrors> localisation_errors(const ExperimentBench& bench) {
   LocalisationErrors errors;
   const auto frames =
       bench.measure("experiment_localisation",
-                    {PipelineSettings{}},
+                    {},
                     [&](std::size_t, const Truth& truth, const FrameResult& result) {
                       if (result.regions.empty()) return;
                       const ContactTruth& contact = truth.contacts.front();
@@ -102,17 +102,15 @@ Result<ExperimentOutcome> run_localisation(const ExperimentBench& bench) {
 Result<ExperimentOutcome> run_pose(const ExperimentBench& bench) {
   ErrorSamples errors;
   ExperimentSeries turned{en::say("ours, simulated"), ExperimentSeries::Look::kDots, {}, {}};
-  const auto frames =
-      bench.measure("experiment_pose",
-                    {PipelineSettings{}},
-                    [&](std::size_t, const Truth& truth, const FrameResult& result) {
-                      if (result.regions.empty() || !result.regions.front().angle_deg) return;
-                      const double off = *result.regions.front().angle_deg -
-                                         truth.contacts.front().angle_deg.value();
-                      errors.add(std::abs(std::remainder(off, 180.0)));  // a bar has no front
-                      turned.x.push_back(truth.contacts.front().angle_deg.value());
-                      turned.y.push_back(std::abs(std::remainder(off, 180.0)));
-                    });
+  const auto frames = bench.measure(
+      "experiment_pose", {}, [&](std::size_t, const Truth& truth, const FrameResult& result) {
+        if (result.regions.empty() || !result.regions.front().angle_deg) return;
+        const double off =
+            *result.regions.front().angle_deg - truth.contacts.front().angle_deg.value();
+        errors.add(std::abs(std::remainder(off, 180.0)));  // a bar has no front
+        turned.x.push_back(truth.contacts.front().angle_deg.value());
+        turned.y.push_back(std::abs(std::remainder(off, 180.0)));
+      });
   if (!frames) return frames.error();
   if (errors.count == 0) return untold("experiment_pose");
   ExperimentOutcome outcome;

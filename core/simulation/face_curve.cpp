@@ -1,6 +1,7 @@
 #include "core/simulation/face_curve.h"
 
 #include "core/numerics/dispatch.h"
+#include "core/simulation/hermite.h"
 
 #include <algorithm>
 #include <array>
@@ -12,26 +13,6 @@ namespace alltact {
 namespace {
 
 constexpr double kLeastCrossing = 0.02;
-
-// Cubic Hermite interpolation on a cell of width h, t in [0, 1].
-double hermite(double f0, double d0, double f1, double d1, double h, double t) {
-  const double u = 1 - t;
-  return u * u * (f0 * (1 + 2 * t) + h * d0 * t) + t * t * (f1 * (3 - 2 * t) - h * d1 * u);
-}
-
-// Cosine and sine of an angle `by` beyond that of a node, |by| <= kLittleTurn: the series, within
-// 3e-17, and the addition theorems.
-constexpr double kLittleTurn = 0.1;
-struct Direction {
-  double cos, sin;
-};
-inline Direction turned(double cos, double sin, double by) {
-  const double by2 = by * by;
-  const double s =
-      by - by * by2 * (1.0 / 6 - by2 * (1.0 / 120 - by2 * (1.0 / 5040 - by2 / 362880)));
-  const double c = by2 * (1.0 / 2 - by2 * (1.0 / 24 - by2 * (1.0 / 720 - by2 / 40320)));  // 1 - cos
-  return {cos - (cos * c + sin * s), sin - (sin * c - cos * s)};
-}
 
 // Three-point Gauss on [0, 1]; kGaussAt[0] is 1/2 - sqrt(0.15).
 constexpr std::array<double, 3> kGaussAt{
@@ -58,7 +39,8 @@ ALLTACT_WIDE void integrate_cells(int n,
       const double there = hermite(theta[i], theta_s[i], theta[i + 1], theta_s[i + 1], h, t);
       return turned(cos[i], sin[i], there - theta[i]);
     };
-    const Direction d0 = toward(kGaussAt[0]), d1 = toward(kGaussAt[1]), d2 = toward(kGaussAt[2]);
+    const TurnedDirection d0 = toward(kGaussAt[0]), d1 = toward(kGaussAt[1]),
+                          d2 = toward(kGaussAt[2]);
     x[i] = kGaussWeight[0] * d0.cos + kGaussWeight[1] * d1.cos + kGaussWeight[2] * d2.cos;
     z[i] = kGaussWeight[0] * d0.sin + kGaussWeight[1] * d1.sin + kGaussWeight[2] * d2.sin;
   }
@@ -217,7 +199,7 @@ FaceCurve::Node FaceCurve::at(double s_mm) const {
     p.z_s = std::sin(p.theta);
     return p;
   }
-  const Direction d = turned(a.x_s, a.z_s, p.theta - a.theta);
+  const TurnedDirection d = turned(a.x_s, a.z_s, p.theta - a.theta);
   p.x_s = d.cos;
   p.z_s = d.sin;
   return p;
@@ -309,7 +291,7 @@ ALLTACT_WIDE void meet_in_cells(int n,
     for (int k = 0; k < 3; ++k)
       t -= (f0 + t * (d0 + t * (c2 + t * c3))) / (d0 + t * (2 * c2 + 3 * t * c3));
     const double theta = hermite(a.theta, a.theta_s, b.theta, b.theta_s, h, t);
-    const Direction d = turned(a.x_s, a.z_s, theta - a.theta);
+    const TurnedDirection d = turned(a.x_s, a.z_s, theta - a.theta);
     s[i] = h * (cell + t);
     x[i] = hermite(a.x_mm, a.x_s, b.x_mm, b.x_s, h, t);
     z[i] = hermite(a.z_mm, a.z_s, b.z_mm, b.z_s, h, t);

@@ -35,6 +35,10 @@ class FaceCurve {
 
   [[nodiscard]] double length_mm() const { return length_mm_; }
   [[nodiscard]] double s_mm(int node) const { return node * cell_mm_; }
+  /// kCells + 1 of them; none as long as nothing moves the face.
+  [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
+  /// By at most 0.1 rad within each cell.
+  [[nodiscard]] bool turns_little() const { return turns_little_; }
   /// To be changed: from now on this is a curve.
   [[nodiscard]] Node& node(int i);
   [[nodiscard]] bool is_straight() const { return !is_bent_; }

@@ -7,34 +7,8 @@ namespace alltact {
 
 namespace {
 
-// So far within its edges a pixel is all face, however slanted.
+// So far within its edges a pixel is all face, and so far beyond them none, however slanted.
 constexpr double kSurePixels = 50;
-
-// Where the next pixel of a row will meet the face: along the parabola through the last three.
-class NextMeeting {
- public:
-  [[nodiscard]] std::optional<double> s_mm() const {
-    switch (count_) {
-      case 0:
-        return std::nullopt;
-      case 1:
-        return last_[0];
-      case 2:
-        return 2 * last_[0] - last_[1];
-      default:
-        return 3 * (last_[0] - last_[1]) + last_[2];
-    }
-  }
-  void add(double s_mm) {
-    last_ = {s_mm, last_[0], last_[1]};
-    count_ = std::min(count_ + 1, 3);
-  }
-  void forget() { count_ = 0; }
-
- private:
-  std::array<double, 3> last_{};
-  int count_ = 0;
-};
 
 // The face's row in the making.
 struct MetRow {
@@ -72,10 +46,15 @@ double share(double inside_px) {
 
 Surface FrameGeometry::fill_by_rays(RowView& row) const {
   MetRow met(row.scratch);
-  NextMeeting next;
+  const auto n = static_cast<std::size_t>(row.width);
+  std::vector<Ray> rays(n);
+  for (int u = 0; u < row.width; ++u) rays[static_cast<std::size_t>(u)] = rays_.ray(u, row.v);
+  std::optional<RuledSurface::MeetingRow> meetings;
+  if (curve_) meetings = RuledSurface::view_face(*curve_).meet_row(rays, std::vector<char>(n, 1));
   for (int u = 0; u < row.width; ++u) {
-    const Ray ray = rays_.ray(u, row.v);
-    if (!curve_) {
+    const auto i = static_cast<std::size_t>(u);
+    const Ray& ray = rays[i];
+    if (!meetings) {
       met.set(u, ray.point_at(face_.plane_z_mm), Eigen::Vector3d::UnitZ());
       met.luf[u] = static_cast<float>(face_.layer_mm);
       met.s[u] = met.x[u];
@@ -83,29 +62,24 @@ Surface FrameGeometry::fill_by_rays(RowView& row) const {
       met.coverage[u] = 1;
       continue;
     }
-    const RuledSurface face = RuledSurface::view_face(*curve_);
-    std::optional<RuledSurface::Meeting> here;
-    if (const auto near = next.s_mm()) here = face.meet(ray, *near);
-    if (!here) here = face.meet(ray);
-    if (!here) {
+    if (!meetings->met(i)) {
       met.miss(u);
-      next.forget();
       continue;
     }
-    next.add(here->s_mm);
-    met.set(u, ray.point_at(here->z_mm), here->normal);
-    met.luf[u] = static_cast<float>(face_.layer_mm / here->normal.z());
-    met.s[u] = static_cast<float>(here->s_mm);
-    met.shift[u] = met.y[u] - static_cast<float>(here->r_mm);
-    const double ends = std::min(here->s_mm, curve_->length_mm() - here->s_mm);
-    const double edges = face_.width_mm / 2 - std::abs(here->r_mm);
-    const double sure_mm = kSurePixels * rays_.camera().mm_per_px_at(here->z_mm);
-    if (std::min(ends, edges) > sure_mm) {
-      met.coverage[u] = 1;
+    const RuledSurface::Meeting here = meetings->at(i);
+    met.set(u, ray.point_at(here.z_mm), here.normal);
+    met.luf[u] = static_cast<float>(face_.layer_mm / here.normal.z());
+    met.s[u] = static_cast<float>(here.s_mm);
+    met.shift[u] = met.y[u] - static_cast<float>(here.r_mm);
+    const double ends = std::min(here.s_mm, curve_->length_mm() - here.s_mm);
+    const double edges = face_.width_mm / 2 - std::abs(here.r_mm);
+    const double sure_mm = kSurePixels * rays_.camera().mm_per_px_at(here.z_mm);
+    if (const double inside = std::min(ends, edges); std::abs(inside) > sure_mm) {
+      met.coverage[u] = inside > 0 ? 1 : 0;
       continue;
     }
-    const double s_per_px = std::abs(here->s_by(ray, rays_.beside(u, row.v)));
-    const double r_per_px = std::abs(here->r_by(ray, rays_.below(u, row.v)));
+    const double s_per_px = std::abs(here.s_by(ray, rays_.beside(u, row.v)));
+    const double r_per_px = std::abs(here.r_by(ray, rays_.below(u, row.v)));
     met.coverage[u] = static_cast<float>(share(ends / s_per_px) * share(edges / r_per_px));
   }
   row.face = {0,

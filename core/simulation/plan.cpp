@@ -365,9 +365,9 @@ SentPicture Plan::send(int frame, int threads) const {
   return sent;
 }
 
-Truth Plan::truth(int frame) const {
+Truth Plan::truth(int frame, TruthDetail detail) const {
   const FramePlan plan = state_->compiled(frame);
-  return truth_of(plan, state_->geometry_of(plan));
+  return truth_of(plan, state_->geometry_of(plan), detail);
 }
 
 TruthMaps Plan::truth_maps(int frame) const {

@@ -56,7 +56,7 @@ class Plan {
   [[nodiscard]] SentPicture send(int frame, int threads = 1) const;
   /// Whether and when it comes; costs no rendering.
   [[nodiscard]] Arrival arrival(int frame) const;
-  [[nodiscard]] Truth truth(int frame) const;
+  [[nodiscard]] Truth truth(int frame, TruthDetail detail = TruthDetail::kAll) const;
   /// The same for every pixel; costs as much as a few frames.
   [[nodiscard]] TruthMaps truth_maps(int frame) const;
 

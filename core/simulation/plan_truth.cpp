@@ -99,11 +99,8 @@ void set_contacts(const FrameGeometry& geometry, const RowView& row, std::uint8_
         press);
 }
 
-}  // namespace
-
-Truth truth_of(const FramePlan& plan, const FrameGeometry& geometry) {
+void set_pictures(const FrameGeometry& geometry, Truth& truth) {
   const cv::Size size = geometry.rays().camera().size();
-  Truth truth;
   truth.depth_mm = cv::Mat(size, CV_32FC1, cv::Scalar::all(kOff));
   truth.view_z_mm = truth.depth_mm.clone();
   truth.untouched_z_mm = truth.depth_mm.clone();
@@ -121,6 +118,13 @@ Truth truth_of(const FramePlan& plan, const FrameGeometry& geometry) {
       truth.untouched_z_mm.at<float>(v, u) = row.face.z_mm[u] + row.face.luf_mm[u];
     }
   }
+}
+
+}  // namespace
+
+Truth truth_of(const FramePlan& plan, const FrameGeometry& geometry, TruthDetail detail) {
+  Truth truth;
+  if (detail == TruthDetail::kAll) set_pictures(geometry, truth);
   for (const MarkerDisc& disc : geometry.discs)
     truth.markers.push_back({disc.centre_px.x(), disc.centre_px.y(), disc.visible});
   for (const auto& press : geometry.presses)

@@ -6,7 +6,9 @@
 
 namespace alltact {
 
-[[nodiscard]] Truth truth_of(const FramePlan& plan, const FrameGeometry& geometry);
+[[nodiscard]] Truth truth_of(const FramePlan& plan,
+                             const FrameGeometry& geometry,
+                             TruthDetail detail);
 
 /// What the view face alone tells: all but `untouched_grey`, and `seen` without the sides.
 [[nodiscard]] TruthMaps truth_maps_of(const FrameGeometry& geometry);

@@ -6,6 +6,7 @@
 #include "core/simulation/face_curve.h"
 
 #include <optional>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -42,6 +43,38 @@ class RuledSurface {
   /// sign is taken.
   [[nodiscard]] std::optional<Meeting> meet(const Ray& ray) const;
 
+  /// Of rays side by side, as the pixels of a row: the same meetings within 1e-7 mm, many at a
+  /// time.
+  class MeetingRow {
+   public:
+    explicit MeetingRow(std::size_t n);
+    [[nodiscard]] bool met(std::size_t i) const { return met_[i] != 0; }
+    /// Of a ray that met it.
+    [[nodiscard]] Meeting at(std::size_t i) const;
+
+   private:
+    friend class RuledSurface;
+    enum Number {
+      kS,
+      kR,
+      kZ,
+      kSWay,
+      kRWay = kSWay + 3,
+      kNormal = kRWay + 3,
+      kNumbers = kNormal + 3
+    };
+    void set(std::size_t i, const Meeting& meeting);
+    [[nodiscard]] double* row(int number) { return numbers_.data() + number * met_.size(); }
+
+    std::vector<double> numbers_;  // by number, then by ray
+    std::vector<char> met_;
+  };
+  /// wanted: by ray; the others count as not met
+  /// near_s_mm: by ray; none: looked for from the ray before, and where that fails all over
+  [[nodiscard]] MeetingRow meet_row(const std::vector<Ray>& rays,
+                                    const std::vector<char>& wanted,
+                                    const float* near_s_mm = nullptr) const;
+
  private:
   enum class Line { kAcross = 1, kBack };
   RuledSurface(const FaceCurve& curve, Line line, double offset_mm)
@@ -51,6 +84,7 @@ class RuledSurface {
     Eigen::Vector3d p, p_s, g, g_s;
   };
   [[nodiscard]] Ruling ruling_at(double s_mm) const;
+  class RowSearch;
 
   const FaceCurve* curve_;
   Line line_;

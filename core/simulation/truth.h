@@ -14,6 +14,12 @@
 
 namespace alltact {
 
+/// What of a frame's truth is asked for.
+enum class TruthDetail {
+  kAll,
+  kWithoutPictures,  ///< its pictures stay empty: costs next to nothing
+};
+
 /// From the same analytic geometry as the picture, never from its pixels. Camera frame, mm, px.
 struct Truth {
   cv::Mat depth_mm;  ///< CV_32FC1, the picture's size, along z; NaN off the face

@@ -55,21 +55,40 @@ ALLTACT_WIDE void meet_sides(const SideRow& r) {
   }
 }
 
-// Where each ray meets the side that it points to, by Newton's method.
+// So many pixels beyond what is drawn of a side, however slanted, nothing of it is seen.
+constexpr double kSurePixels = 50;
+
+// Where each ray meets the side that it points to.
 void meet_sides_by_rays(const SideRow& r, const FrameGeometry& geometry, int v) {
-  const RuledSurface upper = RuledSurface::side_face(*geometry.curve(), -1, 2 * r.half_width);
-  const RuledSurface lower = RuledSurface::side_face(*geometry.curve(), 1, 2 * r.half_width);
+  const auto n = static_cast<std::size_t>(r.n);
+  std::vector<Ray> rays(n);
+  std::vector<char> at_upper(n, 0), at_lower(n, 0);
   for (int u = 0; u < r.n; ++u) {
     r.light[u] = r.albedo;
     r.x[u] = r.y[u] = r.coverage[u] = r.normal_x[u] = r.inward[u] = 0;
     r.z[u] = r.normal_z[u] = 1;
     if (r.face.coverage[u] >= 1 || r.face.s_mm[u] == kNotMet_mm) continue;
-    const bool is_upper = r.face.y_mm[u] < r.face.shift_mm[u];
-    const Ray ray = geometry.rays().ray(u, v);
-    const auto here = (is_upper ? upper : lower).meet(ray, r.face.s_mm[u]);
-    if (!here) continue;
-    const Eigen::Vector3d point = ray.point_at(here->z_mm);
-    const Eigen::Vector3d inward = is_upper ? here->normal : Eigen::Vector3d(-here->normal);
+    const auto i = static_cast<std::size_t>(u);
+    rays[i] = geometry.rays().ray(u, v);
+    (r.face.y_mm[u] < r.face.shift_mm[u] ? at_upper : at_lower)[i] = 1;
+  }
+  const double width_mm = 2 * r.half_width;
+  const auto upper = RuledSurface::side_face(*geometry.curve(), -1, width_mm)
+                         .meet_row(rays, at_upper, r.face.s_mm);
+  const auto lower =
+      RuledSurface::side_face(*geometry.curve(), 1, width_mm).meet_row(rays, at_lower, r.face.s_mm);
+  for (int u = 0; u < r.n; ++u) {
+    const auto i = static_cast<std::size_t>(u);
+    const bool is_upper = at_upper[i] != 0;
+    const RuledSurface::MeetingRow& side = is_upper ? upper : lower;
+    if (!side.met(i)) continue;
+    const RuledSurface::Meeting here = side.at(i);
+    const auto s = static_cast<float>(here.s_mm), behind = static_cast<float>(here.r_mm);
+    const double off_mm = std::max({behind - r.depth, -s, s - r.length});
+    if (off_mm > kSurePixels * geometry.rays().camera().mm_per_px_at(here.z_mm)) continue;
+    const Ray& ray = rays[i];
+    const Eigen::Vector3d point = ray.point_at(here.z_mm);
+    const Eigen::Vector3d inward = is_upper ? here.normal : Eigen::Vector3d(-here.normal);
     if (inward.dot(ray.direction) >= 0) continue;  // seen from outside
     r.x[u] = static_cast<float>(point.x());
     r.y[u] = static_cast<float>(point.y());
@@ -78,9 +97,8 @@ void meet_sides_by_rays(const SideRow& r, const FrameGeometry& geometry, int v) 
     r.inward[u] = static_cast<float>(inward.y());
     r.normal_z[u] = static_cast<float>(inward.z());
     const Ray beside = geometry.rays().beside(u, v), below = geometry.rays().below(u, v);
-    const auto s_px = static_cast<float>(std::abs(here->s_by(ray, beside)));
-    const auto r_px = static_cast<float>(std::abs(here->r_by(ray, below)));
-    const auto s = static_cast<float>(here->s_mm), behind = static_cast<float>(here->r_mm);
+    const auto s_px = static_cast<float>(std::abs(here.s_by(ray, beside)));
+    const auto r_px = static_cast<float>(std::abs(here.r_by(ray, below)));
     r.coverage[u] = (1.0F - r.face.coverage[u]) * unit((r.depth - behind) / r_px + 0.5F) *
                     unit(s / s_px + 0.5F) * unit((r.length - s) / s_px + 0.5F);
   }

@@ -44,6 +44,11 @@ class DrawnFingers : public testing::Test {
     last_ = std::move(made).value();
     return *last_;
   }
+  static ExperimentBench::Measuring in_room(double level) {
+    ExperimentBench::Measuring measuring;
+    measuring.room_level = level;
+    return measuring;
+  }
   /// By how much the largest of the means is above the least.
   static double change(const std::array<ErrorSamples, kRoomLevels.size()>& rooms) {
     double least = rooms[0].mean(), most = least;
@@ -76,18 +81,17 @@ TEST_F(DrawnFingers, PlacesAreTheSameInEveryRoomAndAsNearAsAskedFor) {
     std::array<ErrorSamples, kRoomLevels.size()> rooms;
     for (std::size_t room = 0; room < kRoomLevels.size(); ++room) {
       ErrorSamples inner, tip;
-      const auto frames = one.measure(
-          "experiment_room_light",
-          {PipelineSettings{}},
-          [&](std::size_t, const Truth& truth, const FrameResult& result) {
-            ASSERT_FALSE(result.regions.empty());
-            const ContactTruth& contact = truth.contacts.front();
-            const double error = place_error_mm(result.regions.front(), contact);
-            rooms[room].add(error);
-            if (std::abs(contact.along_mm - 60) <= 20) inner.add(error);
-            if (contact.along_mm >= 100) tip.add(error);
-          },
-          kRoomLevels[room]);
+      const auto frames =
+          one.measure("experiment_room_light",
+                      in_room(kRoomLevels[room]),
+                      [&](std::size_t, const Truth& truth, const FrameResult& result) {
+                        ASSERT_FALSE(result.regions.empty());
+                        const ContactTruth& contact = truth.contacts.front();
+                        const double error = place_error_mm(result.regions.front(), contact);
+                        rooms[room].add(error);
+                        if (std::abs(contact.along_mm - 60) <= 20) inner.add(error);
+                        if (contact.along_mm >= 100) tip.add(error);
+                      });
       ASSERT_TRUE(frames) << frames.error().sentence();
       EXPECT_LT(inner.mean(), 0.2) << number;
       EXPECT_LT(tip.mean(), 0.5) << number;
@@ -124,16 +128,15 @@ TEST_F(DrawnFingers, ForcesAreTheSameInEveryRoom) {
   ASSERT_TRUE(one.learn_force(*table, training_of_experiments()));
   std::array<ErrorSamples, kRoomLevels.size()> rooms;
   for (std::size_t room = 0; room < kRoomLevels.size(); ++room)
-    ASSERT_TRUE(one.measure(
-        "experiment_room_force",
-        {PipelineSettings{}},
-        [&](std::size_t, const Truth& truth, const FrameResult& result) {
-          if (!result.force) return;
-          for (Eigen::Index axis = 0; axis < 2; ++axis)
-            rooms[room].add(std::abs(result.force->force_N[axis] -
-                                     truth.contacts.front().force_N.value()[axis]));
-        },
-        kRoomLevels[room]));
+    ASSERT_TRUE(one.measure("experiment_room_force",
+                            in_room(kRoomLevels[room]),
+                            [&](std::size_t, const Truth& truth, const FrameResult& result) {
+                              if (!result.force) return;
+                              for (Eigen::Index axis = 0; axis < 2; ++axis)
+                                rooms[room].add(
+                                    std::abs(result.force->force_N[axis] -
+                                             truth.contacts.front().force_N.value()[axis]));
+                            }));
   EXPECT_GT(rooms[0].count, 80);
   EXPECT_LT(rooms[0].mean(), 0.1);
   EXPECT_LT(change(rooms), 0.1);

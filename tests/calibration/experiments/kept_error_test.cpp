@@ -37,7 +37,9 @@ struct KeptError {
 double p95_on_simulated_presses(const ExperimentBench& bench, const PipelineSettings& settings) {
   std::vector<float> errors_mm;
   const auto frames = bench.measure(
-      "study_presses", {settings}, [&](std::size_t, const Truth& truth, const FrameResult& result) {
+      "study_presses",
+      {{settings}, TruthDetail::kAll, {}},
+      [&](std::size_t, const Truth& truth, const FrameResult& result) {
         if (!result.depth) return;
         const cv::Mat read =
             at_whole_size(result.depth->depth_mm, result.reduced_by, truth.depth_mm.size());
