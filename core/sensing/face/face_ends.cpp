@@ -14,8 +14,10 @@ namespace {
 
 constexpr int kStrips = 9;
 constexpr int kMostSteps = 3;  // of one strip, the ones of most contrast
-constexpr int kEndNear = 3,
-              kEndFar = 9;    // the levels are read from kEndNear to kEndFar columns away
+// The levels are read from kEndNear to kEndFar columns away. In a small picture the base lies near
+// the border: there what is beyond it is level, in at least kLeastBeyond columns of which the first
+// may be the step's own.
+constexpr int kEndNear = 3, kEndFar = 9, kLeastBeyond = 3;
 constexpr int kInside = 20;   // columns searched inwards of the edges' last sample
 constexpr int kBeyond = 120;  // and outwards
 constexpr double kMostSlope = 0.7;
@@ -127,7 +129,7 @@ class EndReader {
     start_ = from - outwards_ * (kInside + kEndFar + bow);
     const int border = outwards_ > 0 ? grey_.cols - 1 - start_ : start_;
     count_ = std::min(kInside + kEndFar + bow + kBeyond + kEndFar, border + 1);
-    if (start_ < 0 || start_ >= grey_.cols || count_ < 4 * kEndFar) return std::nullopt;
+    if (start_ < 0 || start_ >= grey_.cols || count_ < kInside + kEndFar) return std::nullopt;
     for (int strip = 0; strip < kStrips; ++strip) read_steps(strip);
     return straightest();
   }
@@ -169,7 +171,7 @@ class EndReader {
       const auto k = static_cast<std::size_t>(i);
       return brightness[k - 1] + brightness[k] - brightness[k + 1] - brightness[k + 2];
     };
-    for (int i = kEndFar; i + 1 + kEndFar < count_; ++i) {
+    for (int i = kEndFar; i + kLeastBeyond < count_; ++i) {
       if (!(fall(i) > 0.0F) || fall(i) < fall(i - 1) || fall(i) <= fall(i + 1)) continue;
       const auto step = step_at(brightness, i);
       if (!step || step->contrast < least) continue;
@@ -188,17 +190,26 @@ class EndReader {
     return view_ != nullptr ? bow_per_px(*view_, u, upper_.at(u), lower_.at(u)) : 0.0;
   }
 
+  [[nodiscard]] EndLevel level_beyond(const std::vector<float>& brightness, int i) const {
+    const int far = std::min(kEndFar, count_ - 1 - i);
+    if (far >= kEndNear + 2) return end_level(brightness, i, kEndNear, far);
+    double sum = 0;
+    for (int x = 2; x <= far; ++x)
+      sum += static_cast<double>(brightness[static_cast<std::size_t>(i + x)]);
+    return {sum / (far - 1), 0};
+  }
+
   /// Half-way between the levels on both sides, each a line: the face darkens towards its end.
   [[nodiscard]] std::optional<Step> step_at(const std::vector<float>& brightness, int i) const {
     const EndLevel inside = end_level(brightness, i, -kEndFar, -kEndNear + 1);
-    const EndLevel outside = end_level(brightness, i, kEndNear, kEndFar);
+    const EndLevel outside = level_beyond(brightness, i);
     const auto above = [&](int x) {
       const double half = 0.5 * (inside.value + outside.value + x * (inside.slope + outside.slope));
       return static_cast<double>(brightness[static_cast<std::size_t>(i + x)]) - half;
     };
     const double contrast = inside.value + 0.5 * inside.slope - outside.value - 0.5 * outside.slope;
     if (!(contrast > 0.0)) return std::nullopt;
-    for (int x = -kEndNear + 1; x < kEndNear; ++x) {
+    for (int x = -kEndNear + 1; x < std::min(kEndNear, count_ - 1 - i); ++x) {
       const double a = above(x), b = above(x + 1);
       if (a >= 0.0 && b < 0.0) return Step{start_ + outwards_ * (i + x + a / (a - b)), 0, contrast};
     }

@@ -8,6 +8,7 @@
 #include <random>
 
 #include <gtest/gtest.h>
+#include <opencv2/imgproc.hpp>
 
 namespace alltact {
 namespace {
@@ -88,6 +89,27 @@ TEST(FaceEnds, WhatPressesOnTheEndDoesNotMoveIt) {
     ASSERT_TRUE(edges.ok());
     ASSERT_TRUE(edges->ends.last) << centre_part;
     EXPECT_NEAR(edges->ends.last->at(270), face.last_u + 0.5, 0.5) << centre_part;
+  }
+}
+
+// The base of a finger lies near the picture's border, and in a reduced picture nearer.
+TEST(FaceEnds, NearThePicturesBorderTheyAreFoundToo) {
+  std::mt19937 engine(36);
+  for (unsigned run = 0; run < 12; ++run) {
+    SyntheticFace face = face_with_ends(engine);
+    face.blur_px = 0.5;
+    face.first_u = std::floor(std::uniform_real_distribution<double>(12, 20)(engine));
+    const cv::Mat whole = face.draw(run);
+    for (const int reduced_by : {1, 2, 4}) {
+      cv::Mat picture;
+      cv::resize(whole, picture, {}, 1.0 / reduced_by, 1.0 / reduced_by, cv::INTER_AREA);
+      const auto edges = FaceEdgeFinder()(picture);
+      ASSERT_TRUE(edges.ok()) << edges.error().sentence();
+      ASSERT_TRUE(edges->ends.first) << "run " << run << " reduced by " << reduced_by;
+      const double found = edges->ends.first->at(0.5 * picture.rows);
+      EXPECT_NEAR(found, face.first_u / reduced_by - 0.5, 0.25)
+          << "run " << run << " reduced by " << reduced_by;
+    }
   }
 }
 
