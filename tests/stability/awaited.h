@@ -18,9 +18,6 @@ struct Awaited {
 };
 
 inline constexpr Awaited kAwaited[] = {
-    {"PushAlong.TheBacksPlaceIsAsSureAsItSaysOnMoreFingers",
-     "of 95 places on 120 fingers drawn at random the worst are 30 and 38 mm off, and the "
-     "normalised error squared is 1.9 and 2.6 (2.6 and 4.4 mm in the median)"},
     {"HardShapes.OneThatIsTwistedByFiveDegrees",
      "1.5 mm off, and no outline can tell: a face that sways by 0.26 mm without a twist draws the "
      "same to 3e-6 px, and fingers sway by millimetres; markers tell (twist_model.h)"},

@@ -103,7 +103,8 @@ FingerContact finger_contact(const ContactSigns& signs,
       contact.place = place_of_push(*signs.along_back, shape);
     else
       contact.no_place = en::say(
-          "the push on the back moves the markers too little to tell how far from the base it is");
+          "the push on the back moves the markers too little, or bends the finger too far, to tell "
+          "how far from the base it is");
   } else if (signs.regions == nullptr) {
     contact.no_place = en::say("without a depth there is no place on the contact face");
   } else {

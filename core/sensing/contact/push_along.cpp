@@ -18,6 +18,9 @@ constexpr double kTipDistance = 0.27;  // of the walls, by that at the base
 constexpr std::array kDrags{-0.15, 0.0, 0.15};
 constexpr double kBendScale_mm = 10.0;  // how far pushes bend a finger
 constexpr double kModelSd = 0.03;       // of the length: fingers are no beams
+// Bent further a finger folds, and nothing here holds any more: neither its modes nor its shape.
+constexpr double kMostBend = 0.4;          // q1, of the length
+constexpr double kMostTimesNoise = 100.0;  // squared, of what no bending explains
 
 /// From the view face to the back, by the length.
 double body_depth(double t) {
@@ -117,11 +120,15 @@ std::optional<AlongFinger> push_along_back(const Markers& markers,
   // Where no place explains what the markers did, all are less sure by as much.
   Eigen::MatrixXd bends(size, 2);
   bends << q1, q2;
-  const double left = (did - bends * bends.colPivHouseholderQr().solve(did)).squaredNorm();
+  const Eigen::Vector2d free_bends = bends.colPivHouseholderQr().solve(did);
+  const double left = (did - bends * free_bends).squaredNorm();
   const auto known = std::count_if(
       body->places().begin(), body->places().end(), [](const auto& p) { return p.is_known; });
   const double free = 2.0 * static_cast<double>(known) - 4;  // sway, twist and both bends
   const double times_noise = free > 0 ? std::max(1.0, left / free) : 1.0;
+  if (!(times_noise <= kMostTimesNoise) ||
+      !(std::abs(free_bends[0]) <= kMostBend * body->length_mm()))
+    return std::nullopt;
   PlaceLogs logs;
   for (const double falls : kFalls) {
     const Eigen::Matrix2d stiffness = bending_stiffness(falls);

@@ -46,7 +46,8 @@ struct AlongFinger {
 inline constexpr double kMostAlongSd = 0.13;
 
 /// Of a push on the back. `way`: tip_way() of the same markers, `rest`, shape and `ways_px2`.
-/// nullopt: the push is too slight to tell its place.
+/// nullopt: the push is too slight to tell its place, or bends the finger beyond what modes and
+/// shape hold for.
 [[nodiscard]] std::optional<AlongFinger> push_along_back(const Markers& markers,
                                                          const std::vector<Eigen::Vector2d>& rest,
                                                          const FaceShape& shape,
