@@ -11,7 +11,7 @@
 namespace alltact {
 namespace {
 
-constexpr int kPlotWidth = 600, kPlotHeight = 300;  // px at 96 to the inch
+constexpr int kPlotWidth = 600, kPlotHeight = 262;  // px at 96 to the inch
 constexpr double kPlotSharpness = 3.0;              // 288 to the inch on paper
 
 /// What was measured.

@@ -345,6 +345,25 @@ RegionSums sums_of(const DepthMap& depth,
   return sums;
 }
 
+/// How many of its standard deviations the deepest place lies deep; infinite where that is not
+/// known.
+double sds_deep(const ContactRegion& region) {
+  if (!region.deepest_sd_mm) return std::numeric_limits<double>::infinity();
+  return region.deepest_mm / std::max(*region.deepest_sd_mm, 1e-9);
+}
+
+void sort_by_sureness_and_volume(std::vector<ContactRegion>& regions) {
+  constexpr double kPartOfSurest = 0.5;
+  double surest = 0;
+  for (const ContactRegion& region : regions) surest = std::max(surest, sds_deep(region));
+  const auto is_sure = [&](const ContactRegion& region) {
+    return sds_deep(region) >= kPartOfSurest * surest;
+  };
+  std::stable_sort(regions.begin(), regions.end(), [&](const auto& a, const auto& b) {
+    return std::pair(is_sure(a), a.volume_mm3) > std::pair(is_sure(b), b.volume_mm3);
+  });
+}
+
 }  // namespace
 
 std::vector<ContactRegion> contact_regions(const DepthMap& depth,
@@ -382,11 +401,10 @@ std::vector<ContactRegion> contact_regions(const DepthMap& depth,
         sums_of(depth, wide, label, cells, box.tl(), untouched, shape, face, threshold, options);
     if (sums.empty() || !sums.is_significant(options)) continue;
     const ContactRegion region = sums.region(options);
-    if (region.area_mm2 >= options.minimum_area_mm2) regions.push_back(region);
+    if (region.area_mm2 >= options.minimum_area_mm2 && sds_deep(region) >= kLeastSds)
+      regions.push_back(region);
   }
-  std::stable_sort(regions.begin(), regions.end(), [](const auto& a, const auto& b) {
-    return a.volume_mm3 > b.volume_mm3;
-  });
+  sort_by_sureness_and_volume(regions);
   return regions;
 }
 

@@ -68,7 +68,7 @@ struct ContactSigns {
 [[nodiscard]] PushedFace face_of_way(const TipWay& way);
 
 /// Of a frame with a contact. `before`: the face of the same contact in the frame before, which is
-/// kept where this one does not tell it. The place on the contact face is that of the largest
+/// kept where this one does not tell it. The place on the contact face is that of the first
 /// region; on the sides there is none (push_along.h).
 [[nodiscard]] FingerContact finger_contact(const ContactSigns& signs,
                                            const FaceShape& shape,
