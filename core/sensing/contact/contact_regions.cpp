@@ -183,6 +183,14 @@ class RegionSums {
     const double sd = sd_of_mean({noise_ / pixels, systematic_ / pixels}, pixels, options);
     return depth_ / pixels >= kLeastSds * sd;
   }
+  /// How many standard deviations deep the deepest place lies, infinite where none is told; what
+  /// lies a little beside a steep wall is as deep as that, wherever exactly.
+  [[nodiscard]] double sds_deep(const RegionOptions& options) const {
+    if (!options.pressed) return std::numeric_limits<double>::infinity();
+    DepthCauses causes = pressed_at(options, deepest_px_, region_.deepest_mm);
+    causes.lateral = 0;
+    return region_.deepest_mm / std::max(sd_of_deepest(causes), 1e-9);
+  }
   [[nodiscard]] ContactRegion region(const RegionOptions& options) const {
     ContactRegion region = region_;
     region.place_mm /= region.volume_mm3;
@@ -345,23 +353,24 @@ RegionSums sums_of(const DepthMap& depth,
   return sums;
 }
 
-/// How many of its standard deviations the deepest place lies deep; infinite where that is not
-/// known.
-double sds_deep(const ContactRegion& region) {
-  if (!region.deepest_sd_mm) return std::numeric_limits<double>::infinity();
-  return region.deepest_mm / std::max(*region.deepest_sd_mm, 1e-9);
-}
+struct FoundRegion {
+  ContactRegion region;
+  double sds_deep;
+};
 
-void sort_by_sureness_and_volume(std::vector<ContactRegion>& regions) {
+std::vector<ContactRegion> by_sureness_and_volume(std::vector<FoundRegion>& found) {
   constexpr double kPartOfSurest = 0.5;
   double surest = 0;
-  for (const ContactRegion& region : regions) surest = std::max(surest, sds_deep(region));
-  const auto is_sure = [&](const ContactRegion& region) {
-    return sds_deep(region) >= kPartOfSurest * surest;
-  };
-  std::stable_sort(regions.begin(), regions.end(), [&](const auto& a, const auto& b) {
-    return std::pair(is_sure(a), a.volume_mm3) > std::pair(is_sure(b), b.volume_mm3);
+  for (const FoundRegion& one : found) surest = std::max(surest, one.sds_deep);
+  std::stable_sort(found.begin(), found.end(), [&](const FoundRegion& a, const FoundRegion& b) {
+    const auto rank = [&](const FoundRegion& one) {
+      return std::pair(one.sds_deep >= kPartOfSurest * surest, one.region.volume_mm3);
+    };
+    return rank(a) > rank(b);
   });
+  std::vector<ContactRegion> regions;
+  for (FoundRegion& one : found) regions.push_back(std::move(one.region));
+  return regions;
 }
 
 }  // namespace
@@ -390,7 +399,7 @@ std::vector<ContactRegion> contact_regions(const DepthMap& depth,
   wide.convertTo(wide, CV_32S);
   labels.copyTo(wide, touched);
 
-  std::vector<ContactRegion> regions;
+  std::vector<FoundRegion> found;
   for (int label = 1; label < count; ++label) {
     const cv::Rect cells = cv::Rect(statistics.at<int>(label, cv::CC_STAT_LEFT) - 1,
                                     statistics.at<int>(label, cv::CC_STAT_TOP) - 1,
@@ -401,11 +410,11 @@ std::vector<ContactRegion> contact_regions(const DepthMap& depth,
         sums_of(depth, wide, label, cells, box.tl(), untouched, shape, face, threshold, options);
     if (sums.empty() || !sums.is_significant(options)) continue;
     const ContactRegion region = sums.region(options);
-    if (region.area_mm2 >= options.minimum_area_mm2 && sds_deep(region) >= kLeastSds)
-      regions.push_back(region);
+    const double sds_deep = sums.sds_deep(options);
+    if (region.area_mm2 >= options.minimum_area_mm2 && sds_deep >= kLeastSds)
+      found.push_back({region, sds_deep});
   }
-  sort_by_sureness_and_volume(regions);
-  return regions;
+  return by_sureness_and_volume(found);
 }
 
 }  // namespace alltact
