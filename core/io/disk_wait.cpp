@@ -28,17 +28,20 @@ std::map<const DiskWait*, Wait>& waits() {
   return all;
 }
 std::atomic<bool> is_watched{false};
+thread_local const DiskWait* outermost = nullptr;
 
 }  // namespace
 
 DiskWait::DiskWait(const std::filesystem::path& file) {
-  if (!is_watched) return;
+  if (!is_watched || outermost != nullptr) return;
+  outermost = this;
   const std::lock_guard lock(mutex());
   waits()[this] = {file, Clock::now()};
 }
 
 DiskWait::~DiskWait() {
-  if (!is_watched) return;
+  if (outermost != this) return;
+  outermost = nullptr;
   const std::lock_guard lock(mutex());
   waits().erase(this);
 }

@@ -8,7 +8,8 @@
 
 namespace alltact {
 
-/// While it lives, its thread waits for a file. Costs next to nothing where nobody watches.
+/// While it lives, its thread waits for a file; one within another is the outer one's. Costs next
+/// to nothing where nobody watches.
 class DiskWait {
  public:
   explicit DiskWait(const std::filesystem::path& file);

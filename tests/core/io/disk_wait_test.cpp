@@ -19,8 +19,9 @@ TEST(DiskWait, IsToldOfOnceWhereItIsLong) {
       const std::lock_guard lock(mutex);
       told.push_back(file);
     });
-    const DiskWait is_long("/net/long");
     for (int i = 0; i < 100; ++i) const DiskWait is_short("/disk/short");
+    const DiskWait is_long("/net/long");
+    const DiskWait is_part_of_it("/net");
     std::this_thread::sleep_for(150ms);
     const std::lock_guard lock(mutex);
     EXPECT_EQ(told, std::vector<std::filesystem::path>{"/net/long"});
