@@ -92,8 +92,7 @@ void add_commands(CLI::App& program, Chosen& chosen, bool& json) {
 
 /// Beside whatever the command says.
 void say_slow_disk(const std::filesystem::path& file) {
-  const Message waiting = en::say("Waiting for {}: its disk does not answer.", file);
-  fmt::print(stderr, "{}\n", waiting.english());
+  fmt::print(stderr, "{}\n", slow_disk(file).sentence());
 }
 
 /// What no function expected: memory or threads that cannot be had, else our own mistake.
@@ -126,8 +125,8 @@ int run(int argc, char** argv) {
     return usage_status(program, error);
   }
   Console console(json);
-  const DiskWatch slow_disks(kPatience, say_slow_disk);
   try {
+    const DiskWatch slow_disks(kPatience, say_slow_disk);
     return console.finish(chosen(console));
   } catch (const std::exception& error) {
     return console.finish(as_error(error));

@@ -33,12 +33,14 @@ class DrawnPictures : public Pictures {
                                                     const std::filesystem::path& folder,
                                                     const Job& job) const override {
     const OffscreenDrawing drawing;
+    if (const Status ready = drawing.ready(); !ready) return ready.error();
     return make_calibration_pages(done, folder, job);
   }
 
   Result<std::vector<ReportFile>> experiment_pages(const ExperimentReport& report,
                                                    const std::string& name) const override {
     const OffscreenDrawing drawing;
+    if (const Status ready = drawing.ready(); !ready) return ready.error();
     return make_experiment_pages(report, name);
   }
 
@@ -46,6 +48,7 @@ class DrawnPictures : public Pictures {
                                                const std::string& name,
                                                const std::string& date) const override {
     const OffscreenDrawing drawing;
+    if (const Status ready = drawing.ready(); !ready) return ready.error();
     auto files = svg_figure_files(svg, name, date);
     if (!files) return files.error();
     return std::vector<ReportFile>{{name + ".png", std::move(files->png)},

@@ -1,5 +1,6 @@
 #include "core/io/disk_wait.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cassert>
 #include <condition_variable>
@@ -84,6 +85,22 @@ DiskWatch::~DiskWatch() {
   }
   state_->ending.notify_all();
   state_->thread.join();
+}
+
+std::vector<std::filesystem::path> DiskWatch::slow() const {
+  std::vector<std::filesystem::path> files;
+  const std::lock_guard lock(mutex());
+  for (const auto& [key, wait] : waits())
+    if (Clock::now() - wait.since >= state_->patience) files.push_back(wait.file);
+  std::sort(files.begin(), files.end());
+  files.erase(std::unique(files.begin(), files.end()), files.end());
+  return files;
+}
+
+Error slow_disk(const std::filesystem::path& file) {
+  return {en::say("its disk does not answer and is waited for"),
+          file.string(),
+          en::say("look after the network, or the cable of that disk")};
 }
 
 }  // namespace alltact

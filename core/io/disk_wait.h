@@ -1,10 +1,13 @@
 // Whoever waits for a disk that does not answer, as one in a network that stalls, is told so.
 #pragma once
 
+#include "core/result.h"
+
 #include <chrono>
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <vector>
 
 namespace alltact {
 
@@ -28,10 +31,15 @@ class DiskWatch {
   DiskWatch(const DiskWatch&) = delete;
   DiskWatch& operator=(const DiskWatch&) = delete;
   ~DiskWatch();
+  /// What is waited for longer than `patience` now, in the order of its names.
+  [[nodiscard]] std::vector<std::filesystem::path> slow() const;
 
  private:
   struct State;
   std::unique_ptr<State> state_;
 };
+
+/// What to say of a file that is waited for.
+[[nodiscard]] Error slow_disk(const std::filesystem::path& file);
 
 }  // namespace alltact

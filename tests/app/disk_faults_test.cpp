@@ -126,6 +126,9 @@ TEST_F(DiskFaults, TheClockOfTheComputerWasSetBack) {
   const std::string one = text_of(history);
   const ProgramRun second = check("ALLTACT_CLOCK=-400000000");
   EXPECT_EQ(second.status, first.status) << second.errors;
+  EXPECT_THAT(first.errors, Not(HasSubstr("set the clock")));
+  EXPECT_THAT(second.errors, HasSubstr("and this computer's clock says 201"));
+  EXPECT_THAT(second.errors, HasSubstr("set the clock"));
   const std::string both = text_of(history);
   EXPECT_TRUE(both.starts_with(one)) << "what was there remains";
   EXPECT_GT(both.size(), one.size());

@@ -2,6 +2,8 @@
 
 #include <QApplication>
 #include <QLocale>
+#include <QSemaphore>
+#include <QThreadPool>
 #include <cstdio>
 
 namespace alltact {
@@ -28,6 +30,19 @@ OffscreenDrawing::OffscreenDrawing() {
   static char name[] = "alltact";
   static char* words[] = {name, nullptr};
   application_ = std::make_unique<QApplication>(count, words);
+}
+
+Status OffscreenDrawing::ready() const {
+  constexpr int kPatience_ms = 2000;
+  // What paints large pictures on several threads waits for all of them. One that runs already, and
+  // stays, will do all that is asked of it.
+  QThreadPool& pool = *QThreadPool::globalInstance();
+  pool.setMaxThreadCount(1);
+  pool.setExpiryTimeout(-1);
+  const auto begun = std::make_shared<QSemaphore>();
+  pool.start([begun] { begun->release(); });
+  if (begun->tryAcquire(1, kPatience_ms)) return {};
+  return Error{en::say("there is not enough memory to draw"), "", en::say("close other programs")};
 }
 
 OffscreenDrawing::~OffscreenDrawing() {
