@@ -13,6 +13,7 @@
 #include <new>
 #include <optional>
 #include <system_error>
+#include <thread>
 
 #include <opencv2/core.hpp>
 #include <opencv2/core/utils/logger.hpp>
@@ -111,6 +112,17 @@ Error as_error(const std::exception& thrown) {
           en::say("reporting this as a defect")};
 }
 
+/// OpenCV's threads begin while there is memory for them: where their beginning fails, what uses
+/// them next would wait without end.
+void begin_threads() {
+  try {
+    std::thread([] {}).join();
+    cv::parallel_for_({0, 2 * cv::getNumThreads()}, [](const cv::Range&) {});
+  } catch (const std::exception&) {
+    cv::setNumThreads(1);
+  }
+}
+
 int run(int argc, char** argv) {
   // Decoders' own messages would stand beside our sentences and say less.
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
@@ -126,6 +138,7 @@ int run(int argc, char** argv) {
   }
   Console console(json);
   try {
+    begin_threads();
     const DiskWatch slow_disks(kPatience, say_slow_disk);
     return console.finish(chosen(console));
   } catch (const std::exception& error) {

@@ -187,5 +187,30 @@ TEST_F(DiskFaults, LittleMemoryIsToldOrEnough) {
   EXPECT_GT(refused, 0);
 }
 
+/// What draws the pages of the report on several threads waits for all of them; none may begin
+/// here.
+TEST_F(DiskFaults, LittleMemoryForPagesOfTheReportIsToldAndLosesNoCalibration) {
+  std::string presses;
+  for (const auto& press : flat_.presses) presses += " " + press.string();
+  ASSERT_EQ(run("", "calibrate " + finger() + presses).status, 0);
+  int without_pages = 0;
+  for (int megabytes = 340; megabytes <= 640; megabytes += is_slow_run() ? 10 : 100) {
+    const ProgramRun run =
+        run_shell(fmt::format("ulimit -v {}; timeout -s KILL 60 {} calibrate {} --again",
+                              1000 * megabytes,
+                              ALLTACT_PROGRAM,
+                              finger()));
+    EXPECT_THAT(run.status, AnyOf(0, 1)) << megabytes << run.errors;
+    if (run.status == 1) {
+      EXPECT_THAT(run.errors, HasSubstr("Try: ")) << megabytes;
+    }
+    EXPECT_TRUE(open_finger(finger())) << megabytes;
+    without_pages += run.errors.find("no pages of the report") != std::string::npos ? 1 : 0;
+  }
+  if (is_slow_run()) {
+    EXPECT_GT(without_pages, 0);
+  }
+}
+
 }  // namespace
 }  // namespace alltact::test

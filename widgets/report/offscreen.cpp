@@ -5,6 +5,8 @@
 #include <QSemaphore>
 #include <QThreadPool>
 #include <cstdio>
+#include <system_error>
+#include <thread>
 
 namespace alltact {
 
@@ -34,15 +36,21 @@ OffscreenDrawing::OffscreenDrawing() {
 
 Status OffscreenDrawing::ready() const {
   constexpr int kPatience_ms = 2000;
+  const Error none{
+      en::say("there is not enough memory to draw"), "", en::say("close other programs")};
+  try {
+    std::thread([] {}).join();  // Qt's own pool would wait without end for one that cannot begin
+  } catch (const std::system_error&) {
+    return none;
+  }
   // What paints large pictures on several threads waits for all of them. One that runs already, and
-  // stays, will do all that is asked of it.
+  // stays, does all that is asked of it.
   QThreadPool& pool = *QThreadPool::globalInstance();
   pool.setMaxThreadCount(1);
   pool.setExpiryTimeout(-1);
   const auto begun = std::make_shared<QSemaphore>();
   pool.start([begun] { begun->release(); });
-  if (begun->tryAcquire(1, kPatience_ms)) return {};
-  return Error{en::say("there is not enough memory to draw"), "", en::say("close other programs")};
+  return begun->tryAcquire(1, kPatience_ms) ? Status() : Status(none);
 }
 
 OffscreenDrawing::~OffscreenDrawing() {
