@@ -8,9 +8,28 @@
 
 namespace alltact {
 
+namespace {
+
+std::string utc_in(std::chrono::seconds ahead) {
+  const std::time_t then =
+      std::chrono::system_clock::to_time_t(std::chrono::system_clock::now() + ahead);
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(then));
+}
+
+}  // namespace
+
 std::string utc_now() {
-  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now));
+  return utc_in({});
+}
+
+// Dates in one format: their order as text is their order in time.
+std::string utc_now_from(const std::string& earliest) {
+  const std::string now = utc_now();
+  return is_utc(earliest) && earliest > now ? earliest : now;
+}
+
+bool is_ahead_of_clock(const std::string& date) {
+  return is_utc(date) && date > utc_in(std::chrono::minutes(1));
 }
 
 bool is_utc(std::string_view text) {

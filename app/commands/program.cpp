@@ -13,6 +13,7 @@
 #include <new>
 #include <optional>
 #include <system_error>
+#include <thread>
 
 #include <opencv2/core.hpp>
 #include <opencv2/core/utils/logger.hpp>
@@ -92,8 +93,7 @@ void add_commands(CLI::App& program, Chosen& chosen, bool& json) {
 
 /// Beside whatever the command says.
 void say_slow_disk(const std::filesystem::path& file) {
-  const Message waiting = en::say("Waiting for {}: its disk does not answer.", file);
-  fmt::print(stderr, "{}\n", waiting.english());
+  fmt::print(stderr, "{}\n", slow_disk(file).sentence());
 }
 
 /// What no function expected: memory or threads that cannot be had, else our own mistake.
@@ -112,6 +112,17 @@ Error as_error(const std::exception& thrown) {
           en::say("reporting this as a defect")};
 }
 
+/// OpenCV's threads begin while there is memory for them: where their beginning fails, what uses
+/// them next would wait without end.
+void begin_threads() {
+  try {
+    std::thread([] {}).join();
+    cv::parallel_for_({0, 2 * cv::getNumThreads()}, [](const cv::Range&) {});
+  } catch (const std::exception&) {
+    cv::setNumThreads(1);
+  }
+}
+
 int run(int argc, char** argv) {
   // Decoders' own messages would stand beside our sentences and say less.
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
@@ -126,8 +137,9 @@ int run(int argc, char** argv) {
     return usage_status(program, error);
   }
   Console console(json);
-  const DiskWatch slow_disks(kPatience, say_slow_disk);
   try {
+    begin_threads();
+    const DiskWatch slow_disks(kPatience, say_slow_disk);
     return console.finish(chosen(console));
   } catch (const std::exception& error) {
     return console.finish(as_error(error));

@@ -3,6 +3,7 @@
 #include "app/commands/reconstruct_part.h"
 #include "app/commands/recorded_depth.h"
 #include "app/commands/result_files.h"
+#include "app/console/camera_remarks.h"
 #include "app/console/command_names.h"
 #include "app/console/flags.h"
 #include "calibration/finger/paper_pipeline.h"
@@ -58,12 +59,14 @@ Status reconstruct_live(std::unique_ptr<Source> source,
                         Pipeline& pipeline,
                         const ReconstructOptions& options,
                         Console& console) {
+  CameraRemarks remarks(*source);
   NewestSource newest(std::move(source));
   Progress progress;
   Message told;  // of the settings: each difference once
   for (; !console.job().stop_requested(); ++progress.index) {
     const auto frame = newest.next();
     if (frame && !*frame) break;
+    remarks.tell(console);
     if (frame) {
       const Message other = other_settings_than_stored(**frame, pipeline.finger());
       if (!other.empty() && other != told) console.warn(fmt::format("Warning: {}", other));

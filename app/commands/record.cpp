@@ -298,11 +298,12 @@ Status run_record(const RecordOptions& options, Console& console) {
   }
   auto opened = open_source(options.inputs, how);
   if (!opened) return opened.error();
+  const CameraRemarks remarks(**opened);
   auto source = lit(std::move(*opened), options.light);
   if (!source) return source.error();
   // A picture is of the moment of its press, however long the one before took to write.
   if (takes_pictures(options)) *source = std::make_unique<NewestSource>(std::move(*source));
-  SourceReader reading(**source, button.get(), console);
+  SourceReader reading(**source, remarks, button.get(), console);
   if (takes_pictures(options)) return take_pictures(reading, options, console);
   const auto gauge = start_gauge(options.gauge);
   if (!gauge) return gauge.error();

@@ -2,6 +2,7 @@
 #include "app/commands/kept_settings.h"
 #include "app/commands/result_files.h"
 #include "app/commands/serve_messages.h"
+#include "app/console/camera_remarks.h"
 #include "app/console/command_names.h"
 #include "app/console/flags.h"
 #include "calibration/live/followed_finger.h"
@@ -42,6 +43,7 @@ class Serving {
           Console& console)
       : finger_(finger),
         about_(about),
+        remarks_(*source),
         newest_(std::move(source)),
         server_(server),
         console_(console) {}
@@ -54,6 +56,7 @@ class Serving {
       const auto frame = newest_.next();
       if (console_.job().stop_requested()) break;
       if (frame && !*frame) return en::say("the source ended");
+      remarks_.tell(console_);
       if (frame)
         measure(*frame);
       else
@@ -116,6 +119,7 @@ class Serving {
 
   FollowedFinger& finger_;
   ServedSource about_;
+  CameraRemarks remarks_;
   NewestSource newest_;
   StreamServer& server_;
   Console& console_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/console/button_presses.h"
+#include "app/console/camera_remarks.h"
 #include "app/console/console.h"
 #include "core/message.h"
 #include "core/sources/source.h"
@@ -10,11 +11,12 @@
 
 namespace alltact {
 
-/// What reads a source for a recording: says each fault once, and hears the button between frames.
+/// What reads a source for a recording: says each fault and each remark of the camera once, and
+/// hears the button between frames.
 class SourceReader {
  public:
-  SourceReader(Source& source, ButtonPresses* button, Console& console)
-      : source_(source), button_(button), console_(console) {}
+  SourceReader(Source& source, CameraRemarks remarks, ButtonPresses* button, Console& console)
+      : source_(source), remarks_(std::move(remarks)), button_(button), console_(console) {}
 
   /// The next frame; null when it is over, and why() says why, or when the button was pressed while
   /// none came.
@@ -22,6 +24,7 @@ class SourceReader {
     while (true) {
       if (is_stopped()) return end(en::say("stopped by hand"));
       auto frame = source_.next();
+      remarks_.tell(console_);
       is_pressed_ = button_ != nullptr && button_->taken(console_);
       if (frame && *frame) {
         last_problem_.clear();
@@ -53,6 +56,7 @@ class SourceReader {
   }
 
   Source& source_;
+  CameraRemarks remarks_;
   ButtonPresses* button_;
   Console& console_;
   bool is_pressed_ = false;

@@ -1,10 +1,29 @@
 #include "app/console/load_library.h"
 
+#include <cstdio>
+#include <exception>
 #include <filesystem>
 
 #include <dlfcn.h>
+#include <unistd.h>
 
 namespace alltact {
+namespace {
+
+/// Other people's libraries end the program where there is not the memory for them to begin.
+[[noreturn]] void end_without_memory() {
+  std::fputs("there is not enough memory. Try: close other programs.\n", stderr);
+  ::_exit(1);
+}
+
+void* load(const std::string& library) {
+  const auto before = std::set_terminate(end_without_memory);
+  void* const handle = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
+  std::set_terminate(before);
+  return handle;
+}
+
+}  // namespace
 
 Loaded load_function(const std::string& name, const char* function) {
   namespace fs = std::filesystem;
@@ -17,7 +36,7 @@ Loaded load_function(const std::string& name, const char* function) {
       if (problem.empty()) problem = file + " is not there";
       continue;
     }
-    if (void* const handle = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL); handle != nullptr)
+    if (void* const handle = load(library); handle != nullptr)
       if (void* const found = dlsym(handle, function); found != nullptr) return {found, {}};
     problem = dlerror();
   }

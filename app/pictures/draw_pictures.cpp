@@ -7,6 +7,8 @@
 #include "widgets/scene3d/face_surface.h"
 #include "widgets/scene3d/scene_pictures.h"
 
+#include <new>
+
 namespace alltact {
 namespace {
 
@@ -27,26 +29,36 @@ class ScenesOfFaces : public FacePictures {
   ScenePictures pictures_;
 };
 
+/// What `draw` gives without a screen. Error: its own, or there is not enough memory.
+template <class Draw>
+auto offscreen(const Draw& draw) -> decltype(draw()) {
+  try {
+    const OffscreenDrawing drawing;
+    if (const Status ready = drawing.ready(); !ready) return ready.error();
+    return draw();
+  } catch (const std::bad_alloc&) {
+    return Error{
+        en::say("there is not enough memory to draw"), "", en::say("close other programs")};
+  }
+}
+
 class DrawnPictures : public Pictures {
  public:
   Result<std::vector<ReportFile>> calibration_pages(const FingerCalibration& done,
                                                     const std::filesystem::path& folder,
                                                     const Job& job) const override {
-    const OffscreenDrawing drawing;
-    return make_calibration_pages(done, folder, job);
+    return offscreen([&] { return make_calibration_pages(done, folder, job); });
   }
 
   Result<std::vector<ReportFile>> experiment_pages(const ExperimentReport& report,
                                                    const std::string& name) const override {
-    const OffscreenDrawing drawing;
-    return make_experiment_pages(report, name);
+    return offscreen([&] { return make_experiment_pages(report, name); });
   }
 
   Result<std::vector<ReportFile>> figure_files(const std::string& svg,
                                                const std::string& name,
                                                const std::string& date) const override {
-    const OffscreenDrawing drawing;
-    auto files = svg_figure_files(svg, name, date);
+    auto files = offscreen([&] { return svg_figure_files(svg, name, date); });
     if (!files) return files.error();
     return std::vector<ReportFile>{{name + ".png", std::move(files->png)},
                                    {name + ".pdf", std::move(files->pdf)}};

@@ -2,6 +2,7 @@
 #include "app/console/studio_arguments.h"
 #include "app/studio/main_window.h"
 #include "core/finger/finger.h"
+#include "core/io/disk_wait.h"
 #include "core/program.h"
 #include "widgets/scene3d/vtk_view.h"
 #include "widgets/shell/studio_style.h"
@@ -18,6 +19,8 @@
 #include <opencv2/core/utils/logger.hpp>
 
 namespace {
+
+constexpr auto kPatience = std::chrono::seconds(3);  // with a disk
 
 /// Exit status when there is nothing more to do; wrong usage is told in one line.
 std::optional<int> read_arguments(int argc, char** argv, alltact::StudioArguments& wanted) {
@@ -84,6 +87,8 @@ int main(int argc, char** argv) {
       QStandardPaths::writableLocation(QStandardPaths::AppDataLocation).toStdString();
   int status = 0;
   {
+    const DiskWatch disks(kPatience, [](const std::filesystem::path&) {});
+    options.slow_files = [&disks] { return disks.slow(); };
     MainWindow window(options, dresser);
     window.show();
     status = QApplication::exec();

@@ -66,7 +66,7 @@ MainWindow::MainWindow(const StudioOptions& options, Dresser& dresser)
   setWindowIcon(QIcon(symbol(QStringLiteral("alltact"), Qt::black, 64, 1)));
   make_places(options);
   rail_ = new Rail(places_);
-  problems_ = new ProblemBar(session_, keeper_, pedal_, work_, places_);
+  problems_ = new ProblemBar(session_, keeper_, pedal_, work_, places_, options.slow_files);
   make_menus();
   put_together();
   for (Place* place : places_) connect_place(*place);

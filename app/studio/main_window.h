@@ -32,6 +32,8 @@ struct StudioOptions {
   SourceOpener opener = &alltact::open_source;
   CameraFinder::Lister lister;  ///< empty: the system's cameras
   HidPorts pedal;
+  /// Files that are waited for too long; empty: nobody watches.
+  std::function<std::vector<std::filesystem::path>()> slow_files;
 };
 
 class MainWindow : public Translated<QMainWindow> {

@@ -1,6 +1,7 @@
 #include "app/studio/problem_bar.h"
 
 #include "calibration/reference/settings_record.h"
+#include "core/io/disk_wait.h"
 #include "widgets/language.h"
 
 namespace alltact {
@@ -17,8 +18,14 @@ ProblemBar::ProblemBar(const LiveSession& session,
                        const SessionKeeper& keeper,
                        const Pedal& pedal,
                        Workspace& work,
-                       const std::vector<Place*>& places)
-    : session_(session), keeper_(keeper), pedal_(pedal), work_(work), places_(places) {
+                       const std::vector<Place*>& places,
+                       std::function<std::vector<std::filesystem::path>()> slow_files)
+    : session_(session),
+      keeper_(keeper),
+      pedal_(pedal),
+      work_(work),
+      places_(places),
+      slow_files_(std::move(slow_files)) {
   connect(&session_, &LiveSession::status_ready, this, &ProblemBar::follow);
   connect(&pedal_, &Pedal::changed, this, &ProblemBar::follow);
   connect(&work_, &Workspace::source_changed, this, [this] { told_.reset(); });
@@ -29,6 +36,7 @@ ProblemBar::ProblemBar(const LiveSession& session,
 void ProblemBar::follow() {
   Problems problems;
   add_session_problems(problems);
+  add_disk_problems(problems);
   add_pedal_problems(problems);
   add_source_problems(problems);
   add_finger_problems(problems);
@@ -55,6 +63,13 @@ void ProblemBar::add_session_problems(Problems& problems) {
                         [this] { Q_EMIT go_on_wanted(); }});
   if (const auto unkept = keeper_.problem())
     problems.push_back(Problem::of(*unkept, Meaning::kDoubtful));
+}
+
+/// One sentence for a disk that holds up many files.
+void ProblemBar::add_disk_problems(Problems& problems) const {
+  if (!slow_files_) return;
+  const auto files = slow_files_();
+  if (!files.empty()) problems.push_back(Problem::of(slow_disk(files.front()), Meaning::kDoubtful));
 }
 
 void ProblemBar::add_pedal_problems(Problems& problems) const {

@@ -15,7 +15,8 @@ class ProblemBar : public ProblemList {
              const SessionKeeper& keeper,
              const Pedal& pedal,
              Workspace& work,
-             const std::vector<Place*>& places);
+             const std::vector<Place*>& places,
+             std::function<std::vector<std::filesystem::path>()> slow_files);
 
   void follow();
   /// What could not be opened; told until something else is.
@@ -29,6 +30,7 @@ class ProblemBar : public ProblemList {
  private:
   using Problems = std::vector<Problem>;
   void add_session_problems(Problems& problems);
+  void add_disk_problems(Problems& problems) const;
   void add_pedal_problems(Problems& problems) const;
   void add_source_problems(Problems& problems);
   void add_finger_problems(Problems& problems) const;
@@ -38,6 +40,7 @@ class ProblemBar : public ProblemList {
   const Pedal& pedal_;
   Workspace& work_;
   std::vector<Place*> places_;
+  std::function<std::vector<std::filesystem::path>()> slow_files_;
   bool is_crash_told_ = false;
   std::optional<Error> told_;
 };

@@ -86,10 +86,13 @@ void sign_inputs(const CalibrationWork& work, FingerCalibration& done) {
         "The finger was calibrated by version {}: this is a new calibration, by version {}.",
         work.kept.program_version,
         inputs.program_version));
+  const auto reference = done.finger.provenance.find("reference_date");
+  const std::string now =
+      utc_now_from(reference == done.finger.provenance.end() ? "" : reference->second);
   if (work.is_repetition)
-    inputs.date = same_but_for_date(inputs, work.kept) ? work.kept.date : utc_now();
+    inputs.date = same_but_for_date(inputs, work.kept) ? work.kept.date : now;
   else if (inputs.date.empty())
-    inputs.date = utc_now();
+    inputs.date = now;
 }
 
 Status write_presses(const CalibrationWork& work, const fs::path& folder) {
@@ -116,8 +119,10 @@ Status write(const CalibrationWork& work, FingerCalibration& done, const Job& jo
   if (work.make_report && !job.stop_requested()) {
     job.report(0.95, en::say("writing the report"));
     auto reports = work.make_report(done, job);
-    // Whoever stops wants what there is, not the pages about it.
-    if (!reports && !job.stop_requested()) return reports.error();
+    // Whoever stops wants what there is, not the pages about it; and so does whose memory is full.
+    if (!reports && !job.stop_requested())
+      done.warnings.push_back(
+          en::say("There are no pages of the report: {}.", reports.error().message()));
     has_pages = reports.ok();
     if (has_pages) files.insert(files.end(), reports->begin(), reports->end());
   }

@@ -2,7 +2,9 @@
 
 #include "core/finger/force_model.h"
 #include "core/io/atomic_file.h"
+#include "core/io/disk_wait.h"
 #include "core/io/folder_change.h"
+#include "core/utc_time.h"
 
 #include <map>
 
@@ -20,10 +22,23 @@ constexpr const char* kWorking = ".finger.working";
 
 /// Differs whenever the file was written anew, by whomever; empty: it is not there.
 std::string written(const fs::path& file) {
+  const DiskWait waiting(file);
   struct stat of {};
   if (stat(file.c_str(), &of) != 0) return {};
   return fmt::format(
       "{} {} {}.{:09}", of.st_ino, of.st_size, of.st_mtim.tv_sec, of.st_mtim.tv_nsec);
+}
+
+/// A clock that was set back would say of two dates which is newer the wrong way round.
+std::optional<Message> about_clock(const Finger& finger) {
+  std::string latest;
+  for (const auto& [key, value] : finger.provenance)
+    if (key.ends_with("_date") && is_ahead_of_clock(value)) latest = std::max(latest, value);
+  if (latest.empty()) return std::nullopt;
+  return en::say("{} was last changed at {}, and this computer's clock says {}: set the clock",
+                 finger.name,
+                 latest,
+                 utc_now());
 }
 
 /// All but the presses.
@@ -33,6 +48,7 @@ Result<FingerSnapshot> load(const fs::path& folder, std::uint64_t revision) {
   if (!finger) return finger.error();
   auto all = FingerSnapshot::of(folder, std::move(*finger));
   if (!all) return all.error();
+  if (auto clock = about_clock(all->finger)) warnings.push_back(std::move(*clock));
   all->revision = revision;
   all->warnings = std::move(warnings);
   return all;

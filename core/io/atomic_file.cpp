@@ -94,15 +94,6 @@ void copy_permissions(const fs::path& from, int to) {
   [[maybe_unused]] const int ignored = ::fchmod(to, status.st_mode & 07777U);
 }
 
-Status sync_folder(const fs::path& folder) {
-  Descriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  // Some file systems know no fsync of a folder (EINVAL); there is nothing more to be done there.
-  if (descriptor.number() < 0 || (::fsync(descriptor.number()) != 0 && errno != EINVAL))
-    return system_error(
-        en::say("could not make sure that the folder is on the disk"), folder, errno);
-  return {};
-}
-
 /// `fill` writes the content, given the open temporary and its path.
 Status replace(const fs::path& wanted,
                const std::function<Status(int number, const fs::path& temporary)>& fill,
@@ -146,6 +137,16 @@ Status write_file_of_many(const fs::path& file, std::string_view content) {
     return {};
   };
   return replace(file, fill, false);
+}
+
+Status sync_folder(const fs::path& folder) {
+  const DiskWait waiting(folder);
+  Descriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  // Some file systems know no fsync of a folder (EINVAL); there is nothing more to be done there.
+  if (descriptor.number() < 0 || (::fsync(descriptor.number()) != 0 && errno != EINVAL))
+    return system_error(
+        en::say("could not make sure that the folder is on the disk"), folder, errno);
+  return {};
 }
 
 Status sync_disk_of(const fs::path& folder) {

@@ -22,6 +22,10 @@ namespace alltact {
 [[nodiscard]] Status write_file_of_many(const std::filesystem::path& file,
                                         std::string_view content);
 
+/// Waits until the names in `folder` are on the disk: what was made, renamed or removed there. No
+/// error where its file system knows no such thing. Error: not a folder, or the disk refuses.
+[[nodiscard]] Status sync_folder(const std::filesystem::path& folder);
+
 /// Waits until everything written to the disk that holds `folder` is there. Error: some of it could
 /// not be written.
 [[nodiscard]] Status sync_disk_of(const std::filesystem::path& folder);

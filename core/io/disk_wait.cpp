@@ -1,5 +1,6 @@
 #include "core/io/disk_wait.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cassert>
 #include <condition_variable>
@@ -28,17 +29,20 @@ std::map<const DiskWait*, Wait>& waits() {
   return all;
 }
 std::atomic<bool> is_watched{false};
+thread_local const DiskWait* outermost = nullptr;
 
 }  // namespace
 
 DiskWait::DiskWait(const std::filesystem::path& file) {
-  if (!is_watched) return;
+  if (!is_watched || outermost != nullptr) return;
+  outermost = this;
   const std::lock_guard lock(mutex());
   waits()[this] = {file, Clock::now()};
 }
 
 DiskWait::~DiskWait() {
-  if (!is_watched) return;
+  if (outermost != this) return;
+  outermost = nullptr;
   const std::lock_guard lock(mutex());
   waits().erase(this);
 }
@@ -81,6 +85,22 @@ DiskWatch::~DiskWatch() {
   }
   state_->ending.notify_all();
   state_->thread.join();
+}
+
+std::vector<std::filesystem::path> DiskWatch::slow() const {
+  std::vector<std::filesystem::path> files;
+  const std::lock_guard lock(mutex());
+  for (const auto& [key, wait] : waits())
+    if (Clock::now() - wait.since >= state_->patience) files.push_back(wait.file);
+  std::sort(files.begin(), files.end());
+  files.erase(std::unique(files.begin(), files.end()), files.end());
+  return files;
+}
+
+Error slow_disk(const std::filesystem::path& file) {
+  return {en::say("its disk does not answer and is waited for"),
+          file.string(),
+          en::say("look after the network, or the cable of that disk")};
 }
 
 }  // namespace alltact

@@ -1,14 +1,18 @@
 // Whoever waits for a disk that does not answer, as one in a network that stalls, is told so.
 #pragma once
 
+#include "core/result.h"
+
 #include <chrono>
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <vector>
 
 namespace alltact {
 
-/// While it lives, its thread waits for a file. Costs next to nothing where nobody watches.
+/// While it lives, its thread waits for a file; one within another is the outer one's. Costs next
+/// to nothing where nobody watches.
 class DiskWait {
  public:
   explicit DiskWait(const std::filesystem::path& file);
@@ -27,10 +31,15 @@ class DiskWatch {
   DiskWatch(const DiskWatch&) = delete;
   DiskWatch& operator=(const DiskWatch&) = delete;
   ~DiskWatch();
+  /// What is waited for longer than `patience` now, in the order of its names.
+  [[nodiscard]] std::vector<std::filesystem::path> slow() const;
 
  private:
   struct State;
   std::unique_ptr<State> state_;
 };
+
+/// What to say of a file that is waited for.
+[[nodiscard]] Error slow_disk(const std::filesystem::path& file);
 
 }  // namespace alltact

@@ -10,7 +10,6 @@
 #include <sstream>
 #include <utility>
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -96,17 +95,6 @@ Result<ChangeList> list_in(const fs::path& folder) {
   return list;
 }
 
-Status sync(const fs::path& folder) {
-  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  const bool is_there =
-      descriptor >= 0 && (::fsync(descriptor) == 0 || errno == EINVAL);  // EINVAL: no such thing
-  const int problem = errno;
-  if (descriptor >= 0) ::close(descriptor);
-  if (is_there) return {};
-  return system_error(
-      en::say("could not make sure that the folder is on the disk"), folder, problem);
-}
-
 /// As often as it takes: what is done already is passed over.
 Status carry_out(const fs::path& folder, const ChangeList& list) {
   const Message kChanging = en::say("could not be changed");
@@ -126,10 +114,10 @@ Status carry_out(const fs::path& folder, const ChangeList& list) {
   std::error_code absent;
   for (const fs::path& one : touched)
     if (fs::is_directory(one, absent))
-      if (const Status synced = sync(one); !synced) return synced;
+      if (const Status synced = sync_folder(one); !synced) return synced;
   if (::unlink((folder / kList).c_str()) != 0 && errno != ENOENT)
     return system_error(kChanging, folder / kList, errno);
-  if (const Status synced = sync(folder); !synced) return synced;
+  if (const Status synced = sync_folder(folder); !synced) return synced;
   std::error_code ignored;
   fs::remove_all(folder / list.staged, ignored);
   return {};
@@ -139,12 +127,12 @@ Status carry_out(const fs::path& folder, const ChangeList& list) {
 Result<std::vector<std::string>> files_below(const fs::path& folder) {
   std::vector<std::string> names;
   std::error_code error;
-  if (const Status synced = sync(folder); !synced) return synced.error();
+  if (const Status synced = sync_folder(folder); !synced) return synced.error();
   for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error)) {
     if (!entry->is_directory())
       names.push_back(fs::relative(entry->path(), folder).generic_string());
-    else if (const Status synced = sync(entry->path()); !synced)
+    else if (const Status synced = sync_folder(entry->path()); !synced)
       return synced.error();
   }
   if (error) return system_error(en::say("could not read the folder"), folder, error.value());

@@ -1,6 +1,7 @@
 #include "core/recording/journal.h"
 
 #include "core/io/atomic_file.h"
+#include "core/io/disk_wait.h"
 #include "core/io/system_error.h"
 #include "core/recording/put_back.h"
 
@@ -133,6 +134,7 @@ Status JournalWriter::remark(std::string_view sentence) {
 }
 
 Status JournalWriter::finish() {
+  const DiskWait waiting(file_);
   if (!is_removed(descriptor_) && ::fsync(descriptor_) != 0)
     return system_error(writing(), file_, errno);
   return {};

@@ -1,5 +1,6 @@
 #include "core/recording/libav.h"
 
+#include "core/io/disk_wait.h"
 #include "core/io/system_error.h"
 
 #include <cerrno>
@@ -76,6 +77,7 @@ Error av_error(const Message& doing, const std::filesystem::path& file, int numb
 }
 
 bool VideoInput::read(AVPacket& packet) const {
+  const DiskWait waiting(context->url);
   while (true) {
     av_packet_unref(&packet);
     if (av_read_frame(context.get(), &packet) < 0) return false;
@@ -86,6 +88,7 @@ bool VideoInput::read(AVPacket& packet) const {
 Result<VideoInput> open_video_input(const std::filesystem::path& file) {
   quiet_libav();
   const Message cannot = en::say("the video cannot be opened");
+  const DiskWait waiting(file);
   AVFormatContext* raw = nullptr;
   if (avformat_open_input(&raw, file.c_str(), nullptr, nullptr) < 0) return no_video(cannot, file);
   VideoInput input{AvInput(raw), -1};

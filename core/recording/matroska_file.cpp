@@ -1,5 +1,6 @@
 #include "core/recording/matroska_file.h"
 
+#include "core/io/disk_wait.h"
 #include "core/io/system_error.h"
 #include "core/recording/put_back.h"
 
@@ -64,6 +65,7 @@ struct MatroskaFile::State {
   static int write(void* opaque, std::uint8_t* bytes, int count) {
     auto& self = *static_cast<State*>(opaque);
     if (self.error_number != 0) return AVERROR(self.error_number);
+    const DiskWait waiting(self.file);
     for (int done = 0; done < count;) {
       const ssize_t written =
           ::write(self.descriptor, bytes + done, static_cast<std::size_t>(count - done));
@@ -132,6 +134,7 @@ Status MatroskaFile::State::cut_back(int number) {
 }
 
 Status MatroskaFile::State::finish() {
+  const DiskWait waiting(file);
   if (!is_open) return error(AVERROR(EPIPE));
   if (Status status = flush(av_write_trailer(context)); !status) return status;
   is_open = false;

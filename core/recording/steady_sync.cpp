@@ -1,5 +1,8 @@
 #include "core/recording/steady_sync.h"
 
+#include "core/io/atomic_file.h"
+#include "core/io/disk_wait.h"
+
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -38,14 +41,12 @@ void SteadySync::sync() {
     // Once it is open it stays the same file, wherever it is moved.
     if (is_new) descriptor = ::open(files_[i].c_str(), O_RDONLY | O_CLOEXEC);
     if (descriptor < 0) continue;
+    const DiskWait waiting(files_[i]);
     (void)::fdatasync(descriptor);
     if (!is_new) continue;
     const std::filesystem::path folder =
         files_[i].has_parent_path() ? files_[i].parent_path() : std::filesystem::path(".");
-    const int names = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (names < 0) continue;
-    (void)::fsync(names);
-    ::close(names);
+    (void)sync_folder(folder);
   }
 }
 

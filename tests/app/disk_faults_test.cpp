@@ -126,6 +126,9 @@ TEST_F(DiskFaults, TheClockOfTheComputerWasSetBack) {
   const std::string one = text_of(history);
   const ProgramRun second = check("ALLTACT_CLOCK=-400000000");
   EXPECT_EQ(second.status, first.status) << second.errors;
+  EXPECT_THAT(first.errors, Not(HasSubstr("set the clock")));
+  EXPECT_THAT(second.errors, HasSubstr("and this computer's clock says 201"));
+  EXPECT_THAT(second.errors, HasSubstr("set the clock"));
   const std::string both = text_of(history);
   EXPECT_TRUE(both.starts_with(one)) << "what was there remains";
   EXPECT_GT(both.size(), one.size());
@@ -182,6 +185,31 @@ TEST_F(DiskFaults, LittleMemoryIsToldOrEnough) {
     EXPECT_EQ(undated_files_in(finger()), undated_files_in(kept_));
   }
   EXPECT_GT(refused, 0);
+}
+
+/// What draws the pages of the report on several threads waits for all of them; none may begin
+/// here.
+TEST_F(DiskFaults, LittleMemoryForPagesOfTheReportIsToldAndLosesNoCalibration) {
+  std::string presses;
+  for (const auto& press : flat_.presses) presses += " " + press.string();
+  ASSERT_EQ(run("", "calibrate " + finger() + presses).status, 0);
+  int without_pages = 0;
+  for (int megabytes = 340; megabytes <= 640; megabytes += is_slow_run() ? 10 : 100) {
+    const ProgramRun run =
+        run_shell(fmt::format("ulimit -v {}; timeout -s KILL 60 {} calibrate {} --again",
+                              1000 * megabytes,
+                              ALLTACT_PROGRAM,
+                              finger()));
+    EXPECT_THAT(run.status, AnyOf(0, 1)) << megabytes << run.errors;
+    if (run.status == 1) {
+      EXPECT_THAT(run.errors, HasSubstr("Try: ")) << megabytes;
+    }
+    EXPECT_TRUE(open_finger(finger())) << megabytes;
+    without_pages += run.errors.find("no pages of the report") != std::string::npos ? 1 : 0;
+  }
+  if (is_slow_run()) {
+    EXPECT_GT(without_pages, 0);
+  }
 }
 
 }  // namespace

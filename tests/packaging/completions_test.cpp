@@ -232,10 +232,20 @@ TEST_P(Completions, GoOnBehindACommaAndOfferFilesAndFolders) {
   EXPECT_FALSE(has(offers.at(list), "stl"));
   EXPECT_TRUE(has(offers.at(finger), "finger-1"));
   EXPECT_FALSE(has(offers.at(finger), "film.mkv"));
-  const Offers studio = GetParam().ask("alltact-studio", {source, "alltact-studio --s"});
+  const Offers studio = GetParam().ask("alltact-studio", {source});
   EXPECT_TRUE(has(studio.at(source), "film.mkv"));
   EXPECT_TRUE(has(studio.at(source), "finger-1"));
-  EXPECT_THAT(studio.at("alltact-studio --s"), testing::Contains(testing::StartsWith("--source")));
+}
+
+TEST_P(Completions, HaveEveryFlagOfTheStudiosHelp) {
+  const ProgramRun help = run_shell("'" ALLTACT_BUILD_DIR "/app/studio/alltact-studio' --help");
+  const Words flags = flags_in(help.output);
+  ASSERT_THAT(flags, IsSupersetOf({"-h", "--help", "--version", "--source"})) << help.errors;
+  const Offers offers = GetParam().ask("alltact-studio", {"alltact-studio -", "alltact-studio --"});
+  Words offered = offers.at("alltact-studio -");
+  const Words& with_two = offers.at("alltact-studio --");
+  offered.insert(offered.end(), with_two.begin(), with_two.end());
+  EXPECT_THAT(offered, IsSupersetOf(flags));
 }
 
 }  // namespace

@@ -137,6 +137,18 @@ void FakeCamera::skip(std::uint32_t frames) {
   const std::lock_guard lock(mutex_);
   sequence_ += frames;
 }
+void FakeCamera::repeat(int frames) {
+  const std::lock_guard lock(mutex_);
+  repeated_ = frames;
+}
+void FakeCamera::keep_number(int frames) {
+  const std::lock_guard lock(mutex_);
+  kept_numbers_ = frames;
+}
+void FakeCamera::set_clock(std::chrono::milliseconds ahead) {
+  const std::lock_guard lock(mutex_);
+  ahead_ = ahead;
+}
 void FakeCamera::refuse_size(bool is_refusing) {
   const std::lock_guard lock(mutex_);
   is_refusing_size_ = is_refusing;

@@ -54,10 +54,13 @@ class FakeCamera : public V4l2Calls {
   void fail_open(int error_number, int times = 1);
   void fail_mmap(int error_number, int times = 1);
   void fail_poll(int error_number, int times = 1);
-  void mark_damaged(int frames);       ///< V4L2_BUF_FLAG_ERROR
-  void truncate(int frames);           ///< half of the bytes
-  void skip(std::uint32_t frames);     ///< in the sequence numbers
-  void refuse_size(bool is_refusing);  ///< S_FMT answers with 160x120
+  void mark_damaged(int frames);                    ///< V4L2_BUF_FLAG_ERROR
+  void truncate(int frames);                        ///< half of the bytes
+  void skip(std::uint32_t frames);                  ///< in the sequence numbers
+  void repeat(int frames);                          ///< the picture before once more, as a new one
+  void keep_number(int frames);                     ///< other pictures under one number
+  void set_clock(std::chrono::milliseconds ahead);  ///< of CLOCK_MONOTONIC; its times are told
+  void refuse_size(bool is_refusing);               ///< S_FMT answers with 160x120
   /// Another signal comes in: what streams gets nothing more until it begins anew.
   void change_source(std::uint32_t width, std::uint32_t height);
   void set_from_outside(std::uint32_t id, std::int32_t value);
@@ -134,7 +137,9 @@ class FakeCamera : public V4l2Calls {
   std::deque<std::uint32_t> queued_, done_;
   std::uint32_t sequence_ = 0;
   std::uint64_t filled_ = 0;
-  int damaged_ = 0, truncated_ = 0;
+  int damaged_ = 0, truncated_ = 0, repeated_ = 0, kept_numbers_ = 0;
+  std::uint32_t shown_ = 0;  // the number that the picture is made from
+  std::chrono::milliseconds ahead_{0};
   std::map<unsigned long, Failure> ioctl_failures_, call_failures_;
   std::map<std::pair<std::uint32_t, std::uint64_t>, std::vector<std::uint8_t>> jpegs_;
   bool is_ending_ = false;

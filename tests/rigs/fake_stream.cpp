@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <ctime>
 
 #include <sys/mman.h>
 #include <sys/socket.h>
@@ -154,16 +153,20 @@ void FakeCamera::stop_stream() {
 
 void FakeCamera::deliver() {
   if (!is_streaming_ || is_stalled_ || !is_plugged_ || is_other_source_) return;
+  const bool is_kept = kept_numbers_ > 0, is_repeated = repeated_ > 0;
+  if (is_kept) --kept_numbers_, --sequence_, ++shown_;
+  if (is_repeated) --repeated_;
   const std::uint32_t sequence = sequence_++;
+  if (!is_kept && !is_repeated) shown_ = sequence;
   if (queued_.empty()) return;  // nobody gave a buffer in time: this frame is lost
   const std::uint32_t index = queued_.front();
   queued_.pop_front();
   Buffer& buffer = buffers_[index];
   buffer.is_queued = false;
   buffer.is_done = true;
-  timespec now{};
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  buffer.state.timestamp = {now.tv_sec, now.tv_nsec / 1000};
+  const auto now = std::chrono::duration_cast<std::chrono::microseconds>(
+      std::chrono::steady_clock::now().time_since_epoch() + ahead_);
+  buffer.state.timestamp = {now.count() / 1'000'000, now.count() % 1'000'000};
   buffer.state.sequence = sequence;
   buffer.state.field = V4L2_FIELD_NONE;
   buffer.state.bytesused = fill(mapped_.subspan(buffer.state.m.offset, buffer.state.length));
@@ -176,7 +179,7 @@ void FakeCamera::deliver() {
 }
 
 std::uint32_t FakeCamera::fill(std::span<std::uint8_t> memory) {
-  const std::uint64_t sequence = sequence_ - 1;
+  const std::uint64_t sequence = shown_;
   const std::uint32_t width = picture_.width, height = picture_.height;
   if (picture_.pixelformat == V4L2_PIX_FMT_MJPEG) {
     const auto& jpeg = [&]() -> const std::vector<std::uint8_t>& {

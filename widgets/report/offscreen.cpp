@@ -2,7 +2,11 @@
 
 #include <QApplication>
 #include <QLocale>
+#include <QSemaphore>
+#include <QThreadPool>
 #include <cstdio>
+#include <system_error>
+#include <thread>
 
 namespace alltact {
 
@@ -28,6 +32,25 @@ OffscreenDrawing::OffscreenDrawing() {
   static char name[] = "alltact";
   static char* words[] = {name, nullptr};
   application_ = std::make_unique<QApplication>(count, words);
+}
+
+Status OffscreenDrawing::ready() const {
+  constexpr int kPatience_ms = 2000;
+  const Error none{
+      en::say("there is not enough memory to draw"), "", en::say("close other programs")};
+  try {
+    std::thread([] {}).join();  // Qt's own pool would wait without end for one that cannot begin
+  } catch (const std::system_error&) {
+    return none;
+  }
+  // What paints large pictures on several threads waits for all of them. One that runs already, and
+  // stays, does all that is asked of it.
+  QThreadPool& pool = *QThreadPool::globalInstance();
+  pool.setMaxThreadCount(1);
+  pool.setExpiryTimeout(-1);
+  const auto begun = std::make_shared<QSemaphore>();
+  pool.start([begun] { begun->release(); });
+  return begun->tryAcquire(1, kPatience_ms) ? Status() : Status(none);
 }
 
 OffscreenDrawing::~OffscreenDrawing() {

@@ -1,6 +1,8 @@
 // Qt without a screen, for programs that draw now and then.
 #pragma once
 
+#include "core/result.h"
+
 #include <memory>
 
 class QApplication;
@@ -13,6 +15,9 @@ class OffscreenDrawing {
  public:
   OffscreenDrawing();
   ~OffscreenDrawing();
+  /// Error: there is not enough memory to draw. Nothing is to be drawn then: Qt would wait for
+  /// threads that never begin.
+  [[nodiscard]] Status ready() const;
   OffscreenDrawing(const OffscreenDrawing&) = delete;
   OffscreenDrawing& operator=(const OffscreenDrawing&) = delete;
 

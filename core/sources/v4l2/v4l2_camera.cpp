@@ -100,6 +100,7 @@ Status V4l2Camera::start(V4l2Device device) {
   device_ = std::move(kept);
   stream_ = std::move(*stream);
   has_frame_ = false;
+  is_repeat_told_ = is_mistime_told_ = false;
   last_frame_ = Clock::now();
   return {};
 }
@@ -179,10 +180,41 @@ std::uint64_t V4l2Camera::number_of(std::uint32_t driver_sequence) {
   return number;
 }
 
+/// Times by which forces and recordings are placed never run backwards.
+std::int64_t V4l2Camera::time_of(const V4l2Stream::Filled& filled) {
+  const auto arrived_ns =
+      std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now().time_since_epoch()).count();
+  const PictureCheck::Told told = check_.time_of(filled.time_ns, arrived_ns);
+  if (told.late_ns == 0) return told.time_ns;
+  {
+    const std::lock_guard lock(status_mutex_);
+    ++status_.counts.mistimed;
+  }
+  if (!std::exchange(is_mistime_told_, true))
+    remark(
+        en::say("The camera's clock was set by {:+.1f} s: until it is right again, pictures count "
+                "as taken when they come",
+                -1e-9 * static_cast<double>(told.late_ns)));
+  return told.time_ns;
+}
+
+void V4l2Camera::look_for_repeat(const FramePtr& frame) {
+  if (!check_.is_repeat(frame)) return;
+  {
+    const std::lock_guard lock(status_mutex_);
+    ++status_.counts.repeated;
+  }
+  if (!std::exchange(is_repeat_told_, true))
+    remark(
+        en::say("The camera sent a picture twice ({}): a mean over several pictures is less sure "
+                "than it says",
+                frame->name));
+}
+
 void V4l2Camera::publish(const V4l2Stream::Filled& filled) {
   auto frame = std::make_shared<Frame>();
   frame->sequence = number_of(filled.sequence);
-  frame->time_ns = filled.time_ns;
+  frame->time_ns = time_of(filled);
   frame->name = fmt::format("frame_{:05}", frame->sequence);
   frame->origin = place_.identity;
   frame->controls = controls_now();
@@ -217,7 +249,9 @@ void V4l2Camera::publish(const V4l2Stream::Filled& filled) {
     }
   }
   if (is_back) remark(en::say("Pictures come again"));
-  if (is_good) hub_.publish(std::move(frame));
+  if (!is_good) return;
+  look_for_repeat(frame);
+  hub_.publish(std::move(frame));
 }
 
 void V4l2Camera::restart(const Error& why) {
@@ -312,6 +346,7 @@ void V4l2Camera::trouble(CameraState state, const Error& error) {
 
 void V4l2Camera::remark(const Message& what) {
   const std::lock_guard lock(status_mutex_);
+  ++status_.remarked;
   remarks_.push_back(en::say("{}.", what));
   if (remarks_.size() > kMostRemarks) remarks_.pop_front();
 }

@@ -8,6 +8,7 @@
 #include "core/sources/frame_hub.h"
 #include "core/sources/source.h"
 #include "core/sources/v4l2/camera_controls.h"
+#include "core/sources/v4l2/picture_check.h"
 #include "core/sources/v4l2/v4l2_device.h"
 #include "core/sources/v4l2/v4l2_stream.h"
 
@@ -51,6 +52,8 @@ struct CameraCounts {
   std::uint64_t delivered = 0;  ///< frames published
   std::uint64_t lost = 0;       ///< gaps in the driver's numbers
   std::uint64_t damaged = 0;    ///< came, but truncated or marked as damaged: never shown
+  std::uint64_t repeated = 0;   ///< of those delivered: the picture before once more
+  std::uint64_t mistimed = 0;   ///< of those delivered: told at a time that cannot be
   std::uint64_t restarts = 0;   ///< of the stream after a stall or a fault
   std::uint64_t unplugged = 0;
   std::uint64_t put_back = 0;  ///< locked controls that had changed and were set again
@@ -60,7 +63,9 @@ struct CameraStatus {
   CameraState state = CameraState::kStreaming;
   std::optional<Error> trouble;  ///< why no pictures come now
   CameraCounts counts;
-  std::vector<Message> remarks;  ///< the latest twenty: controls that changed, what came back
+  std::uint64_t remarked = 0;    ///< remarks since it was opened
+  std::vector<Message> remarks;  ///< the latest twenty: controls that changed, what came back,
+                                 ///< pictures that repeat, a clock that is wrong
 };
 
 class V4l2Camera {
@@ -110,6 +115,8 @@ class V4l2Camera {
   void drop_device(const Error& why);
   [[nodiscard]] bool take_frame();
   void publish(const V4l2Stream::Filled& filled);
+  [[nodiscard]] std::int64_t time_of(const V4l2Stream::Filled& filled);
+  void look_for_repeat(const FramePtr& frame);
   [[nodiscard]] std::shared_ptr<const std::string> controls_now();
   [[nodiscard]] std::uint64_t number_of(std::uint32_t driver_sequence);
   void follow_changes();
@@ -143,8 +150,10 @@ class V4l2Camera {
 
   // Of the capturing thread alone.
   std::unique_ptr<V4l2Stream> stream_;
-  std::shared_ptr<const std::string> told_controls_;  // with the last frame
-  bool has_frame_ = false;                            // since the stream was started
+  PictureCheck check_;
+  bool is_repeat_told_ = false, is_mistime_told_ = false;  // since the device was opened
+  std::shared_ptr<const std::string> told_controls_;       // with the last frame
+  bool has_frame_ = false;                                 // since the stream was started
   std::uint32_t last_driver_sequence_ = 0;
   std::uint64_t next_number_ = 0;
   std::size_t next_held_ = 0;

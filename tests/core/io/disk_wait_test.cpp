@@ -15,13 +15,15 @@ TEST(DiskWait, IsToldOfOnceWhereItIsLong) {
   std::mutex mutex;
   std::vector<std::filesystem::path> told;
   {
-    const DiskWatch watch(20ms, [&](const std::filesystem::path& file) {
+    const DiskWatch watch(100ms, [&](const std::filesystem::path& file) {
       const std::lock_guard lock(mutex);
       told.push_back(file);
     });
-    const DiskWait is_long("/net/long");
     for (int i = 0; i < 100; ++i) const DiskWait is_short("/disk/short");
-    std::this_thread::sleep_for(150ms);
+    const DiskWait is_long("/net/long");
+    const DiskWait is_part_of_it("/net");
+    std::this_thread::sleep_for(300ms);
+    EXPECT_EQ(watch.slow(), std::vector<std::filesystem::path>{"/net/long"});
     const std::lock_guard lock(mutex);
     EXPECT_EQ(told, std::vector<std::filesystem::path>{"/net/long"});
   }

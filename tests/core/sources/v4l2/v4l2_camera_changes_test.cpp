@@ -1,4 +1,5 @@
 // A camera that is unplugged, or is given another signal.
+#include "core/recording/journal.h"
 #include "core/recording/recorder.h"
 #include "core/recording/video_file.h"
 #include "tests/core/sources/v4l2/fake_camera_use.h"
@@ -170,6 +171,71 @@ TEST(V4l2Camera, FiftyUnplugsAtAnyMomentNeitherCrashNorHang) {
   const auto begin = Clock::now();
   camera->stop();
   EXPECT_LT(Clock::now() - begin, 1s);
+}
+
+TEST(V4l2Camera, RepeatedPicturesAreCountedAndSaidOnce) {
+  for (const char* fourcc : {"GREY", "MJPG"}) {
+    FakeCamera fake(raw(false));
+    const auto camera = opened(fake, {fourcc, 0, 0, 0});
+    auto produce = [&, made = std::uint64_t{0}](int frames) mutable {
+      fake.produce(frames);
+      made += static_cast<std::uint64_t>(frames);
+      return comes_true([&] { return camera->status().counts.delivered == made; });
+    };
+    ASSERT_TRUE(produce(2));
+    EXPECT_EQ(camera->status().counts.repeated, 0U);
+    fake.repeat(2);
+    ASSERT_TRUE(produce(3));
+    fake.repeat(1);
+    ASSERT_TRUE(produce(2));
+    EXPECT_EQ(camera->status().counts.repeated, 3U) << fourcc;
+    EXPECT_THAT(remarks_of(*camera),
+                testing::ElementsAre(HasSubstr("sent a picture twice (frame_00002)")));
+  }
+}
+
+TEST(V4l2Camera, ANumberThatStaysIsNoRepeatedPicture) {
+  FakeCamera fake(raw(false));
+  const auto camera = opened(fake);
+  const auto queue = camera->frames().subscribe(10);
+  for (int i = 0; i < 3; ++i) {
+    fake.produce();
+    ASSERT_TRUE(queue->next(5s).has_value());
+    fake.keep_number(1);
+  }
+  EXPECT_EQ(camera->status().counts.repeated, 0U);
+  EXPECT_TRUE(remarks_of(*camera).empty());
+}
+
+TEST(V4l2Camera, AClockThatIsSetBackDuringARecordingIsSaidAndLosesNothing) {
+  const TemporaryFolder folder;
+  FakeCamera fake(raw(false));
+  const auto camera = opened(fake);
+  const auto queue = camera->frames().subscribe(100);
+  auto recorder = Recorder::start(folder / "x.mkv", {}, 30, "fake");
+  ASSERT_TRUE(recorder.ok());
+  std::int64_t last_ns = 0;
+  for (const auto ahead : {0ms, -3600000ms, 7200000ms, 0ms}) {
+    fake.set_clock(ahead);
+    for (int i = 0; i < 5; ++i) {
+      fake.produce();
+      const auto frame = queue->next(5s);
+      ASSERT_TRUE(frame && frame->ok());
+      const std::int64_t now_ns = Clock::now().time_since_epoch() / 1ns;
+      EXPECT_GT((**frame)->time_ns, last_ns);
+      EXPECT_LE((**frame)->time_ns, now_ns);
+      EXPECT_GT((**frame)->time_ns, now_ns - 5'000'000'000);
+      last_ns = (**frame)->time_ns;
+      EXPECT_TRUE((*recorder)->add(**frame));
+    }
+  }
+  EXPECT_EQ(camera->status().counts.mistimed, 10U);
+  EXPECT_THAT(remarks_of(*camera),
+              testing::ElementsAre(HasSubstr("The camera's clock was set by -3600.0 s")));
+  ASSERT_TRUE((*recorder)->finish("done").ok());
+  const auto journal = read_journal(journal_of(folder / "x.mkv"));
+  ASSERT_TRUE(journal.ok()) << journal.error().sentence();
+  EXPECT_EQ(journal->size(), 20U);
 }
 
 }  // namespace
