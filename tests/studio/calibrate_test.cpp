@@ -348,6 +348,7 @@ TEST(Calibrate, TheListIsAProperModel) {
 
 TEST(Calibrate, ThreePressesTellWhetherItStillHolds) {
   CalibrateStudio rig(6);
+  must(write_file_atomically(rig.folder() / "pressing.yaml", held_pressing_scene(20)));
   rig.open();
   rig.go_to_step("Presses");
   rig.type_radius("4");
