@@ -362,9 +362,10 @@ TEST(Calibrate, ThreePressesTellWhetherItStillHolds) {
   }));
   rig.go_to_step("Check");
   EXPECT_FALSE(rig.studio().find<QPushButton>("Check now")->isEnabled());
-  for (int i = 0; i < 3; ++i) {
+  for (const char* count : {"1 of 3 taken", "2 of 3 taken", "3 presses taken: enough"}) {
     ASSERT_TRUE(rig.wait_for_press());
     rig.studio().click("Take a press (Space)");
+    ASSERT_TRUE(wait_until([&] { return says(rig.studio(), count); })) << count;
   }
   rig.studio().click("Check now");
   ASSERT_TRUE(wait_until([&] { return says(rig.studio(), "Pass"); }, 60000))
