@@ -16,7 +16,7 @@
 namespace alltact {
 namespace {
 
-constexpr int kLensSideWidth = 280;
+constexpr int kLensSideWidth = 280, kGroupMargin = 0;
 constexpr int kLongestLine = 28;  // letters: longer ones would widen the column
 
 /// Broken at the space nearest to its middle, where it is long.
@@ -157,6 +157,10 @@ QWidget* LensPage::make_side() {
   board->addWidget(form_);
   side.column->addWidget(board_group_);
   side.column->addStretch();
+  for (QVBoxLayout* inside : {live, file, board}) {  // the picture beside them needs the room
+    const QMargins usual = inside->contentsMargins();
+    inside->setContentsMargins(kGroupMargin, usual.top(), kGroupMargin, usual.bottom());
+  }
   pictures_label_->setBuddy(pictures_);
   foot_ = side.foot;
   return side.whole;

@@ -14,7 +14,7 @@
 namespace alltact {
 namespace {
 
-constexpr int kPressSideWidth = 280;
+constexpr int kPressSideWidth = 268;
 constexpr int kLeastListHeight = 150;
 
 }  // namespace
