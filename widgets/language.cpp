@@ -1,11 +1,25 @@
 #include "widgets/language.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 
 namespace alltact {
 namespace {
 
 constexpr const char* kContext = "alltact::en";  // where lupdate puts what is said
+
+/// Numbers with the sign before their decimals that the window's language writes.
+Message with_local_numbers(const Message& message) {
+  std::string words = message.words();
+  if (message.kind() == Message::Kind::kNumber)
+    words = QString::fromStdString(words)
+                .replace(QLatin1Char('.'), QLocale().decimalPoint())
+                .toStdString();
+  std::vector<Message> parts;
+  for (const Message& part : message.parts()) parts.push_back(with_local_numbers(part));
+  return Message::put_together(
+      message.kind(), std::move(words), message.context(), message.count(), std::move(parts));
+}
 
 std::string in_language(const Message& message) {
   const bool is_counted = message.kind() == Message::Kind::kCounted;
@@ -22,7 +36,7 @@ thread_local int in_english = 0;  // how many say so
 }  // namespace
 
 QString in_window_language(const Message& message) {
-  return QString::fromStdString(message.in(in_language));
+  return QString::fromStdString(with_local_numbers(message).in(in_language));
 }
 
 QString window_sentence(const Message& message) {

@@ -109,11 +109,7 @@ void MainWindow::put_together() {
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(10, 8, 10, 4);
   auto* header = new HeaderBar(session_, work_, *finger_menu_, *source_menu_);
-  connect(&header->summary(), &FingerSummary::due_wanted, this, [this](const std::string& place) {
-    go_to(place);
-    if (auto* calibrate = dynamic_cast<CalibratePlace*>(&shown_place()))
-      calibrate->go_to_next_to_do();
-  });
+  connect(&header->summary(), &FingerSummary::due_wanted, this, &MainWindow::lead_to);
   column->addWidget(header);
   column->addWidget(problems_);
   column->addWidget(guide_);
@@ -132,6 +128,7 @@ void MainWindow::put_together() {
 void MainWindow::connect_place(Place& place) {
   connect(&place, &Place::changed, this, &MainWindow::keep);
   connect(&place, &Place::place_wanted, this, &MainWindow::go_to);
+  connect(&place, &Place::lead_wanted, this, &MainWindow::lead_to);
   connect(&place, &Place::open_finger_wanted, finger_menu_, &FingerMenu::choose);
   connect(&place, &Place::new_finger_wanted, finger_menu_, &FingerMenu::make);
   connect(&work_, &Workspace::finger_rewritten, &place, &Place::reload);
@@ -159,12 +156,12 @@ void MainWindow::connect_start() {
   connect(start, &StartPanel::all_fingers_wanted, finger_menu_, &FingerMenu::list_all);
   connect(start, &StartPanel::try_wanted, this, [this] {
     if (!work_.state().finger.empty()) work_.open_finger({});
-    source_menu_->open_simulated();
+    source_menu_->open_simulated_day();
     guide_->begin();
   });
   connect(start, &StartPanel::video_wanted, source_menu_, &SourceMenu::choose_video);
   connect(start, &StartPanel::folder_wanted, source_menu_, &SourceMenu::choose_folder);
-  connect(guide_, &TryGuide::place_wanted, this, &MainWindow::go_to);
+  connect(guide_, &TryGuide::place_wanted, this, &MainWindow::lead_to);
   connect(guide_, &TryGuide::failed, problems_, &ProblemBar::tell);
   FingerCards* cards = &start->cards();
   connect(cards, &FingerCards::found, finger_menu_, &FingerMenu::offer);
@@ -262,6 +259,11 @@ void MainWindow::go_to(const std::string& name) {
   show_hint();
   problems_->follow();
   keep();
+}
+
+void MainWindow::lead_to(const std::string& place) {
+  go_to(place);
+  shown_place().begin_with_next();
 }
 
 void MainWindow::show_hint() {

@@ -50,6 +50,8 @@ class MainWindow : public Translated<QMainWindow> {
   void open_source(const std::vector<std::filesystem::path>& inputs) { work_.open_source(inputs); }
   /// By its name; to the first place where none has it.
   void go_to(const std::string& place);
+  /// Goes there, to what is to be done next.
+  void lead_to(const std::string& place);
 
  protected:
   void closeEvent(QCloseEvent* event) override;

@@ -36,7 +36,15 @@ void SourceMenu::fill() {
 }
 
 void SourceMenu::open_simulated() {
-  const auto scene = find_resource("scenes/studio_finger.yaml");
+  open_shipped("scenes/studio_finger.yaml");
+}
+
+void SourceMenu::open_simulated_day() {
+  open_shipped("scenes/studio_day.yaml");
+}
+
+void SourceMenu::open_shipped(const char* name) {
+  const auto scene = find_resource(name);
   if (scene)
     work_.open_source({*scene});
   else

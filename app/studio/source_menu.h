@@ -18,6 +18,8 @@ class SourceMenu : public Translated<QMenu> {
   SourceMenu(Workspace& work, const CameraFinder& finder, QWidget* window);
 
   void open_simulated();
+  /// A whole day: it is bent to be recorded, then pressed and held still.
+  void open_simulated_day();
   void choose_video();
   void choose_folder();
 
@@ -28,6 +30,7 @@ class SourceMenu : public Translated<QMenu> {
  private:
   void fill();
   void choose_scene();
+  void open_shipped(const char* name);
   void choose(const QString& title, QFileDialog::FileMode mode, const QString& filter = {});
 
   Workspace& work_;

@@ -75,6 +75,7 @@ TryGuide::TryGuide(LiveSession& session,
 void TryGuide::begin() {
   is_on_ = true;
   has_finger_ = false;
+  step_ = Step::kFinger;
   follow();
   Q_EMIT turned();
 }
@@ -85,10 +86,13 @@ void TryGuide::end() {
   Q_EMIT turned();
 }
 
-TryGuide::Step TryGuide::step() const {
+TryGuide::Step TryGuide::next_step() const {
   const FingerStatus& finger = session_.status().finger;
+  // What has just been written is being read: nothing that was done is to be done again.
+  if (finger.state == FingerState::kLoading && has_finger_) return step_;
   if (!has_finger_ || finger.folder.empty()) return Step::kFinger;
   if (!finger.has_reference) return Step::kRecord;
+  if (calibrate_.run().is_running() || calibrate_.has_news()) return Step::kCalibrate;
   if (calibrate_.run().state() != CalibrationState::kNone)
     return calibrate_.is_checked() ? Step::kDone : Step::kCheck;
   return calibrate_.desk().usable_count() < kGoodPresses ? Step::kPresses : Step::kCalibrate;
@@ -115,7 +119,8 @@ void TryGuide::make_finger_once() {
 void TryGuide::follow() {
   if (!is_on_) return;
   make_finger_once();
-  const Step now = step();
+  step_ = next_step();
+  const Step now = step_;
   const QString head =
       now == Step::kDone ? tr("Done:") : tr("%1 of %2:").arg(static_cast<int>(now)).arg(kSteps);
   text_->set_text(head + QLatin1Char(' ') + what_next(), static_cast<int>(head.size()));
@@ -160,7 +165,6 @@ QString TryGuide::what_next() const {
 void TryGuide::lead() {
   const std::string place = place_of_step();
   Q_EMIT place_wanted(place);
-  if (place == "calibrate") calibrate_.go_to_next_to_do();
 }
 
 }  // namespace alltact

@@ -27,7 +27,7 @@ class TryGuide : public Translated<QFrame> {
   void set_place(const std::string& place);
 
   enum class Step { kFinger = 1, kRecord, kPresses, kCalibrate, kCheck, kDone };
-  [[nodiscard]] Step step() const;
+  [[nodiscard]] Step step() const { return step_; }
 
  Q_SIGNALS:
   /// is_on() has changed.
@@ -39,6 +39,7 @@ class TryGuide : public Translated<QFrame> {
  private:
   void end();
   void follow();
+  [[nodiscard]] Step next_step() const;
   [[nodiscard]] std::string place_of_step() const;
   void make_finger_once();
   void lead();
@@ -51,6 +52,7 @@ class TryGuide : public Translated<QFrame> {
   std::string place_;
   OneLine* text_;
   QPushButton *lead_, *end_;
+  Step step_ = Step::kFinger;
   bool is_on_ = false, has_finger_ = false;
   BackgroundWork making_;
 };

@@ -1,7 +1,9 @@
 #include "calibration/reference/new_reference.h"
 
+#include "calibration/reference/make_reference.h"
 #include "calibration/reference/settings_record.h"
 #include "core/finger/finger_store.h"
+#include "core/io/atomic_file.h"
 #include "core/sources/open/open_source.h"
 #include "core/utc_time.h"
 
@@ -12,8 +14,7 @@ constexpr const char* kWork = "making the reference";
 constexpr const char* kDate = "reference_date";
 
 /// The reference's files and finger.yaml, together.
-Status save_reference(FingerStore& store, Finger& with_reference, FolderChange& files) {
-  with_reference.provenance[kDate] = utc_now();
+Status save_reference(FingerStore& store, const Finger& with_reference, FolderChange& files) {
   const auto saved = store.update([&](Finger& finger) {
     take_reference(with_reference, finger);
     return commit_with(finger, files);
@@ -60,8 +61,35 @@ Result<ReferenceReport> give_reference(const std::filesystem::path& folder,
   if (!files) return files.error();
   auto report = install_reference(**source, folder, finger, job, choices, files->staged());
   if (!report) return report.error();
+  finger.provenance[kDate] = utc_now();
   if (const Status saved = save_reference(*store, finger, *files); !saved) return saved.error();
   return report;
+}
+
+Status give_reference_of(const std::filesystem::path& copy, const std::filesystem::path& folder) {
+  const auto made = Finger::load(copy);
+  if (!made) return made.error();
+  if (!made->reference)
+    return Error{en::say("the finger has no reference recording"), copy.string(), ""};
+  const auto store = FingerStore::of(folder);
+  const auto alone = store->hold_for_work(kWork);
+  if (!alone) return alone.error();
+  auto files = FolderChange::begin(folder);
+  if (!files) return files.error();
+  for (const char* name : {kReferenceVideo, kReferenceTable}) {
+    const Status copied = write_file_atomically(
+        files->staged() / name, [&](const std::filesystem::path& temporary) -> Status {
+          std::error_code failed;
+          std::filesystem::copy_file(
+              copy / name, temporary, std::filesystem::copy_options::overwrite_existing, failed);
+          if (!failed) return {};
+          return Error{en::say("the finger could not be copied: {}", failed.message()),
+                       (copy / name).string(),
+                       ""};
+        });
+    if (!copied) return copied;
+  }
+  return save_reference(*store, *made, *files);
 }
 
 Result<std::vector<Message>> give_untouched_picture(const std::filesystem::path& folder,
@@ -76,6 +104,7 @@ Result<std::vector<Message>> give_untouched_picture(const std::filesystem::path&
   if (!files) return files.error();
   auto warnings = install_flat_reference(picture, files->staged(), finger);
   if (!warnings) return warnings.error();
+  finger.provenance[kDate] = utc_now();
   if (const Status saved = save_reference(*store, finger, *files); !saved) return saved.error();
   return warnings;
 }

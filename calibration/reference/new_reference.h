@@ -22,6 +22,13 @@ namespace alltact {
     const Job& job,
     const ReferenceChoices& choices = {});
 
+/// What give_reference() gave a copy of the finger becomes the finger's own: the same bytes,
+/// without the work. Errors: the copy has no reference, or its files cannot be read; those of
+/// FingerStore::update; somebody else is at work on the finger.
+///   copy: a folder with finger.yaml and its reference; it stays as it is
+[[nodiscard]] Status give_reference_of(const std::filesystem::path& copy,
+                                       const std::filesystem::path& folder);
+
 /// The same for a flat sensor's untouched picture (install_flat_reference).
 [[nodiscard]] Result<std::vector<Message>> give_untouched_picture(
     const std::filesystem::path& folder, const UntouchedPicture& picture);

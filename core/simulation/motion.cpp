@@ -36,7 +36,7 @@ int base_of(const std::string& name) {
 Motion Motion::read(YamlSection& section) {
   Motion motion;
   motion.where_ = section.where("");
-  const std::vector<std::string_view> kinds{"hold", "poses", "random", "wander"};
+  const std::vector<std::string_view> kinds{"hold", "path", "poses", "random", "wander"};
   const std::string_view kind = kinds[section.choice("kind", kinds)];
   const auto read_pose = [](YamlSection given) {
     Pose pose;
@@ -44,6 +44,11 @@ Motion Motion::read(YamlSection& section) {
     return pose;
   };
   if (kind == "hold" && section.has("pose")) motion.poses_ = {read_pose(section.section("pose"))};
+  if (kind == "path") {
+    motion.kind_ = Kind::kPath;
+    for (const std::string& key : section.keys())
+      if (key != "kind") motion.path_.emplace(key, Varying::read(section, key, kPoseLimits));
+  }
   if (kind == "poses") {
     motion.poses_.clear();
     for (const YamlSection& given : section.sections("poses"))
@@ -77,6 +82,10 @@ double Motion::value(const DegreeOfFreedom& dof, std::uint64_t seed, int frame) 
       const double ease = 0.5 - 0.5 * std::cos(std::numbers::pi * (move - k));
       return place(k) + (place(k + 1) - place(k)) * ease;
     }
+    case Kind::kPath: {
+      const auto found = path_.find(dof.name);
+      return found == path_.end() ? 0.0 : found->second.at(seed, frame);
+    }
     case Kind::kPoses:
       break;
   }
@@ -85,23 +94,37 @@ double Motion::value(const DegreeOfFreedom& dof, std::uint64_t seed, int frame) 
   return found == pose.end() ? 0.0 : found->second;
 }
 
+Status Motion::fits(const std::vector<DegreeOfFreedom>& dofs,
+                    const std::string& name,
+                    double least,
+                    double greatest) const {
+  const auto dof = std::find_if(
+      dofs.begin(), dofs.end(), [&](const DegreeOfFreedom& one) { return one.name == name; });
+  if (dof == dofs.end()) {
+    std::vector<std::string> names;
+    for (const auto& one : dofs) names.push_back(one.name);
+    return Error{
+        en::say("the motion moves '{}', but no effect of the scene does", name),
+        where_,
+        names.empty() ? en::say("name `bend` or `sway` among the effects") : one_of(names, name)};
+  }
+  for (const double value : {least, greatest})
+    if (value < dof->low || value > dof->high)
+      return Error{en::say("{} = {:g} is outside the effect's range", name, value),
+                   where_,
+                   en::say("{:g} to {:g}", dof->low, dof->high)};
+  return {};
+}
+
 Status Motion::fits(const std::vector<DegreeOfFreedom>& dofs) const {
-  std::vector<std::string> names;
-  for (const auto& dof : dofs) names.push_back(dof.name);
   for (const Pose& pose : poses_)
-    for (const auto& [name, value] : pose) {
-      if (std::find(names.begin(), names.end(), name) == names.end())
-        return Error{en::say("the motion moves '{}', but no effect of the scene does", name),
-                     where_,
-                     names.empty() ? en::say("name `bend` or `sway` among the effects")
-                                   : one_of(names, name)};
-      for (const DegreeOfFreedom& range : dofs)
-        if (range.name == name && (value < range.low || value > range.high))
-          return Error{en::say("{} = {:g} is outside the effect's range", name, value),
-                       where_,
-                       en::say("{:g} to {:g}", range.low, range.high)};
-    }
-  if (kind_ != Kind::kPoses && dofs.empty())
+    for (const auto& [name, value] : pose)
+      if (const Status status = fits(dofs, name, value, value); !status) return status;
+  for (const auto& [name, values] : path_)
+    if (const Status status = fits(dofs, name, values.least(), values.greatest()); !status)
+      return status;
+  const bool moves_all = kind_ == Kind::kRandom || kind_ == Kind::kWander;
+  if (moves_all && dofs.empty())
     return Error{en::say("the motion has nothing to move"),
                  where_,
                  en::say("name `bend` or `sway` among the effects, or leave the motion out")};

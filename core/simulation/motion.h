@@ -13,6 +13,8 @@ namespace alltact {
 
 /// A pure function of (seed, frame): any frame can be asked for at any time.
 ///   hold:   the same pose in every frame, `pose: {q1_mm: 3}`; what is not named is 0.
+///   path:   each degree of freedom that is named follows its key frames (varying.h), so that a
+///           finger bends for a while and then holds still; what is not named is 0.
 ///   poses:  `poses: [{q1_mm: 3}, ...]`, frame i takes pose i modulo their number.
 ///   random: every frame draws each degree of freedom evenly from its range, on its own.
 ///   wander: from rest (all 0) to one place of the ranges and on to the next in `frames_per_move`
@@ -29,11 +31,16 @@ class Motion {
   [[nodiscard]] Status fits(const std::vector<DegreeOfFreedom>& dofs) const;
 
  private:
-  enum class Kind { kPoses = 1, kRandom, kWander };
+  enum class Kind { kPath = 1, kPoses, kRandom, kWander };
+  [[nodiscard]] Status fits(const std::vector<DegreeOfFreedom>& dofs,
+                            const std::string& name,
+                            double least,
+                            double greatest) const;
   using Pose = std::map<std::string, double>;
 
   Kind kind_ = Kind::kPoses;
   std::vector<Pose> poses_{Pose{}};
+  std::map<std::string, Varying> path_;
   double frames_per_move_ = 1;
   std::string where_;
 };

@@ -19,6 +19,11 @@ void replace_all(std::string& text, const std::string& old, const std::string& n
     text.replace(at, old.size(), now);
 }
 
+std::string held(std::string scene) {
+  replace_all(scene, "-0.3, to: 0.3", "-0.0001, to: 0.0001");
+  return scene;
+}
+
 std::string repeated(const std::vector<double>& values, int times) {
   std::string list;
   for (const double value : values)
@@ -40,10 +45,12 @@ std::string pressing_scene(int frames_each) {
   return scene;
 }
 
+std::string held_pressing_scene(int frames_each) {
+  return held(pressing_scene(frames_each));
+}
+
 std::string still_scene() {
-  std::string scene = small_scene(true);
-  replace_all(scene, "-0.3, to: 0.3", "-0.0001, to: 0.0001");
-  return scene;
+  return held(small_scene(true));
 }
 
 bool says(Studio& studio, const char* words) {

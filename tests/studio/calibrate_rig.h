@@ -22,6 +22,9 @@ namespace alltact::test {
 /// each: from the first to the last of 15 it is a little less than half a second.
 [[nodiscard]] std::string pressing_scene(int frames_each = 15);
 
+/// The same of a finger that holds still.
+[[nodiscard]] std::string held_pressing_scene(int frames_each);
+
 /// Such a finger that holds still, with the ball pressed in by 0.8 mm.
 [[nodiscard]] std::string still_scene();
 

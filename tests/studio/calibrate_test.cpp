@@ -348,6 +348,7 @@ TEST(Calibrate, TheListIsAProperModel) {
 
 TEST(Calibrate, ThreePressesTellWhetherItStillHolds) {
   CalibrateStudio rig(6);
+  must(write_file_atomically(rig.folder() / "pressing.yaml", held_pressing_scene(20)));
   rig.open();
   rig.go_to_step("Presses");
   rig.type_radius("4");
@@ -361,9 +362,10 @@ TEST(Calibrate, ThreePressesTellWhetherItStillHolds) {
   }));
   rig.go_to_step("Check");
   EXPECT_FALSE(rig.studio().find<QPushButton>("Check now")->isEnabled());
-  for (int i = 0; i < 3; ++i) {
+  for (const char* count : {"1 of 3 taken", "2 of 3 taken", "3 presses taken: enough"}) {
     ASSERT_TRUE(rig.wait_for_press());
     rig.studio().click("Take a press (Space)");
+    ASSERT_TRUE(wait_until([&] { return says(rig.studio(), count); })) << count;
   }
   rig.studio().click("Check now");
   ASSERT_TRUE(wait_until([&] { return says(rig.studio(), "Pass"); }, 60000))

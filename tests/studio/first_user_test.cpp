@@ -109,6 +109,17 @@ class Watcher {
   std::vector<DarkPatch> seen_;
 };
 
+/// As wait_until, as often as somebody looks: reading all of a window takes its time.
+bool looks_until(const std::function<bool()>& is_so, int patience_ms) {
+  QElapsedTimer since;
+  since.start();
+  while (!is_so()) {
+    if (since.elapsed() > patience_ms) return false;
+    QTest::qWait(150);
+  }
+  return true;
+}
+
 QString verdict_read_by(const Newcomer& newcomer) {
   for (const Grade grade : {Grade::kGood, Grade::kUsable, Grade::kUnproven, Grade::kUnfit}) {
     FingerCard card;
@@ -134,6 +145,12 @@ TEST(FirstUser, ReachesAVerdictByReadingOnlyWhatIsOnTheScreen) {
     const bool presses_are_wanted = newcomer.guided_by().contains("press Space") &&
                                     newcomer.standing_out() != nullptr &&
                                     newcomer.standing_out()->text().contains("(Space)");
+    // Wanted already, and waited for.
+    if (presses_are_wanted && newcomer.reads("as soon as ball and finger are held still")) {
+      QTest::qWait(200);
+      --turn;
+      continue;
+    }
     if (presses_are_wanted) {
       ASSERT_TRUE(wait_until(
           [&] { return watcher.sees_another_press(studio.session().view()->result); }, 60000));
@@ -142,7 +159,7 @@ TEST(FirstUser, ReachesAVerdictByReadingOnlyWhatIsOnTheScreen) {
       continue;
     }
     ASSERT_TRUE(
-        wait_until([&] { return newcomer.standing_out() != nullptr && !is_busy(); }, 240000))
+        looks_until([&] { return newcomer.standing_out() != nullptr && !is_busy(); }, 240000))
         << "nothing stands out after: " << newcomer.actions().join("; ").toStdString() << "\n"
         << studio.problems() << newcomer.guided_by().toStdString();
     QPushButton& next = *newcomer.standing_out();

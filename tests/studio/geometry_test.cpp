@@ -249,7 +249,7 @@ TEST_F(Geometry, OfTheFirstSteps) {
   studio.window().open_finger(MadeFingers::get().described());
   ASSERT_TRUE(
       wait_until([&] { return studio.session().status().finger.state == FingerState::kReady; }));
-  place.go_to_next_to_do();
+  place.begin_with_next();
   look(studio, "calibrate_finger", place);
 }
 

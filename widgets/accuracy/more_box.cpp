@@ -110,7 +110,6 @@ void MoreBox::start() {
 
 void MoreBox::show_state() {
   const bool is_running = work_.is_running();
-  setVisible(finger_ != nullptr);
   start_->setText(is_running ? tr("Sto&p") : tr("&Work it out"));
   start_->setVisible(!study_);
   bar_->setVisible(is_running);

@@ -23,6 +23,7 @@ class MoreBox : public Translated<QGroupBox> {
   /// Of which it is told; null: none is calibrated. What was worked out of another calibration
   /// goes.
   void set_finger(const FingerPtr& finger);
+  [[nodiscard]] const FingerPtr& finger() const { return finger_; }
   /// Null as long as nothing is worked out.
   [[nodiscard]] const std::shared_ptr<const CalibratingStudy>& study() const { return study_; }
 

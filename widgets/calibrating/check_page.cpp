@@ -2,6 +2,7 @@
 
 #include "core/io/atomic_file.h"
 #include "core/utc_time.h"
+#include "widgets/calibrating/press_guide.h"
 #include "widgets/calibrating/space_key.h"
 #include "widgets/language.h"
 #include "widgets/panels/side_panel.h"
@@ -10,7 +11,6 @@
 #include "widgets/theme.h"
 #include "widgets/value_change.h"
 
-#include <QApplication>
 #include <QDateTime>
 #include <QHBoxLayout>
 #include <QLocale>
@@ -135,7 +135,11 @@ CheckPage::CheckPage(LiveSession& session,
     show_status();
     Q_EMIT changed();
   });
-  connect(&session_, &LiveSession::status_ready, this, &CheckPage::show_status);
+  connect(&session_, &LiveSession::view_ready, this, &CheckPage::watch);
+  connect(&session_, &LiveSession::status_ready, this, [this] {
+    follow_source();
+    show_status();
+  });
   say([this] {
     take_group_->setTitle(tr("Three presses"));
     verdict_group_->setTitle(tr("Is it still what it was?"));
@@ -191,45 +195,10 @@ StepState CheckPage::state() const {
   return check->verdict == CheckVerdict::kPass ? StepState::kDone : StepState::kLookAgain;
 }
 
-QString CheckPage::why_not_take() const {
-  if (!session_.view()) return tr("There is no live picture: choose a source.");
-  if (run_.state() == CalibrationState::kNone) return tr("The finger is not calibrated.");
-  if (work_.is_running()) return tr("The check is being made.");
-  return {};
-}
-
-void CheckPage::press_pedal() {
-  if (take_->isEnabled()) take();
-}
-
-void CheckPage::take() {
-  const FramePtr frame = why_not_take().isEmpty() ? session_.view()->result.frame : FramePtr();
-  if (!frame) return;
-  auto copy = std::make_shared<Frame>(*frame);
-  copy->name = "check_" + std::to_string(taken_.size() + 1);
-  copy->jpeg.reset();
-  auto more = taken_;
-  more.push_back(copy);
-  set_taken(tr("take a press for the check"), std::move(more));
-  live_->freeze(false);
-  live_->flash(tr("Press %1").arg(taken_.size()));
-  QApplication::beep();
-}
-
-void CheckPage::set_taken(const QString& what, std::vector<FramePtr> frames) {
-  undo_.push(new ValueChange<std::vector<FramePtr>>(
-      what,
-      taken_,
-      std::move(frames),
-      [this, folder = folder_](const std::vector<FramePtr>& wanted) {
-        if (folder != folder_) return;
-        taken_ = wanted;
-        show_status();
-      }));
-}
-
-void CheckPage::begin_again() {
-  set_taken(tr("begin the check again"), {});
+const QPushButton* CheckPage::to_do() const {
+  const bool is_just_checked = last_ && taken_.empty();
+  if (work_.is_running() || is_just_checked) return nullptr;
+  return static_cast<int>(taken_.size()) < kCheckPresses ? take_ : check_;
 }
 
 void CheckPage::forget_taken() {
@@ -348,13 +317,15 @@ void CheckPage::show_status() {
   const QString reason = why_not_take();
   const int count = static_cast<int>(taken_.size());
   take_->setEnabled(reason.isEmpty());
-  count_->setText(!reason.isEmpty()       ? reason
+  count_->setText(!reason.isEmpty()                            ? reason
+                  : taker_.state() != PressTaker::State::kIdle ? waiting_words(taker_.state())
                   : count < kCheckPresses ? tr("%1 of %2 taken.").arg(count).arg(kCheckPresses)
                                           : tr("%n press(es) taken: enough.", nullptr, count));
   check_->setEnabled(count >= kCheckPresses && reason.isEmpty());
   again_->setEnabled(count > 0 && !work_.is_running());
   bar_->setVisible(work_.is_running());
   bar_->setValue(static_cast<int>(100 * work_.fraction()));
+  Q_EMIT changed();
 }
 
 void CheckPage::changeEvent(QEvent* event) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "calibration/checks/check_history.h"
+#include "calibration/presses/press_taker.h"
 #include "widgets/calibrating/calibration_run.h"
 #include "widgets/calibrating/step_page.h"
 #include "widgets/panels/picture_panel.h"
@@ -31,17 +32,22 @@ class CheckPage : public StepPage {
   void press_pedal() override;
   [[nodiscard]] QVBoxLayout* foot() const override { return foot_; }
   [[nodiscard]] QWidget* main_control() const override { return take_; }
+  [[nodiscard]] const QPushButton* to_do() const override;
   [[nodiscard]] QString missing() const override { return {}; }
   void show_status();
   [[nodiscard]] const std::vector<CheckEntry>& history() const { return history_; }
 
  protected:
   void changeEvent(QEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
 
  private:
   [[nodiscard]] QWidget* make_side();
   [[nodiscard]] QString why_not_take() const;
   void take();
+  void keep_taken(const PressTaker::Taken& taken);
+  void watch();
+  void follow_source();
   void check();
   void begin_again();
   void forget_taken();
@@ -62,6 +68,7 @@ class CheckPage : public StepPage {
   std::string version_;
   std::filesystem::path folder_;
   std::vector<FramePtr> taken_;
+  PressTaker taker_;  // of the live picture, for as long as it is watched
   std::optional<PressCheck> last_;
   std::vector<CheckEntry> history_;
   ProblemList* problems_;

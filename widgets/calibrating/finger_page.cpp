@@ -101,7 +101,6 @@ QWidget* FingerPage::make_side() {
   for (QPushButton* button : {record_, untouched_}) reference->addWidget(button);
   side.column->addWidget(reference_group_);
   side.column->addStretch();
-  for (QPushButton* primary : {make_, record_, untouched_}) primary->setMinimumHeight(40);
   foot_ = side.foot;
   return side.whole;
 }
@@ -171,6 +170,14 @@ void FingerPage::write_sizes(const std::filesystem::path& folder, const Sizes& s
 bool FingerPage::is_own() const {
   const FingerStatus& finger = session_.status().finger;
   return finger.state == FingerState::kReady && !finger.folder.empty() && finger.finger;
+}
+
+const QPushButton* FingerPage::to_do() const {
+  const FingerStatus& finger = session_.status().finger;
+  if (finger.state == FingerState::kLoading) return nullptr;
+  if (!is_own()) return make_;
+  if (finger.has_reference) return nullptr;
+  return finger.finger->face.kind == FaceKind::kFlat ? untouched_ : record_;
 }
 
 bool FingerPage::is_read_again() const {

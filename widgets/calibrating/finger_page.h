@@ -26,6 +26,7 @@ class FingerPage : public StepPage {
   [[nodiscard]] QString missing() const override;
   [[nodiscard]] QVBoxLayout* foot() const override { return foot_; }
   [[nodiscard]] QWidget* main_control() const override { return make_; }
+  [[nodiscard]] const QPushButton* to_do() const override;
   void show_status();
   /// Where a new finger's lens is to be read from; may be empty.
   void set_camera_file(const std::filesystem::path& file) { camera_file_ = file; }

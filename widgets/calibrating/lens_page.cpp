@@ -16,7 +16,20 @@
 namespace alltact {
 namespace {
 
-constexpr int kLensSideWidth = 280;
+constexpr int kLensSideWidth = 280, kGroupMargin = 0;
+constexpr int kLongestLine = 28;  // letters: longer ones would widen the column
+
+/// Broken at the space nearest to its middle, where it is long.
+QString in_two_lines(QString text) {
+  if (text.size() <= kLongestLine) return text;
+  const auto middle = text.size() / 2;
+  const auto before = text.lastIndexOf(QLatin1Char(' '), middle),
+             after = text.indexOf(QLatin1Char(' '), middle);
+  const bool is_later = before < 0 || (after >= 0 && after - middle < middle - before);
+  const auto at = is_later ? after : before;
+  if (at >= 0) text[at] = QLatin1Char('\n');
+  return text;
+}
 
 QString model_text(CameraModel model) {
   switch (model) {
@@ -144,6 +157,10 @@ QWidget* LensPage::make_side() {
   board->addWidget(form_);
   side.column->addWidget(board_group_);
   side.column->addStretch();
+  for (QVBoxLayout* inside : {live, file, board}) {  // the picture beside them needs the room
+    const QMargins usual = inside->contentsMargins();
+    inside->setContentsMargins(kGroupMargin, usual.top(), kGroupMargin, usual.bottom());
+  }
   pictures_label_->setBuddy(pictures_);
   foot_ = side.foot;
   return side.whole;
@@ -180,7 +197,7 @@ void LensPage::name_parts() {
   file_->setToolTip(file_->text().isEmpty() ? file_->placeholderText() : file_->text());
   choose_file_->setText(tr("&Choose…"));
   choose_file_->setAccessibleName(tr("Choose a camera file"));
-  simulated_->setText(tr("&Use the simulated camera's lens"));
+  simulated_->setText(in_two_lines(tr("&Use the simulated camera's lens")));
   pictures_label_->setText(tr("&Pictures"));
   pictures_->setAccessibleName(tr("Folder of board pictures, or a recording"));
   choose_pictures_->setText(tr("Choose…"));
@@ -190,7 +207,7 @@ void LensPage::name_parts() {
   stop_->setAccessibleName(tr("Stop measuring the lens"));
   bar_->setAccessibleName(tr("Progress of the lens calibration"));
   outcome_->setAccessibleName(tr("Outcome of the lens calibration"));
-  take_->setText(tr("&Take this board (Space)"));
+  take_->setText(in_two_lines(tr("&Take this board (Space)")));
   by_itself_->setText(tr("By &itself where it is new and still"));
   by_itself_->setToolTip(
       tr("Takes the board whenever it is held still in a place, or tilted in a way, that was not "

@@ -30,6 +30,7 @@ MappingPage::MappingPage(PressDesk& desk,
       log_(new QListWidget),
       convergence_(new ConvergencePlot),
       figures_(new QWidget),
+      drawing_(new FingerDrawing(DrawnThing::kPress)),
       mapping_(new MappingPlot),
       errors_(new PressErrorPlot),
       residual_(new FaceMapPlot),
@@ -62,11 +63,15 @@ MappingPage::MappingPage(PressDesk& desk,
   // One of them has all the room.
   column->addWidget(running_, 1);
   column->addWidget(figures_, 1);
+  column->addWidget(drawing_, 1);
   connect(calibrate_, &QPushButton::clicked, &run_, &CalibrationRun::start);
   connect(stop_, &QPushButton::clicked, &run_, &CalibrationRun::stop);
   connect(&run_, &CalibrationRun::changed, this, &MappingPage::show_status);
   connect(&desk_, &PressDesk::changed, this, &MappingPage::show_status);
-  connect(&forecast_, &PressForecast::changed, this, &MappingPage::show_progress);
+  connect(&forecast_, &PressForecast::changed, this, [this] {
+    show_progress();
+    show_figures();
+  });
   say([this] {
     stop_->setText(tr("&Stop"));
     stop_->setToolTip(tr("Keeps the best solution so far"));
@@ -160,13 +165,19 @@ void MappingPage::show_log() {
   log_->scrollToBottom();
 }
 
+/// Of the calibration in use or, before there is one, of what the presses would come to.
 void MappingPage::show_figures() {
-  const auto& done = run_.result();
-  const bool is_shown = done != nullptr && !run_.is_running();
-  figures_->setVisible(is_shown);
-  if (done == shown_ && done) return;
-  shown_ = done;
-  if (!done) {
+  const auto& done = run_.result() ? run_.result() : forecast_.result();
+  figures_->setVisible(done != nullptr && !run_.is_running());
+  drawing_->setVisible(done == nullptr && !run_.is_running());
+  if (done != shown_ || !done) {
+    shown_ = done;
+    show_text();
+  }
+}
+
+void MappingPage::show_text() {
+  if (!shown_) {
     text_->setText(
         desk_.usable_count() == 0
             ? tr("With one press or more, what every pixel's darkening means in mm is learnt from "
@@ -176,13 +187,16 @@ void MappingPage::show_figures() {
                  "others foretell it."));
     return;
   }
-  const Calibration& calibration = done->calibration;
-  const FaceKind kind = done->finger.face.kind;
-  mapping_->set_data(mapping_figure(calibration, done->residuals));
+  const Calibration& calibration = shown_->calibration;
+  const FaceKind kind = shown_->finger.face.kind;
+  mapping_->set_data(mapping_figure(calibration, shown_->residuals));
   errors_->set_data(press_errors(calibration));
-  residual_->set_data(face_figure(FaceQuantity::kResidual, calibration, done->residuals, kind));
-  sd_->set_data(face_figure(FaceQuantity::kDepthSd, calibration, done->residuals, kind));
-  text_->setText(tr("Mapping: %1.").arg(in_window_language(calibration.degree_choice)));
+  residual_->set_data(face_figure(FaceQuantity::kResidual, calibration, shown_->residuals, kind));
+  sd_->set_data(face_figure(FaceQuantity::kDepthSd, calibration, shown_->residuals, kind));
+  const QString mapping = tr("Mapping: %1.").arg(in_window_language(calibration.degree_choice));
+  text_->setText(shown_ == run_.result() ? mapping
+                                         : tr("What these presses would come to; not in use yet.") +
+                                               QLatin1Char(' ') + mapping);
 }
 
 }  // namespace alltact

@@ -7,6 +7,7 @@
 #include "widgets/plots/face_map_plot.h"
 #include "widgets/plots/mapping_plot.h"
 #include "widgets/plots/press_error_plot.h"
+#include "widgets/shell/finger_drawing.h"
 #include "widgets/shell/problem_list.h"
 
 #include <QListWidget>
@@ -27,6 +28,9 @@ class MappingPage : public StepPage {
   [[nodiscard]] StepState state() const override;
   [[nodiscard]] QString missing() const override;
   [[nodiscard]] QWidget* main_control() const override { return calibrate_; }
+  [[nodiscard]] const QPushButton* to_do() const override {
+    return run_.is_running() ? nullptr : calibrate_;
+  }
   void show_status();
 
  protected:
@@ -36,6 +40,7 @@ class MappingPage : public StepPage {
  private:
   void show_progress();
   void show_figures();
+  void show_text();
   void show_log();
 
   PressDesk& desk_;
@@ -49,7 +54,8 @@ class MappingPage : public StepPage {
   QListWidget* log_;  // what was done
   ConvergencePlot* convergence_;
   bool was_running_ = false;
-  QWidget* figures_;  // of what it came to
+  QWidget* figures_;        // of what it came to, or would
+  FingerDrawing* drawing_;  // of what a press is, before there are figures
   MappingPlot* mapping_;
   PressErrorPlot* errors_;
   FaceMapPlot *residual_, *sd_;

@@ -38,6 +38,10 @@ struct GuideWords {
     }
     return tr("now %1 mm: too deep").arg(depth);
   }
+  static QString waits() { return tr("It is taken as soon as ball and finger are held still."); }
+  static QString refused() {
+    return tr("Not taken: ball and finger were not held still. Hold them still for half a second.");
+  }
   static QString elsewhere(double depth_mm, double off_mm) {
     return tr("now %1 mm, %2 mm away from there").arg(local_mm(depth_mm, 1), local_mm(off_mm, 0));
   }
@@ -187,6 +191,11 @@ QString guide_words(const GuidedFrame& frame) {
   QString words = GuideWords::press_here(frame.target->depth_mm);
   if (frame.depth_mm) words += QStringLiteral(", ") + words_of(frame);
   return words + QLatin1Char('.');
+}
+
+QString waiting_words(PressTaker::State state) {
+  if (state == PressTaker::State::kIdle) return {};
+  return state == PressTaker::State::kWaits ? GuideWords::waits() : GuideWords::refused();
 }
 
 std::vector<Overlay> guide_overlays(const GuidedFrame& frame) {

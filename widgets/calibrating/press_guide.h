@@ -3,6 +3,7 @@
 #pragma once
 
 #include "calibration/presses/press_plan.h"
+#include "calibration/presses/press_taker.h"
 #include "core/live/stationary_contact.h"
 #include "widgets/calibrating/press_forecast.h"
 #include "widgets/picture/image_view.h"
@@ -38,6 +39,9 @@ struct GuidedFrame {
 
 /// "Press here, 0.8 mm deep, now 0.5 mm: deeper." One sentence, for the picture and for readers.
 [[nodiscard]] QString guide_words(const GuidedFrame& frame);
+
+/// Why a press that is wanted is not taken yet, or was not; empty: none is wanted.
+[[nodiscard]] QString waiting_words(PressTaker::State state);
 
 [[nodiscard]] std::vector<Overlay> guide_overlays(const GuidedFrame& frame);
 

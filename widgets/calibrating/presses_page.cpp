@@ -14,7 +14,7 @@
 namespace alltact {
 namespace {
 
-constexpr int kPressSideWidth = 280;
+constexpr int kPressSideWidth = 268;
 constexpr int kLeastListHeight = 150;
 
 }  // namespace
@@ -177,6 +177,7 @@ void PressesPage::connect_parts() {
     show_forecast();
   });
   connect(&session_, &LiveSession::view_ready, this, &PressesPage::watch_contact);
+  connect(&session_, &LiveSession::status_ready, this, &PressesPage::follow_source);
   connect(live_button_, &QPushButton::clicked, this, [this] { show_press({}); });
   connect(press_button_, &QPushButton::clicked, this, [this] {
     show_press(model_.name_at(std::max(0, list_->currentIndex().row())));
@@ -325,7 +326,7 @@ void PressesPage::show_forecast() {
 
 void PressesPage::show_status() {
   if (held_for_ != desk_.folder()) {
-    forget_held();
+    taker_.forget();
     refused_.reset();
     taken_name_.clear();
   }

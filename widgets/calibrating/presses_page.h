@@ -2,7 +2,7 @@
 // each with the ball's outline over it, to be moved, taken out and put back.
 #pragma once
 
-#include "calibration/presses/held_frames.h"
+#include "calibration/presses/press_taker.h"
 #include "widgets/calibrating/press_fit_pane.h"
 #include "widgets/calibrating/press_form.h"
 #include "widgets/calibrating/press_guide.h"
@@ -58,9 +58,10 @@ class PressesPage : public StepPage {
   void watch_contact();
   [[nodiscard]] QString why_not_by_itself() const;
   void show_guide();
-  void hold(const FramePtr& frame);
+  void keep_taken(const PressTaker::Taken& taken);
+  /// Of a source that has ended the last frame stands still.
+  void follow_source();
   [[nodiscard]] double held_part() const;
-  void forget_held();
   void choose_files();
   void take_out_or_put_back();
   void show_problems();
@@ -87,9 +88,7 @@ class PressesPage : public StepPage {
   PressForecast& forecast_;
   PressModel model_;
   StationaryContactDetector still_;
-  HeldFrames held_;                 // of the live picture, for as long as it is watched
-  FramePtr newest_held_;            // null: none
-  std::size_t alike_ = 0;           // of the held frames, with the newest
+  PressTaker taker_;                // of the live picture, for as long as it is watched
   std::filesystem::path held_for_;  // the finger's folder
   GuidedFrame guided_;
   std::string shown_;               // empty: live

@@ -8,7 +8,9 @@
 namespace alltact {
 namespace {
 
-constexpr std::size_t kBurst = 16;  // frames of one press; see HeldFrames
+double now_s() {
+  return 1e-9 * static_cast<double>(monotonic_ns());
+}
 
 }  // namespace
 
@@ -23,43 +25,36 @@ QString PressesPage::why_not_take() const {
 
 void PressesPage::take() {
   if (!why_not_take().isEmpty()) return;
-  const FramePtr& frame = session_.view()->result.frame;
-  const auto alike = frame == newest_held_ ? held_.alike() : std::vector<FramePtr>{frame};
   refused_.reset();
-  taken_name_ = desk_.add({mean_frame(alike)});
-  taken_of_ = alike.size();
   live_->freeze(false);
   show_press({});
+  const auto taken = taker_.want(now_s());
+  if (taken) keep_taken(*taken);
+  follow_source();
+  show_problems();
+  show_take();
+}
+
+void PressesPage::keep_taken(const PressTaker::Taken& taken) {
+  taken_name_ = desk_.add({taken.frame});
+  taken_of_ = taken.of;
   live_->flash(tr("Press %1").arg(desk_.presses().size()));
   QApplication::beep();
   show_problems();
   show_take();
 }
 
-void PressesPage::hold(const FramePtr& frame) {
-  if (!frame || frame == newest_held_) return;
-  const bool goes_on = newest_held_ && frame->origin == newest_held_->origin &&
-                       frame->sequence > newest_held_->sequence;
-  if (!goes_on) held_.clear();  // another source, or the same from its beginning
-  held_.add(frame);
-  newest_held_ = frame;
-  alike_ = held_.alike().size();
+void PressesPage::follow_source() {
+  if (session_.status().source.state != SourceState::kEnded) return;
+  if (const auto last = taker_.end()) keep_taken(*last);
 }
 
 double PressesPage::held_part() const {
-  // The first frame is always like itself.
-  const double burst = alike_ < 2 ? 0.0 : static_cast<double>(alike_) / kBurst;
-  return by_itself_->isChecked() ? still_.hold().part : std::min(1.0, burst);
-}
-
-void PressesPage::forget_held() {
-  held_.clear();
-  newest_held_.reset();
-  alike_ = 0;
+  return by_itself_->isChecked() ? still_.hold().part : taker_.held_part();
 }
 
 void PressesPage::hideEvent(QHideEvent* event) {
-  forget_held();
+  taker_.forget();
   forecast_.set_watched(false);
   StepPage::hideEvent(event);
 }
@@ -76,15 +71,18 @@ void PressesPage::press_pedal() {
 void PressesPage::watch_contact() {
   if (!isVisible()) return;
   const FrameResult& result = session_.view()->result;
-  hold(result.frame);
-  show_take();
   const bool can_take = why_not_take().isEmpty();
   guided_ = can_take ? guided_frame(result, desk_, forecast_, 0) : GuidedFrame();
-  const bool is_still =
-      still_.add(guided_.contact, 1e-9 * static_cast<double>(monotonic_ns())) && can_take;
+  const bool is_still = still_.add(guided_.contact, now_s()) && can_take;
+  const auto taken = taker_.see(can_take ? result.frame : FramePtr(), guided_.contact, now_s());
   guided_.held = held_part();
   show_guide();
-  if (is_still && by_itself_->isChecked()) take();
+  if (taken)
+    keep_taken(*taken);
+  else if (is_still && by_itself_->isChecked())
+    take();
+  else
+    show_take();
 }
 
 QString PressesPage::why_not_by_itself() const {
@@ -123,6 +121,10 @@ void PressesPage::show_take() {
 }
 
 void PressesPage::show_taken() {
+  if (taker_.state() != PressTaker::State::kIdle) {
+    taken_->setText(waiting_words(taker_.state()));
+    return taken_->setVisible(true);
+  }
   const bool is_there = desk_.find(taken_name_) != nullptr && desk_.is_kept(taken_name_);
   taken_->setVisible(is_there);
   if (!is_there) return;

@@ -5,6 +5,7 @@
 #include "widgets/translated.h"
 
 #include <QLabel>
+#include <QPushButton>
 #include <QVBoxLayout>
 
 namespace alltact {
@@ -23,6 +24,11 @@ class StepPage : public Translated<QWidget> {
   [[nodiscard]] virtual QVBoxLayout* foot() const { return nullptr; }
   /// What is most likely used next; has the focus when the step is gone to.
   [[nodiscard]] virtual QWidget* main_control() const = 0;
+
+  /// The one thing to do here before going on; null: nothing, or nothing now.
+  [[nodiscard]] virtual const QPushButton* to_do() const {
+    return qobject_cast<const QPushButton*>(main_control());
+  }
 
  Q_SIGNALS:
   /// The state, or what is missing, may have changed.

@@ -19,6 +19,8 @@ namespace alltact {
 namespace {
 
 constexpr int kVerdictSymbol = 40;
+constexpr int kLeastPlotHeight = 110;
+constexpr int kBetweenWords = 2;
 
 }  // namespace
 
@@ -35,19 +37,28 @@ VerdictPage::VerdictPage(CalibrationRun& run, QWidget* parent)
       print_(new QPushButton),
       report_(new QPushButton),
       copy_(new QPushButton),
+      figures_(new QWidget),
+      errors_(new PressErrorPlot),
+      mapping_(new MappingPlot),
       fold_(new QToolButton),
+      fold_more_(new QToolButton),
       folded_(new QWidget),
       more_(new MoreBox),
       report_state_(wrapped_text()),
       command_(wrapped_text()) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(4);
   make_head(*column);
-  column->addWidget(next_);
-  auto* middle = new QHBoxLayout;
-  middle->addWidget(face_, 3);
-  middle->addWidget(more_, 2);
-  column->addLayout(middle, 1);
+  for (Plot* plot :
+       {static_cast<Plot*>(face_), static_cast<Plot*>(errors_), static_cast<Plot*>(mapping_)})
+    plot->setMinimumHeight(kLeastPlotHeight);
+  column->addWidget(face_, 1);
+  auto* figures = new QHBoxLayout(figures_);
+  figures->setContentsMargins(0, 0, 0, 0);
+  figures->addWidget(errors_, 1);
+  figures->addWidget(mapping_, 1);
+  column->addWidget(figures_, 1);
   make_foot(*column);
   connect(print_, &QPushButton::clicked, this, &VerdictPage::print);
   connect(report_, &QPushButton::clicked, this, [this] {
@@ -56,7 +67,11 @@ VerdictPage::VerdictPage(CalibrationRun& run, QWidget* parent)
   connect(copy_, &QPushButton::clicked, this, [this] {
     QGuiApplication::clipboard()->setText(run_.command_line());
   });
-  connect(fold_, &QToolButton::toggled, this, &VerdictPage::show_fold);
+  for (const auto& [one, other] : {std::pair(fold_, fold_more_), std::pair(fold_more_, fold_)})
+    connect(one, &QToolButton::toggled, this, [this, other = other](bool is_open) {
+      if (is_open) other->setChecked(false);
+      show_folds();
+    });
   connect(&run_, &CalibrationRun::changed, this, &VerdictPage::show_status);
   say([this] {
     remarks_->setAccessibleName(tr("Remarks"));
@@ -66,6 +81,8 @@ VerdictPage::VerdictPage(CalibrationRun& run, QWidget* parent)
     report_->setText(tr("&Open the report"));
     copy_->setText(tr("Copy as command &line"));
     command_->setAccessibleName(tr("The same as a command line"));
+    mapping_->setAccessibleName(tr("Depth over brightness difference"));
+    errors_->setAccessibleName(tr("Error of every press, worst first"));
     shown_.reset();
     show_status();
   });
@@ -75,6 +92,7 @@ void VerdictPage::make_head(QVBoxLayout& column) {
   auto* head = new QHBoxLayout;
   head->addWidget(symbol_, 0, Qt::AlignTop);
   auto* words = new QVBoxLayout;
+  words->setSpacing(kBetweenWords);
   QFont large = grade_->font();
   large.setPointSizeF(1.6 * large.pointSizeF());
   large.setBold(true);
@@ -83,18 +101,22 @@ void VerdictPage::make_head(QVBoxLayout& column) {
   words->addWidget(grade_);
   words->addWidget(sentence_);
   words->addWidget(zones_);
+  words->addWidget(next_);
   head->addLayout(words, 1);
   column.addLayout(head);
 }
 
 void VerdictPage::make_foot(QVBoxLayout& column) {
   auto* buttons = new QHBoxLayout;
-  fold_->setCheckable(true);
-  fold_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  for (QToolButton* fold : {fold_, fold_more_}) {
+    fold->setCheckable(true);
+    fold->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  }
   buttons->addWidget(print_);
   buttons->addWidget(report_);
   buttons->addWidget(copy_);
   buttons->addWidget(fold_);
+  buttons->addWidget(fold_more_);
   buttons->addWidget(report_state_, 1);
   column.addLayout(buttons);
   auto* inside = new QVBoxLayout(folded_);
@@ -108,13 +130,20 @@ void VerdictPage::make_foot(QVBoxLayout& column) {
   command_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   inside->addWidget(command_);
   column.addWidget(folded_);
+  column.addWidget(more_);
 }
 
-void VerdictPage::show_fold() {
+void VerdictPage::show_folds() {
   const int count = shown_ ? remarks_->count() : 0;
+  const bool has_more = more_->finger() != nullptr;
   fold_->setText(tr("Remarks (%1)").arg(count));
-  fold_->setArrowType(fold_->isChecked() ? Qt::DownArrow : Qt::RightArrow);
+  fold_more_->setText(MoreBox::tr("What more would bring"));
+  fold_more_->setVisible(has_more);
+  for (QToolButton* fold : {fold_, fold_more_})
+    fold->setArrowType(fold->isChecked() ? Qt::DownArrow : Qt::RightArrow);
   folded_->setVisible(fold_->isChecked());
+  more_->setVisible(fold_more_->isChecked() && has_more);
+  figures_->setVisible(!fold_->isChecked() && !more_->isVisibleTo(this));
   remarks_->setVisible(shown_ != nullptr);
 }
 
@@ -165,14 +194,15 @@ void VerdictPage::show_status() {
     show_next_press();
     show_remarks();
   }
-  show_fold();
+  show_folds();
   Q_EMIT changed();
 }
 
 void VerdictPage::show_next_press() {
   next_->setVisible(shown_ != nullptr);
-  face_->setVisible(shown_ != nullptr);
   if (!shown_) return;
+  errors_->set_data(press_errors(shown_->calibration));
+  mapping_->set_data(mapping_figure(shown_->calibration, shown_->residuals));
   const Calibration& calibration = shown_->calibration;
   FaceMapData data = face_figure(
       FaceQuantity::kCoverage, calibration, shown_->residuals, shown_->finger.face.kind);

@@ -5,6 +5,8 @@
 #include "widgets/calibrating/calibration_run.h"
 #include "widgets/calibrating/step_page.h"
 #include "widgets/plots/face_map_plot.h"
+#include "widgets/plots/mapping_plot.h"
+#include "widgets/plots/press_error_plot.h"
 
 #include <QListWidget>
 #include <QPushButton>
@@ -22,6 +24,7 @@ class VerdictPage : public StepPage {
   [[nodiscard]] StepState state() const override;
   [[nodiscard]] QString missing() const override;
   [[nodiscard]] QWidget* main_control() const override { return print_; }
+  [[nodiscard]] const QPushButton* to_do() const override { return nullptr; }
   void show_status();
   /// Shows the remarks and the command.
   void unfold() { fold_->setChecked(true); }
@@ -34,7 +37,7 @@ class VerdictPage : public StepPage {
   void make_foot(QVBoxLayout& column);
   void show_next_press();
   void show_remarks();
-  void show_fold();
+  void show_folds();
   void print();
 
   CalibrationRun& run_;
@@ -43,7 +46,10 @@ class VerdictPage : public StepPage {
   FaceMapPlot* face_;
   QListWidget* remarks_;
   QPushButton *print_, *report_, *copy_;
-  QToolButton* fold_;
+  QWidget* figures_;  // below the face; what is unfolded takes its room
+  PressErrorPlot* errors_;
+  MappingPlot* mapping_;
+  QToolButton *fold_, *fold_more_;
   QWidget* folded_;  // remarks and command
   MoreBox* more_;
   QLabel *report_state_, *command_;

@@ -26,7 +26,7 @@ void fill(const std::array<QDoubleSpinBox*, 3>& fields, const Eigen::Vector3d& v
 GripperDialog::GripperDialog(const QString& finger,
                              const std::optional<RigidTransform>& now,
                              QWidget* parent)
-    : Translated(parent),
+    : FittedDialog(parent),
       finger_(finger),
       now_(now),
       intro_(new QLabel),

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/geometry/rigid_transform.h"
-#include "widgets/translated.h"
+#include "widgets/shell/fitted_dialog.h"
 
 #include <QDialog>
 #include <QDialogButtonBox>
@@ -14,7 +14,7 @@
 
 namespace alltact {
 
-class GripperDialog : public Translated<QDialog> {
+class GripperDialog : public FittedDialog {
   Q_OBJECT
  public:
   /// now: what is known.

@@ -7,7 +7,7 @@
 namespace alltact {
 
 SecondFingerDialog::SecondFingerDialog(const std::optional<SecondFinger>& now, QWidget* parent)
-    : Translated(parent),
+    : FittedDialog(parent),
       intro_(new QLabel),
       finger_label_(new QLabel),
       recording_label_(new QLabel),

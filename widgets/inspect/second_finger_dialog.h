@@ -2,7 +2,7 @@
 #pragma once
 
 #include "widgets/inspect/inspect_options.h"
-#include "widgets/translated.h"
+#include "widgets/shell/fitted_dialog.h"
 
 #include <QDialog>
 #include <QDialogButtonBox>
@@ -12,7 +12,7 @@
 
 namespace alltact {
 
-class SecondFingerDialog : public Translated<QDialog> {
+class SecondFingerDialog : public FittedDialog {
   Q_OBJECT
  public:
   explicit SecondFingerDialog(const std::optional<SecondFinger>& now, QWidget* parent = nullptr);

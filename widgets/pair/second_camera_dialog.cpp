@@ -17,7 +17,7 @@ QString path_text(const std::filesystem::path& path) {
 SecondCameraDialog::SecondCameraDialog(const std::optional<SecondCamera>& now,
                                        const QStringList& cameras,
                                        QWidget* parent)
-    : Translated(parent),
+    : FittedDialog(parent),
       now_(now),
       intro_(new QLabel),
       finger_label_(new QLabel),

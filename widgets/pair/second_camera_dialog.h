@@ -2,7 +2,7 @@
 #pragma once
 
 #include "widgets/pair/live_pair.h"
-#include "widgets/translated.h"
+#include "widgets/shell/fitted_dialog.h"
 
 #include <QComboBox>
 #include <QDialog>
@@ -12,7 +12,7 @@
 
 namespace alltact {
 
-class SecondCameraDialog : public Translated<QDialog> {
+class SecondCameraDialog : public FittedDialog {
   Q_OBJECT
  public:
   /// cameras: names that open them.

@@ -52,6 +52,7 @@ CalibratePlace::CalibratePlace(LiveSession& session,
   connect(finger_, &FingerPage::new_finger_wanted, this, &CalibratePlace::new_finger_wanted);
   connect(finger_, &FingerPage::open_finger_wanted, this, &CalibratePlace::open_finger_wanted);
   connect(finger_, &FingerPage::record_wanted, this, [this] { Q_EMIT place_wanted("record"); });
+  connect(&run_, &CalibrationRun::changed, this, &CalibratePlace::follow_run);
   connect(&session_, &LiveSession::status_ready, this, &CalibratePlace::follow);
   is_made_ = true;
   say([this] { show_steps(); });
@@ -101,8 +102,15 @@ std::size_t CalibratePlace::last_open() const {
   return step;
 }
 
-void CalibratePlace::go_to_next_to_do() {
-  go_to(last_open());
+void CalibratePlace::begin_with_next() {
+  go_to(has_news_ ? kVerdictStep : last_open());
+}
+
+void CalibratePlace::follow_run() {
+  const bool is_done = was_calibrating_ && !run_.is_running();
+  was_calibrating_ = run_.is_running();
+  if (is_done && !run_.problem()) has_news_ = pages_[step_] != verdict_;
+  if (run_.state() == CalibrationState::kNone) has_news_ = false;
 }
 
 void CalibratePlace::go_to(std::size_t step) {
@@ -115,6 +123,7 @@ void CalibratePlace::go_to(std::size_t step) {
 void CalibratePlace::show_page(std::size_t step) {
   step_ = step;
   stack_->setCurrentWidget(pages_[step_]);
+  if (step_ == kVerdictStep) has_news_ = false;
   QVBoxLayout* beside = pages_[step_]->foot();
   foot_row_->setDirection(beside != nullptr ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
   (beside != nullptr ? beside : column_)->addWidget(foot_);
@@ -146,9 +155,11 @@ void CalibratePlace::show_steps() {
   const bool is_enough = pages_[step_] != presses_ || desk_.usable_count() >= kGoodPresses ||
                          run_.state() == CalibrationState::kCurrent;
   const bool is_done = pages_[step_]->state() == StepState::kDone;
-  set_primary(*next_, !is_last && missing.isEmpty() && is_enough && is_done);
-  if (auto* main = qobject_cast<QPushButton*>(pages_[step_]->main_control()))
-    set_primary(*main, !is_primary(*next_));
+  const bool goes_on = !is_last && missing.isEmpty() && is_enough && is_done;
+  set_primary(*next_, goes_on);
+  const QPushButton* to_do = goes_on ? nullptr : pages_[step_]->to_do();
+  for (auto* button : pages_[step_]->findChildren<QPushButton*>())
+    if (button != next_) set_primary(*button, button == to_do);
 }
 
 }  // namespace alltact

@@ -40,18 +40,21 @@ class CalibratePlace : public Place {
   void add_problems(std::vector<Problem>& problems) override;
   /// There is another reference.
   void reload() override;
+  /// The step that waits: the first that is not done.
+  void begin_with_next() override;
 
   [[nodiscard]] PressDesk& desk() { return desk_; }
   [[nodiscard]] CalibrationRun& run() { return run_; }
   [[nodiscard]] const PressForecast& forecast() const { return forecast_; }
   /// The last check found it as it was calibrated.
   [[nodiscard]] bool is_checked() const { return check_->state() == StepState::kDone; }
-  /// The step that waits: the first that is not done.
-  void go_to_next_to_do();
+  /// A calibration was made here, and nobody has looked at its verdict yet.
+  [[nodiscard]] bool has_news() const { return has_news_; }
 
  private:
-  static constexpr std::size_t kSteps = 6;
+  static constexpr std::size_t kSteps = 6, kVerdictStep = 4;
   void follow();
+  void follow_run();
   void show_steps();
   void go_to(std::size_t step);
   void show_page(std::size_t step);
@@ -77,6 +80,7 @@ class CalibratePlace : public Place {
   QLabel* missing_;
   QPushButton* next_;
   std::size_t step_ = 0;
+  bool was_calibrating_ = false, has_news_ = false;
   bool is_made_ = false;  // signals come before all is there
 };
 

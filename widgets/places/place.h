@@ -34,6 +34,8 @@ class Place : public Translated<QWidget> {
   /// What is to be done here next with the open finger, for the top of the window; whichever place
   /// is shown.
   virtual void add_problems(std::vector<Problem>& /*problems*/) {}
+  /// Somebody was led here to do what comes next: shows it.
+  virtual void begin_with_next() {}
   /// What stands in the open finger's folder has changed.
   virtual void reload() {}
 
@@ -41,6 +43,8 @@ class Place : public Translated<QWidget> {
   /// What a session keeps of this place.
   void changed();
   void place_wanted(const std::string& name);
+  /// Another place, to do there what comes next.
+  void lead_wanted(const std::string& name);
   void open_finger_wanted();
   void new_finger_wanted(const alltact::NewFinger& known);
 

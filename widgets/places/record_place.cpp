@@ -1,9 +1,7 @@
 #include "widgets/places/record_place.h"
 
 #include "widgets/calibrating/space_key.h"
-#include "widgets/language.h"
 #include "widgets/panels/side_panel.h"
-#include "widgets/shell/picture_dialog.h"
 
 #include <QDateTime>
 #include <QDir>
@@ -98,10 +96,10 @@ void RecordPlace::connect_parts() {
   connect(install_, &QPushButton::clicked, this, &RecordPlace::install);
   connect(keep_, &QPushButton::clicked, this, &RecordPlace::keep_take);
   connect(again_, &QPushButton::clicked, this, &RecordPlace::record_again);
-  connect(onward_, &QPushButton::clicked, this, [this] { Q_EMIT place_wanted("calibrate"); });
+  connect(onward_, &QPushButton::clicked, this, [this] { Q_EMIT lead_wanted("calibrate"); });
   connect(video_, &QPushButton::clicked, this, &RecordPlace::choose_video);
-  connect(stop_install_, &QPushButton::clicked, this, [this] { install_work_.stop(); });
-  connect(&judge_, &TakeJudge::changed, this, &RecordPlace::show_status);
+  connect(stop_install_, &QPushButton::clicked, this, &RecordPlace::stop_installing);
+  connect(&judge_, &TakeJudge::changed, this, &RecordPlace::follow_judge);
   connect(&install_work_, &BackgroundWork::progressed, this, &RecordPlace::show_installing);
   connect(&install_work_, &BackgroundWork::finished, this, &RecordPlace::show_status);
   connect(&session_, &LiveSession::view_ready, this, &RecordPlace::look_at_frame);
@@ -199,7 +197,7 @@ void RecordPlace::name_parts() {
 bool RecordPlace::is_busy() const {
   const RecordingState state = session_.status().recording.state;
   return state == RecordingState::kRunning || state == RecordingState::kFinishing ||
-         install_work_.is_running();
+         is_installing();
 }
 
 void RecordPlace::begin_coverage() {
@@ -214,14 +212,15 @@ void RecordPlace::set_rest() {
 void RecordPlace::look_at_frame() {
   if (!isVisible()) return;
   const FrameResult& result = session_.view()->result;
-  if (result.markers && result.shape)
-    coverage_.add(*result.markers, *result.shape);
-  else
-    coverage_.add_nothing();
   const bool bends_quickly = bending_.is_quick(result);
   touch_ = result.touch;
   // Between two poses of the reference, and smeared, an untouched face looks touched.
   is_touched_ = touch_ == FaceTouch::kTouched && !bends_quickly;
+  // What is left out shows no pose to the reference.
+  if (result.markers && result.shape && !is_touched_)
+    coverage_.add(*result.markers, *result.shape);
+  else
+    coverage_.add_nothing();
   unknown_frames_ = touch_ == FaceTouch::kUnknown ? unknown_frames_ + 1 : 0;
   const bool is_recording = session_.status().recording.state == RecordingState::kRunning;
   if (is_recording && is_touched_) ++touched_frames_;
@@ -289,44 +288,6 @@ void RecordPlace::measure_space() {
       free_gb_ = free_bytes ? std::optional(*free_bytes / kGigabyte) : std::nullopt;
     };
   });
-}
-
-void RecordPlace::install() {
-  const auto folder = session_.status().finger.folder;
-  const auto video = recorded_;
-  judge_.stop();
-  report_.reset();
-  ReferenceChoices choices;
-  choices.rest_pose = rest_pose_;
-  problem_picture_ = {};
-  install_work_.start([this, folder, video, choices, installer = installer_](const Job& job) {
-    auto report = std::make_shared<Result<ReferenceReport>>(installer(folder, video, choices, job));
-    const QImage picture(QString::fromStdString((folder / kReferenceProblem).string()));
-    // Who stopped it knows why nothing was installed.
-    const bool is_stopped = job.stop_requested() && !report->ok();
-    return std::function<void()>([this, report, video, picture, is_stopped] {
-      if (is_stopped) return;
-      installed_ = video;
-      report_ = *report;
-      problem_picture_ = picture;
-      list_rejected();
-    });
-  });
-  show_status();
-}
-
-void RecordPlace::show_problem_picture() {
-  auto* dialog = new PictureDialog(problem_picture_, this);
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setWindowTitle(tr("What was found in the recording"));
-  dialog->show();
-}
-
-void RecordPlace::list_rejected() {
-  rejected_->clear();
-  if (!report_ || !*report_) return;
-  for (const Message& reason : report_->value().rejected)
-    rejected_->addItem(in_window_language(reason));
 }
 
 void RecordPlace::show_status() {

@@ -65,6 +65,11 @@ class RecordPlace : public Place {
   [[nodiscard]] std::vector<Overlay> ghost(const LiveView& view) const;
   void measure_space();
   void install();
+  void install_now();
+  void stop_installing();
+  void follow_judge();
+  [[nodiscard]] bool is_installing() const;
+  [[nodiscard]] const BackgroundWork& installing_work() const;
   void list_rejected();
   void show_status();
   void show_button(const LiveStatus& status);
@@ -118,6 +123,7 @@ class RecordPlace : public Place {
   QElapsedTimer ghost_clock_, since_rig_;
   TakeJudge judge_;
   BackgroundWork install_work_, space_work_;
+  bool installs_when_judged_ = false;  // the same work: it is not done twice
   std::optional<double> free_gb_;
   std::optional<Result<ReferenceReport>> report_;
   std::filesystem::path recorded_, installed_, kept_;

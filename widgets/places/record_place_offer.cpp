@@ -146,8 +146,8 @@ QString RecordPlace::judged_words() const {
                      static_cast<int>(*left) + 1)
                 : tr("What it would bring is being worked out.");
   }
-  if (!judge_.report() || report_) return {};
-  const Result<ReferenceReport>& judged = *judge_.report();
+  if (!judge_.judged() || report_) return {};
+  const Result<ReferenceReport>& judged = judge_.judged()->report;
   if (!judged.ok())
     return tr("It cannot be installed: %1").arg(window_sentence(judged.error().what));
   const ReferenceReport& report = judged.value();
@@ -161,22 +161,22 @@ QString RecordPlace::judged_words() const {
 
 void RecordPlace::show_offer(const LiveStatus& status) {
   const QString why = why_not_install(status);
-  const bool is_installing = install_work_.is_running();
   const bool is_installed = report_ && report_->ok() && installed_ == recorded_;
-  install_->setEnabled(why.isEmpty() && !is_installing);
-  install_->setVisible(!is_installing && !is_installed);
+  install_->setEnabled(why.isEmpty() && !is_installing());
+  install_->setVisible(!is_installing() && !is_installed);
   for (QPushButton* other : {keep_, again_}) {
-    other->setEnabled(!is_installing && status.recording.state != RecordingState::kFinishing);
-    other->setVisible(!is_installing && !is_installed);
+    other->setEnabled(!is_installing() && status.recording.state != RecordingState::kFinishing);
+    other->setVisible(!is_installing() && !is_installed);
   }
   again_->setEnabled(again_->isEnabled() && record_->isEnabled());
-  onward_->setVisible(is_installed && !is_installing);
+  onward_->setVisible(is_installed && !is_installing());
+  onward_->setEnabled(status.finger.has_reference);
   install_reason_->setText(why);
   install_reason_->setVisible(!why.isEmpty());
   judged_->setText(judged_words());
-  judged_->setVisible(!judged_->text().isEmpty() && !is_installing);
-  bar_->setVisible(is_installing);
-  stop_install_->setVisible(is_installing);
+  judged_->setVisible(!judged_->text().isEmpty() && !is_installing());
+  bar_->setVisible(is_installing());
+  stop_install_->setVisible(is_installing());
 }
 
 void RecordPlace::show_recorded(const LiveStatus& status) {
@@ -204,8 +204,7 @@ void RecordPlace::show_recorded(const LiveStatus& status) {
   show_offer(status);
   outcome_->setText(outcome_text());
   outcome_->setVisible(!outcome_->text().isEmpty());
-  rejected_->setVisible(report_ && report_->ok() && rejected_->count() > 0 &&
-                        !install_work_.is_running());
+  rejected_->setVisible(report_ && report_->ok() && rejected_->count() > 0 && !is_installing());
 }
 
 /// The list before the first recording.

@@ -17,7 +17,7 @@ QString RecordPlace::time_text(double seconds) {
 }
 
 QString RecordPlace::why_not(const LiveStatus& status) const {
-  if (install_work_.is_running()) return tr("The recording is being installed.");
+  if (is_installing()) return tr("The recording is being installed.");
   if (status.recording.state == RecordingState::kFinishing)
     return tr("The last frames are being written.");
   if (status.source.state != SourceState::kRunning)
@@ -73,24 +73,24 @@ QString RecordPlace::why_not_install(const LiveStatus& status) const {
   if (status.finger.folder.empty()) return tr("Open the finger that was recorded first.");
   if (status.finger.finger && status.finger.finger->face.kind == FaceKind::kFlat)
     return tr("A flat sensor has one untouched picture instead of a recording.");
-  if (is_busy()) return install_work_.is_running() ? QString() : tr("A recording is under way.");
+  if (is_busy()) return is_installing() ? QString() : tr("A recording is under way.");
   return {};
 }
 
 void RecordPlace::mark_primary() {
   const bool is_offered = !recorded_.empty() && installed_ != recorded_;
-  const bool is_refused = judge_.report() && !judge_.report()->ok();
+  const bool is_refused = judge_.judged() && !judge_.judged()->report.ok();
   const bool installs = is_offered && install_->isEnabled() && !is_refused;
   const bool is_installed = !recorded_.empty() && report_ && report_->ok();
   set_primary(*install_, installs);
   set_primary(*again_, is_offered && is_refused && again_->isEnabled());
-  set_primary(*onward_, is_installed);
-  set_primary(*record_, !is_offered && !is_installed && !install_work_.is_running());
+  set_primary(*onward_, is_installed && onward_->isEnabled());
+  set_primary(*record_, !is_offered && !is_installed && !is_installing());
 }
 
 QString RecordPlace::outcome_text() const {
-  if (install_work_.is_running()) {
-    const auto left = install_work_.seconds_left();
+  if (is_installing()) {
+    const auto left = installing_work().seconds_left();
     if (!left) return tr("Reading the recording…");
     return tr("About %n second(s) left.", nullptr, static_cast<int>(*left) + 1);
   }
@@ -106,14 +106,10 @@ QString RecordPlace::outcome_text() const {
                QLocale().toString(report.error_p95_mm, 'f', 3))};
   if (report.repeated > 0)
     lines << tr("%n frame(s) showed a pose that others show as well.", nullptr, report.repeated);
+  if (!session_.status().finger.has_reference)
+    lines << tr("The finger is being read with its new reference.");
   if (!report.rejected.empty()) lines << tr("Left out, with the reason:");
   return lines.join(QLatin1Char('\n'));
-}
-
-void RecordPlace::show_installing() {
-  bar_->setValue(static_cast<int>(100 * install_work_.fraction()));
-  outcome_->setText(outcome_text());
-  outcome_->setVisible(true);
 }
 
 void RecordPlace::add_problems(std::vector<Problem>& problems) {

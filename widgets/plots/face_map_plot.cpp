@@ -99,6 +99,36 @@ void FaceMapPlot::draw_contacts() {
   }
 }
 
+/// Hatched where nothing is known of it.
+void FaceMapPlot::draw_face() {
+  QColor nothing = palette().color(QPalette::Text);
+  nothing.setAlpha(70);
+  auto* face = new QCPItemRect(&chart());
+  face->topLeft->setCoords(0, -0.5 * data_.width_mm);
+  face->bottomRight->setCoords(data_.length_mm, 0.5 * data_.width_mm);
+  face->setPen(QPen(palette().color(QPalette::Text), 1));
+  face->setBrush(QBrush(nothing, Qt::BDiagPattern));
+  face->setLayer(QStringLiteral("background"));
+}
+
+/// A mm is as long along the face as across it: contacts are circles.
+void FaceMapPlot::fit(const QSize& size) {
+  if (scale_ == nullptr) return;
+  QCPLayoutGrid* layout = chart().plotLayout();
+  layout->setOuterRect(QRect(QPoint(), size));
+  for (const auto phase :
+       {QCPLayoutElement::upPreparation, QCPLayoutElement::upMargins, QCPLayoutElement::upLayout})
+    layout->update(phase);
+  const QSize room = chart().axisRect()->size();
+  if (room.isEmpty()) return;
+  constexpr double kAround = 1.02;
+  const double mm_per_px =
+      kAround * std::max(data_.length_mm / room.width(), data_.width_mm / room.height());
+  const double along = mm_per_px * room.width(), across = mm_per_px * room.height();
+  chart().xAxis->setRange(0.5 * (data_.length_mm - along), 0.5 * (data_.length_mm + along));
+  chart().yAxis->setRange(-0.5 * across, 0.5 * across);
+}
+
 bool FaceMapPlot::draw() {
   if (scale_ != nullptr) {
     chart().plotLayout()->remove(static_cast<QCPColorScale*>(scale_));
@@ -110,16 +140,12 @@ bool FaceMapPlot::draw() {
   if (data_.columns < 1 || data_.rows < 1 || data_.cells.size() != expected ||
       !(data_.length_mm > 0) || !(data_.width_mm > 0))
     return false;
-  QColor nothing = palette().color(QPalette::Text);
-  nothing.setAlpha(70);
-  chart().axisRect()->setBackground(QBrush(nothing, Qt::BDiagPattern));
+  draw_face();
   draw_cells();
   draw_contacts();
   chart().xAxis->setLabel(data_.has_base ? tr("Along the finger, from the base (mm)")
                                          : tr("Along the picture, from the left (mm)"));
   chart().yAxis->setLabel(tr("Across (mm)"));
-  chart().xAxis->setRange(0, data_.length_mm);
-  chart().yAxis->setRange(-0.5 * data_.width_mm, 0.5 * data_.width_mm);
   chart().yAxis->setRangeReversed(true);  // as in the picture, v grows downwards
   chart().xAxis->grid()->setVisible(false);
   chart().yAxis->grid()->setVisible(false);

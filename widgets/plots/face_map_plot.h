@@ -31,9 +31,11 @@ class FaceMapPlot : public Plot {
 
  protected:
   bool draw() override;
+  void fit(const QSize& size) override;
   [[nodiscard]] QString empty_text() const override;
 
  private:
+  void draw_face();
   void draw_cells();
   void draw_contacts();
   FaceMapData data_;

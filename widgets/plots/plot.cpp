@@ -85,6 +85,7 @@ void Plot::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   if (is_stale_) return;
   fit_words(size());
+  fit(size());
   chart_->replot(QCustomPlot::rpQueuedReplot);  // it was resized before this
 }
 
@@ -112,6 +113,7 @@ void Plot::draw_now(const QSize& size) {
   for (QCPAxis* axis : {chart_->xAxis, chart_->yAxis, chart_->xAxis2, chart_->yAxis2})
     if (axis->visible() && !axis->label().isEmpty()) titles_.emplace_back(axis, axis->label());
   fit_words(size);
+  fit(size);
   chart_->replot(QCustomPlot::rpQueuedReplot);
 }
 

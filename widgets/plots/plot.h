@@ -34,6 +34,8 @@ class Plot : public QWidget {
   /// Draws what was given into chart(), which is empty and dressed; false when there is nothing to
   /// draw. Called again whenever data or palette change.
   virtual bool draw() = 0;
+  /// The size has changed, or is known first: for what depends on the room between the axes.
+  virtual void fit(const QSize& /*size*/) {}
   /// Stands in the middle where draw() has nothing.
   [[nodiscard]] virtual QString empty_text() const = 0;
   /// To be called when the data changed. What nobody sees is drawn when it is shown.

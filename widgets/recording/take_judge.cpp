@@ -1,35 +1,51 @@
 #include "widgets/recording/take_judge.h"
 
+#include "calibration/reference/new_reference.h"
 #include "core/finger/finger.h"
-
-#include <QTemporaryDir>
+#include "core/io/atomic_file.h"
 
 namespace alltact {
 namespace {
 
 namespace fs = std::filesystem;
 
-Result<ReferenceReport> judged(const ReferenceInstaller& installer,
-                               const fs::path& finger,
-                               const fs::path& video,
-                               const ReferenceChoices& choices,
-                               const Job& job) {
-  const QTemporaryDir folder;
+fs::path path_of(const QTemporaryDir& folder) {
+  return folder.path().toStdString();
+}
+
+JudgedTake judge_take(const ReferenceInstaller& installer,
+                      const fs::path& finger,
+                      const fs::path& video,
+                      const ReferenceChoices& choices,
+                      const Job& job) {
+  const auto copy = std::make_shared<const QTemporaryDir>();
+  const auto judged = [&](Result<ReferenceReport> report, std::string described = {}) {
+    return JudgedTake{std::move(report), copy, std::move(described), finger, video};
+  };
   std::error_code failed;
-  if (!folder.isValid())
-    return Error{en::say("there is no room to try the recording in"),
-                 fs::temp_directory_path(failed).string(),
-                 en::say("freeing some space on the disk")};
-  const fs::path copy = folder.path().toStdString();
-  fs::copy_file(finger / Finger::kFileName, copy / Finger::kFileName, failed);
-  if (failed)
-    return Error{en::say("the finger could not be copied: {}", failed.message()),
-                 (finger / Finger::kFileName).string(),
-                 ""};
-  return installer(copy, video, choices, job);
+  if (!copy->isValid())
+    return judged(Error{en::say("there is no room to try the recording in"),
+                        fs::temp_directory_path(failed).string(),
+                        en::say("freeing some space on the disk")});
+  auto described = read_file(finger / Finger::kFileName);
+  if (!described) return judged(described.error());
+  const Status copied = write_file_atomically(path_of(*copy) / Finger::kFileName, *described);
+  if (!copied) return judged(copied.error());
+  return judged(installer(path_of(*copy), video, choices, job), std::move(*described));
 }
 
 }  // namespace
+
+Result<bool> JudgedTake::install() const {
+  const auto now = read_file(finger / Finger::kFileName);
+  if (!now) return now.error();
+  std::error_code absent;
+  const bool is_all = report.ok() && !fs::exists(path_of(*copy) / kReferenceProblem, absent);
+  if (!is_all || *now != described) return false;
+  if (const Status given = give_reference_of(path_of(*copy), finger); !given) return given.error();
+  fs::remove(finger / kReferenceProblem, absent);  // of an earlier recording
+  return true;
+}
 
 TakeJudge::TakeJudge(ReferenceInstaller installer, QObject* parent)
     : QObject(parent), installer_(std::move(installer)) {
@@ -52,10 +68,10 @@ void TakeJudge::begin() {
   if (!asked_) return;
   const Asked now = *std::exchange(asked_, std::nullopt);
   work_.start([this, now, number = number_, installer = installer_](const Job& job) {
-    auto report = std::make_shared<Result<ReferenceReport>>(
-        judged(installer, now.finger, now.video, now.choices, job));
-    return std::function<void()>([this, report, number, is_stopped = job.stop_requested()] {
-      if (number == number_ && !is_stopped) report_ = *report;
+    const auto judged = std::make_shared<const JudgedTake>(
+        judge_take(installer, now.finger, now.video, now.choices, job));
+    return std::function<void()>([this, judged, number, is_stopped = job.stop_requested()] {
+      if (number == number_ && !is_stopped) judged_ = judged;
     });
   });
   Q_EMIT changed();
@@ -69,7 +85,12 @@ void TakeJudge::stop() {
 void TakeJudge::forget() {
   stop();
   ++number_;
-  report_.reset();
+  if (!judged_) return;
+  // The copy may be large, and removing it takes its time.
+  clearing_.start([judged = std::exchange(judged_, nullptr)](const Job&) mutable {
+    judged.reset();
+    return std::function<void()>([] {});
+  });
 }
 
 }  // namespace alltact

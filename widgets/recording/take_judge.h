@@ -4,9 +4,12 @@
 #include "calibration/reference/reference_recording.h"
 #include "widgets/background_work.h"
 
+#include <QTemporaryDir>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
+#include <string>
 
 namespace alltact {
 
@@ -17,8 +20,19 @@ using ReferenceInstaller =
                                           const ReferenceChoices& choices,
                                           const Job& job)>;
 
-/// Installs it in a copy of the finger that is thrown away again: what it says is what installing
-/// gives.
+/// A recording that was installed in a copy of a finger.
+struct JudgedTake {
+  Result<ReferenceReport> report;
+  std::shared_ptr<const QTemporaryDir> copy;  ///< the finger's; gone with the last who holds it
+  std::string described;                      ///< finger.yaml as it was copied
+  std::filesystem::path finger, video;
+
+  /// Gives the finger what its copy got. False: it has changed since, or there is more to keep than
+  /// a reference, so that the recording has to be installed by itself. For a background thread.
+  [[nodiscard]] Result<bool> install() const;
+};
+
+/// Installs it in a copy of the finger: what it says is what installing gives.
 class TakeJudge : public QObject {
   Q_OBJECT
  public:
@@ -33,8 +47,8 @@ class TakeJudge : public QObject {
   void forget();
   [[nodiscard]] bool is_working() const { return work_.is_running(); }
   [[nodiscard]] const BackgroundWork& work() const { return work_; }
-  /// Of the video that was asked for last; nullopt: not known.
-  [[nodiscard]] const std::optional<Result<ReferenceReport>>& report() const { return report_; }
+  /// Of the video that was asked for last; nullptr: not known.
+  [[nodiscard]] const std::shared_ptr<const JudgedTake>& judged() const { return judged_; }
 
  Q_SIGNALS:
   void changed();
@@ -48,8 +62,8 @@ class TakeJudge : public QObject {
   ReferenceInstaller installer_;
   std::optional<Asked> asked_;  // and not begun yet
   int number_ = 0;              // of what was asked for last
-  std::optional<Result<ReferenceReport>> report_;
-  BackgroundWork work_;
+  std::shared_ptr<const JudgedTake> judged_;
+  BackgroundWork work_, clearing_;
 };
 
 }  // namespace alltact

@@ -25,7 +25,7 @@ QString text_of(const fs::path& path) {
 }  // namespace
 
 ExportDialog::ExportDialog(const fs::path& finger, QWidget* parent)
-    : Translated(parent),
+    : FittedDialog(parent),
       finger_((finger / "").parent_path()),
       intro_(new QLabel),
       folder_label_(new QLabel),

@@ -3,6 +3,7 @@
 
 #include "calibration/export/export_finger.h"
 #include "widgets/background_work.h"
+#include "widgets/shell/fitted_dialog.h"
 #include "widgets/shell/problem_list.h"
 
 #include <QCheckBox>
@@ -17,7 +18,7 @@
 
 namespace alltact {
 
-class ExportDialog : public Translated<QDialog> {
+class ExportDialog : public FittedDialog {
   Q_OBJECT
  public:
   /// `finger`: its folder. Into a folder beside it unless another one is chosen.

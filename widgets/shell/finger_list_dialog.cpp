@@ -80,7 +80,7 @@ std::vector<FingerCard> read_lab(const std::set<fs::path>& folders,
 }
 
 FingerListDialog::FingerListDialog(std::vector<fs::path> known, QWidget* parent)
-    : Translated(parent),
+    : FittedDialog(parent),
       known_(std::move(known)),
       list_(new QTreeWidget),
       count_(new QLabel),

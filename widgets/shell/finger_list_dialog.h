@@ -4,7 +4,7 @@
 
 #include "widgets/background_work.h"
 #include "widgets/shell/finger_card.h"
-#include "widgets/translated.h"
+#include "widgets/shell/fitted_dialog.h"
 
 #include <QDialog>
 #include <QDialogButtonBox>
@@ -22,7 +22,7 @@ namespace alltact {
                                                const std::string& now,
                                                const Job& job);
 
-class FingerListDialog : public Translated<QDialog> {
+class FingerListDialog : public FittedDialog {
   Q_OBJECT
  public:
   /// known: fingers' folders; read beside the window.

@@ -9,7 +9,7 @@
 namespace alltact {
 
 NewFingerDialog::NewFingerDialog(FingerMaker maker, QWidget* parent)
-    : Translated(parent),
+    : FittedDialog(parent),
       maker_(std::move(maker)),
       form_(new QFormLayout),
       folder_(new QLineEdit),

@@ -4,6 +4,7 @@
 
 #include "core/finger/new_finger.h"
 #include "widgets/background_work.h"
+#include "widgets/shell/fitted_dialog.h"
 #include "widgets/shell/problem_list.h"
 
 #include <QComboBox>
@@ -21,7 +22,7 @@ namespace alltact {
 /// Makes the folder; runs on a thread of its own.
 using FingerMaker = std::function<Status(const NewFinger&)>;
 
-class NewFingerDialog : public Translated<QDialog> {
+class NewFingerDialog : public FittedDialog {
   Q_OBJECT
  public:
   explicit NewFingerDialog(FingerMaker maker, QWidget* parent = nullptr);

@@ -14,7 +14,7 @@ constexpr std::array kLanguages{"", "en", "de", "zh_CN"};
 }  // namespace
 
 SettingsDialog::SettingsDialog(const Appearance& now, Pedal* pedal, QWidget* parent)
-    : Translated(parent),
+    : FittedDialog(parent),
       pedal_(pedal),
       theme_label_(new QLabel),
       language_label_(new QLabel),

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "widgets/live/pedal.h"
+#include "widgets/shell/fitted_dialog.h"
 #include "widgets/theme.h"
-#include "widgets/translated.h"
 
 #include <QComboBox>
 #include <QDialog>
@@ -19,7 +19,7 @@ struct Appearance {
   bool operator==(const Appearance&) const = default;
 };
 
-class SettingsDialog : public Translated<QDialog> {
+class SettingsDialog : public FittedDialog {
   Q_OBJECT
  public:
   /// `pedal` is told what is chosen of it, and outlives the dialog; null: nothing can be.

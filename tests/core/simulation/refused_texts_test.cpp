@@ -201,8 +201,8 @@ TEST(RefusedScene, MotionsOfWhatDoesNotMove) {
        "8: motion: the motion moves 'q1_mm', but no effect of the scene does. Try: name `bend` or "
        "`sway` among the effects."},
       {changed("frames: 3", "frames: 3\nmotion: {kind: wonder}"),
-       "8: motion.kind: 'wonder' is not known here. Try: 'wander', or else one of hold, poses, "
-       "random, wander."},
+       "8: motion.kind: 'wonder' is not known here. Try: 'wander', or else one of hold, path, "
+       "poses, random, wander."},
       {changed("frames: 3", "frames: 3\nmotion: {kind: poses, poses: []}"),
        "8: motion.poses: the list is empty. Try: one pose a frame."},
       {changed("frames: 3", "frames: 3\nmotion: {kind: random, pose: {q1_mm: 1}}"),
