@@ -111,22 +111,27 @@ void FaceMapPlot::draw_face() {
   face->setLayer(QStringLiteral("background"));
 }
 
-/// A mm is as long along the face as across it: contacts are circles.
+/// A mm is as long along the face as across it: contacts are circles. The room between the axes
+/// depends on their numbers, and these on the room: from the same beginning, twice.
 void FaceMapPlot::fit(const QSize& size) {
   if (scale_ == nullptr) return;
+  chart().xAxis->setRange(0, data_.length_mm);
+  chart().yAxis->setRange(-0.5 * data_.width_mm, 0.5 * data_.width_mm);
   QCPLayoutGrid* layout = chart().plotLayout();
   layout->setOuterRect(QRect(QPoint(), size));
-  for (const auto phase :
-       {QCPLayoutElement::upPreparation, QCPLayoutElement::upMargins, QCPLayoutElement::upLayout})
-    layout->update(phase);
-  const QSize room = chart().axisRect()->size();
-  if (room.isEmpty()) return;
-  constexpr double kAround = 1.02;
-  const double mm_per_px =
-      kAround * std::max(data_.length_mm / room.width(), data_.width_mm / room.height());
-  const double along = mm_per_px * room.width(), across = mm_per_px * room.height();
-  chart().xAxis->setRange(0.5 * (data_.length_mm - along), 0.5 * (data_.length_mm + along));
-  chart().yAxis->setRange(-0.5 * across, 0.5 * across);
+  for (int pass = 0; pass < 2; ++pass) {
+    for (const auto phase :
+         {QCPLayoutElement::upPreparation, QCPLayoutElement::upMargins, QCPLayoutElement::upLayout})
+      layout->update(phase);
+    const QSize room = chart().axisRect()->size();
+    if (room.isEmpty()) return;
+    constexpr double kAround = 1.02;
+    const double mm_per_px =
+        kAround * std::max(data_.length_mm / room.width(), data_.width_mm / room.height());
+    const double along = mm_per_px * room.width(), across = mm_per_px * room.height();
+    chart().xAxis->setRange(0.5 * (data_.length_mm - along), 0.5 * (data_.length_mm + along));
+    chart().yAxis->setRange(-0.5 * across, 0.5 * across);
+  }
 }
 
 bool FaceMapPlot::draw() {
