@@ -1539,6 +1539,14 @@
         <source>now %1 mm, %2 mm away from there</source>
         <translation>jetzt %1 mm, %2 mm von dort entfernt</translation>
     </message>
+    <message>
+        <source>It is taken as soon as ball and finger are held still.</source>
+        <translation>Er wird aufgenommen, sobald Kugel und Finger stillgehalten werden.</translation>
+    </message>
+    <message>
+        <source>Not taken: ball and finger were not held still. Hold them still for half a second.</source>
+        <translation>Nicht aufgenommen: Kugel und Finger wurden nicht stillgehalten. Halten Sie beide eine halbe Sekunde lang still.</translation>
+    </message>
 </context>
 <context>
     <name>alltact::HeaderBar</name>
@@ -2712,6 +2720,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>The finger&apos;s sizes or markers have changed since this calibration.</source>
         <translation>Maße oder Marken des Fingers haben sich seit dieser Kalibrierung geändert.</translation>
+    </message>
+    <message>
+        <source>What these presses would come to; not in use yet.</source>
+        <translation>Was diese Eindrücke ergäben; noch nicht in Gebrauch.</translation>
     </message>
 </context>
 <context>
@@ -4269,6 +4281,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>&amp;Go to Calibrate</source>
         <translation>&amp;Weiter zu Kalibrieren</translation>
     </message>
+    <message>
+        <source>The finger is being read with its new reference.</source>
+        <translation>Der Finger wird mit seiner neuen Referenz eingelesen.</translation>
+    </message>
 </context>
 <context>
     <name>alltact::RigCheckBox</name>
@@ -5378,6 +5394,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>%1 (in use: %2 mm).</source>
         <translation>%1 (verwendet: %2 mm).</translation>
+    </message>
+    <message>
+        <source>Depth over brightness difference</source>
+        <translation>Tiefe über dem Helligkeitsunterschied</translation>
+    </message>
+    <message>
+        <source>Error of every press, worst first</source>
+        <translation>Fehler jedes Eindrucks, der größte zuerst</translation>
     </message>
 </context>
 <context>
@@ -12969,10 +12993,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>die Marken verraten, von welcher Seite der Finger gedrückt wird, aber nicht, wie weit von seiner Basis: ein Druck auf eine Seite bewegt sie gleich, wo immer er ist</translation>
     </message>
     <message>
-        <source>the push on the back moves the markers too little to tell how far from the base it is</source>
-        <translation>der Druck auf den Rücken bewegt die Marken zu wenig, um zu sagen, wie weit von der Basis er ist</translation>
-    </message>
-    <message>
         <source>a change of the finger that was interrupted cannot be completed: {}</source>
         <translation>eine unterbrochene Änderung des Fingers kann nicht abgeschlossen werden: {}</translation>
     </message>
@@ -13083,6 +13103,38 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>The demonstration&apos;s finger and {} drawn at random, which the network has not been trained on. Blobs and network are numbered by the recording, the paper&apos;s rows from left to right with hidden ones between their neighbours; each frame is looked at anew, as if none had come before. The paper tells no figure of its markers</source>
         <translation>Der Finger der Vorführung und {} zufällig gezogene, mit denen das Netz nicht trainiert wurde. Flecken und Netz werden nach der Aufnahme nummeriert, die Reihen der Quellarbeit von links nach rechts, verdeckte zwischen ihren Nachbarn; jedes Bild wird neu betrachtet, als wäre keines vorausgegangen. Die Quellarbeit nennt für ihre Marker keine Zahl</translation>
+    </message>
+    <message>
+        <source>{} was last changed at {}, and this computer&apos;s clock says {}: set the clock</source>
+        <translation>{} wurde zuletzt um {} geändert, und die Uhr dieses Rechners sagt {}: Stellen Sie die Uhr</translation>
+    </message>
+    <message>
+        <source>its disk does not answer and is waited for</source>
+        <translation>sein Datenträger antwortet nicht; es wird auf ihn gewartet</translation>
+    </message>
+    <message>
+        <source>look after the network, or the cable of that disk</source>
+        <translation>nach dem Netzwerk oder dem Kabel dieses Datenträgers zu sehen</translation>
+    </message>
+    <message>
+        <source>the push on the back moves the markers too little, or bends the finger too far, to tell how far from the base it is</source>
+        <translation>der Druck auf den Rücken bewegt die Marken zu wenig oder biegt den Finger zu weit, um zu sagen, wie weit von der Basis er ist</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s clock was set by {:+.1f} s: until it is right again, pictures count as taken when they come</source>
+        <translation>Die Uhr der Kamera wurde um {:+.1f} s verstellt: Bis sie wieder stimmt, gelten Bilder als aufgenommen, wenn sie ankommen</translation>
+    </message>
+    <message>
+        <source>The camera sent a picture twice ({}): a mean over several pictures is less sure than it says</source>
+        <translation>Die Kamera hat ein Bild zweimal geschickt ({}): Ein Mittel über mehrere Bilder ist weniger sicher, als es sagt</translation>
+    </message>
+    <message>
+        <source>There are no pages of the report: {}.</source>
+        <translation>Der Bericht hat keine Seiten: {}.</translation>
+    </message>
+    <message>
+        <source>there is not enough memory to draw</source>
+        <translation>zum Zeichnen reicht der Speicher nicht</translation>
     </message>
 </context>
 </TS>

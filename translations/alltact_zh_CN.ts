@@ -1528,6 +1528,14 @@
         <source>now %1 mm, %2 mm away from there</source>
         <translation>现在 %1 mm，距该处 %2 mm</translation>
     </message>
+    <message>
+        <source>It is taken as soon as ball and finger are held still.</source>
+        <translation>球和手指一保持不动，就会记录。</translation>
+    </message>
+    <message>
+        <source>Not taken: ball and finger were not held still. Hold them still for half a second.</source>
+        <translation>未记录：球和手指没有保持不动。请保持半秒钟不动。</translation>
+    </message>
 </context>
 <context>
     <name>alltact::HeaderBar</name>
@@ -2700,6 +2708,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>The finger&apos;s sizes or markers have changed since this calibration.</source>
         <translation>此次标定之后，手指的尺寸或标记点已改变。</translation>
+    </message>
+    <message>
+        <source>What these presses would come to; not in use yet.</source>
+        <translation>这些按压将得出的结果；尚未启用。</translation>
     </message>
 </context>
 <context>
@@ -4236,6 +4248,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>&amp;Go to Calibrate</source>
         <translation>前往“标定”(&amp;G)</translation>
     </message>
+    <message>
+        <source>The finger is being read with its new reference.</source>
+        <translation>正在用新参考读取手指。</translation>
+    </message>
 </context>
 <context>
     <name>alltact::RigCheckBox</name>
@@ -5338,6 +5354,14 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>%1 (in use: %2 mm).</source>
         <translation>%1（正在使用：%2 mm）。</translation>
+    </message>
+    <message>
+        <source>Depth over brightness difference</source>
+        <translation>深度随亮度差的变化</translation>
+    </message>
+    <message>
+        <source>Error of every press, worst first</source>
+        <translation>每次按压的误差，最差的在前</translation>
     </message>
 </context>
 <context>
@@ -12918,10 +12942,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>标记点能说明手指从哪一侧被推，但不能说明距根部多远：对侧面的推压无论在何处，都以同样方式移动它们</translation>
     </message>
     <message>
-        <source>the push on the back moves the markers too little to tell how far from the base it is</source>
-        <translation>对背面的推压使标记点移动太少，无法说明距根部多远</translation>
-    </message>
-    <message>
         <source>a change of the finger that was interrupted cannot be completed: {}</source>
         <translation>无法完成被中断的手指更改：{}</translation>
     </message>
@@ -13032,6 +13052,38 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>The demonstration&apos;s finger and {} drawn at random, which the network has not been trained on. Blobs and network are numbered by the recording, the paper&apos;s rows from left to right with hidden ones between their neighbours; each frame is looked at anew, as if none had come before. The paper tells no figure of its markers</source>
         <translation>演示用手指以及 {} 个随机生成的手指，网络未用它们训练过。斑点和网络按参考录像编号，论文的行从左到右编号，被遮挡的取相邻标记之间；每帧都重新查看，不依赖前一帧。论文未给出其标记的数据</translation>
+    </message>
+    <message>
+        <source>{} was last changed at {}, and this computer&apos;s clock says {}: set the clock</source>
+        <translation>{} 上次更改于 {}，而本机时钟显示 {}：请校准时钟</translation>
+    </message>
+    <message>
+        <source>its disk does not answer and is waited for</source>
+        <translation>其磁盘没有响应，正在等待</translation>
+    </message>
+    <message>
+        <source>look after the network, or the cable of that disk</source>
+        <translation>检查网络或该磁盘的连接线</translation>
+    </message>
+    <message>
+        <source>the push on the back moves the markers too little, or bends the finger too far, to tell how far from the base it is</source>
+        <translation>背面的按压使标记移动太少，或使手指弯曲过大，无法得知它离基部多远</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s clock was set by {:+.1f} s: until it is right again, pictures count as taken when they come</source>
+        <translation>相机的时钟被调整了 {:+.1f} 秒：在它恢复正确之前，图像按到达时间计</translation>
+    </message>
+    <message>
+        <source>The camera sent a picture twice ({}): a mean over several pictures is less sure than it says</source>
+        <translation>相机把一张图像发送了两次（{}）：多张图像的平均值不如所示的那样可靠</translation>
+    </message>
+    <message>
+        <source>There are no pages of the report: {}.</source>
+        <translation>报告没有页面：{}。</translation>
+    </message>
+    <message>
+        <source>there is not enough memory to draw</source>
+        <translation>内存不足，无法绘制</translation>
     </message>
 </context>
 </TS>
