@@ -25,10 +25,12 @@ TEST(SpaceBar, TakesAPressWhereverTheFocusIsAndTypesIntoNoNumber) {
   EXPECT_TRUE(wait_until([&] { return rig.desk().presses().size() == 1; }));
   rig.type_radius("4");
   auto* radius = rig.studio().find<QDoubleSpinBox>("Ball's radius");
-  for (int i = 0; i < 2; ++i) QTest::keyClick(radius, Qt::Key_Space);
+  for (const std::size_t presses : {2U, 3U}) {
+    QTest::keyClick(radius, Qt::Key_Space);
+    EXPECT_TRUE(wait_until([&] { return rig.desk().presses().size() == presses; }));
+  }
   EXPECT_EQ(radius->text().toStdString(), "4.000 mm");
   EXPECT_EQ(rig.desk().said().ball_radius_mm, 4);
-  EXPECT_TRUE(wait_until([&] { return rig.desk().presses().size() == 3; }));
   // A name may have one.
   auto* who = rig.studio().find<QLineEdit>("Operator");
   who->setFocus();
