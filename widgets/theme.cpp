@@ -51,7 +51,7 @@ const Colours kDark{"#202327",
                     "#e8eaed",
                     "#8b929a",
                     "#2c3036",
-                    "#3d8fd8",
+                    "#4294de",
                     "#0b0d0f",
                     "#7fbdf2"};
 const Colours kContrast{"#000000",

@@ -5,7 +5,6 @@
 #include "widgets/shell/step_list.h"
 #include "widgets/theme.h"
 
-#include <QCursor>
 #include <QVBoxLayout>
 #include <cmath>
 
@@ -104,7 +103,6 @@ TEST_P(Painted, WhatHasTheFocusStandsOut) {
 }
 
 TEST_P(Painted, WhatComesNextCanBeReadAndIsNoOtherButton) {
-  QCursor::setPos(1500, 1100);  // over neither
   QPushButton next(QStringLiteral("Next")), plain(QStringLiteral("Next"));
   set_primary(next);
   for (QPushButton* button : {&next, &plain}) button->resize(160, 40);
