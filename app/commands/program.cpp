@@ -21,8 +21,6 @@
 namespace alltact {
 namespace {
 
-constexpr auto kPatience = std::chrono::seconds(3);  // with a disk
-
 /// Wrong usage is told in one line; help is for those who ask for it.
 int usage_status(const CLI::App& program, const CLI::ParseError& error) {
   const int status = program.exit(error, std::cout, std::cerr);
@@ -139,7 +137,7 @@ int run(int argc, char** argv) {
   Console console(json);
   try {
     begin_threads();
-    const DiskWatch slow_disks(kPatience, say_slow_disk);
+    const DiskWatch slow_disks(kDiskPatience, say_slow_disk);
     return console.finish(chosen(console));
   } catch (const std::exception& error) {
     return console.finish(as_error(error));

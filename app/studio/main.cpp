@@ -20,8 +20,6 @@
 
 namespace {
 
-constexpr auto kPatience = std::chrono::seconds(3);  // with a disk
-
 /// Exit status when there is nothing more to do; wrong usage is told in one line.
 std::optional<int> read_arguments(int argc, char** argv, alltact::StudioArguments& wanted) {
   CLI::App program;
@@ -87,7 +85,7 @@ int main(int argc, char** argv) {
       QStandardPaths::writableLocation(QStandardPaths::AppDataLocation).toStdString();
   int status = 0;
   {
-    const DiskWatch disks(kPatience, [](const std::filesystem::path&) {});
+    const DiskWatch disks(kDiskPatience, [](const std::filesystem::path&) {});
     options.slow_files = [&disks] { return disks.slow(); };
     MainWindow window(options, dresser);
     window.show();

@@ -6,6 +6,7 @@
 #include "calibration/force/new_force.h"
 #include "calibration/reference/reference_recording.h"
 #include "core/io/atomic_file.h"
+#include "core/numerics/parts.h"
 #include "core/program.h"
 #include "core/simulation/scene.h"
 #include "core/sources/source.h"
@@ -62,25 +63,15 @@ FramePtr frame_of_plan(const Plan& plan, int number) {
   return frame;
 }
 
-/// work(i) for each i of a range, some of them side by side.
-void for_each_of(const cv::Range& range, int threads, const std::function<void(int)>& work) {
-  const auto part_of = [&](const cv::Range& part) {
-    for (int i = part.start; i < part.end; ++i) work(i);
-  };
-  if (threads > 1)
-    cv::parallel_for_(range, part_of, threads);
-  else
-    part_of(range);
-}
-
 /// A range of every n-th of a plan's frames.
 std::vector<FramePtr> frames_of_plan(const Plan& plan,
                                      const cv::Range& range,
                                      int every,
                                      int threads) {
   std::vector<FramePtr> frames(static_cast<std::size_t>(range.size()));
-  for_each_of(range, threads, [&](int i) {
-    frames[static_cast<std::size_t>(i - range.start)] = frame_of_plan(plan, every * i);
+  over_parts(range.size(), threads, [&](int first, int last) {
+    for (int i = first; i < last; ++i)
+      frames[static_cast<std::size_t>(i)] = frame_of_plan(plan, every * (range.start + i));
   });
   return frames;
 }
@@ -96,9 +87,12 @@ std::vector<Shot> shots_of_plan(const Plan& plan,
                                 TruthDetail detail,
                                 int threads) {
   std::vector<Shot> shots(static_cast<std::size_t>(range.size()));
-  for_each_of(range, threads, [&](int i) {
-    shots[static_cast<std::size_t>(i - range.start)] = {frame_of_plan(plan, i),
-                                                        plan.truth(i, detail)};
+  over_parts(range.size(), threads, [&](int first, int last) {
+    for (int i = first; i < last; ++i) {
+      const int number = range.start + i;
+      shots[static_cast<std::size_t>(i)] = {frame_of_plan(plan, number),
+                                            plan.truth(number, detail)};
+    }
   });
   return shots;
 }
@@ -156,7 +150,7 @@ Result<ExperimentBench::Recorded> ExperimentBench::record(const Plan& recording,
   if (!report) return report.error();
   if (const Status saved = made.finger.save(made.folder); !saved) return saved.error();
   made.rest_frame = options.recording_every * report->rest_frame;
-  made.truth_at_rest = recording.truth(made.rest_frame);
+  made.truth_at_rest = recording.truth(made.rest_frame, TruthDetail::kWithoutPictures);
   return made;
 }
 
@@ -177,7 +171,8 @@ Status ExperimentBench::make_finger(const Plan& recording) {
   FingerCalibrationInput input;
   input.folder = recorded->folder;
   input.program_version = program_version();
-  input.said.ball_radius_mm = presses->truth(0).ball.value().radius_mm;
+  input.said.ball_radius_mm =
+      presses->truth(0, TruthDetail::kWithoutPictures).ball.value().radius_mm;
   input.presses.frames = frames(*presses, 0, presses->frame_count());
   const auto calibrated = calibrate_finger(input, job());
   if (!calibrated) return calibrated.error();
@@ -215,7 +210,7 @@ bool ExperimentBench::take_finger(const Plan& recording, const std::string& name
   finger_ = std::move(*finger);
   library_ = std::move(*library);
   rest_frame_ = rest_frame;
-  truth_at_rest_ = recording.truth(rest_frame);
+  truth_at_rest_ = recording.truth(rest_frame, TruthDetail::kWithoutPictures);
   return true;
 }
 

@@ -65,6 +65,7 @@ class ExperimentBench {
   [[nodiscard]] const BenchOptions& options() const { return options_; }
   [[nodiscard]] const Job& job() const { return *job_; }
   /// The untouched finger as it is in the frame of the recording that counts as rest.
+  /// Without its pictures.
   [[nodiscard]] const Truth& truth_at_rest() const { return truth_at_rest_; }
 
   /// A scene of the resources by its file's name without the ending, on this bench's finger.
@@ -97,8 +98,8 @@ class ExperimentBench {
   struct Recorded {
     Finger finger;
     std::filesystem::path folder;
-    Truth truth_at_rest;
-    int rest_frame = 0;  ///< of the plan
+    Truth truth_at_rest;  ///< without its pictures
+    int rest_frame = 0;   ///< of the plan
   };
   [[nodiscard]] static Result<Recorded> record(const Plan& recording,
                                                const std::string& folder,

@@ -67,7 +67,7 @@ struct MarkerFrame {
   std::string name;
   std::optional<double> time_s;
   Markers markers;
-  std::optional<Eigen::Vector2d> place_mm;  ///< of the largest contact region
+  std::optional<Eigen::Vector2d> place_mm;  ///< of the first contact region
 };
 
 /// Markers of a recording: results.jsonl of `alltact reconstruct`, truth.json of `alltact

@@ -52,7 +52,7 @@ struct FrameAnswer {
 
 std::optional<Eigen::Vector2d> place_of(const std::vector<ContactRegion>& regions) {
   if (regions.empty()) return std::nullopt;
-  return regions.front().deepest_on_face_mm;  // of the largest
+  return regions.front().deepest_on_face_mm;  // of the one that stands first
 }
 
 class Measured {

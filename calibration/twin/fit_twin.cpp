@@ -160,7 +160,7 @@ Eigen::Vector2d contact_px(const TwinScene& scene, const TwinBall& ball, const T
   if (!parsed) return press.disc_px;
   const auto plan = Plan::compile(*parsed, 1);
   if (!plan) return press.disc_px;
-  const Truth truth = plan->truth(1);
+  const Truth truth = plan->truth(1, TruthDetail::kWithoutPictures);
   if (truth.balls.empty()) return press.disc_px;
   const Eigen::Vector3d deepest =
       truth.balls.front().centre_mm - Eigen::Vector3d(0, 0, truth.balls.front().radius_mm);

@@ -39,6 +39,9 @@ class DiskWatch {
   std::unique_ptr<State> state_;
 };
 
+/// How long a person waits for a disk without being told.
+inline constexpr std::chrono::seconds kDiskPatience{3};
+
 /// What to say of a file that is waited for.
 [[nodiscard]] Error slow_disk(const std::filesystem::path& file);
 

@@ -29,6 +29,10 @@ std::int64_t monotonic_ns() {
       .count();
 }
 
+double monotonic_s() {
+  return 1e-9 * static_cast<double>(monotonic_ns());
+}
+
 // One source from opening to its end. The thread shares it, so that it may outlive the runner.
 struct SourceRunner::Run {
   FrameHub* hub = nullptr;  // under publish_mutex; null once the runner has gone

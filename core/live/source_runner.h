@@ -100,5 +100,7 @@ class SourceRunner {
 
 /// The monotonic clock by which cameras stamp their frames, ns.
 [[nodiscard]] std::int64_t monotonic_ns();
+/// The same in seconds.
+[[nodiscard]] double monotonic_s();
 
 }  // namespace alltact

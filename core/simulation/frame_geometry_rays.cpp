@@ -1,14 +1,9 @@
 #include "core/simulation/frame_geometry.h"
 #include "core/simulation/ruled_surface.h"
 
-#include <array>
-
 namespace alltact {
 
 namespace {
-
-// So far within its edges a pixel is all face, and so far beyond them none, however slanted.
-constexpr double kSurePixels = 50;
 
 // The face's row in the making.
 struct MetRow {

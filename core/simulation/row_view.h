@@ -43,6 +43,10 @@ class RowScratch {
 /// Where rays do not meet the face; before its base by more than anything is long.
 inline constexpr float kNotMet_mm = -1e6F;
 
+/// So many pixels within its edges a face fills a pixel, and so many beyond them nothing of it is
+/// seen, however slanted it is.
+inline constexpr double kSurePixels = 50;
+
 /// The view face along one row, for the columns [first, last). All arrays are indexed by column;
 /// off the face they hold finite numbers and coverage is 0.
 struct FaceRow {

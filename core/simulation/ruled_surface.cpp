@@ -6,8 +6,7 @@ namespace alltact {
 
 namespace {
 
-constexpr double kLeastSlant = 0.02;
-constexpr double kLastStep_mm = 1e-4, kFarthestMeeting_mm = 1e5;
+constexpr double kFarthestMeeting_mm = 1e5;
 constexpr int kParts = 48;  // of the curve and an eighth beyond either end, searched for a start
 
 }  // namespace

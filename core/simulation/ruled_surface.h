@@ -15,6 +15,9 @@ namespace alltact {
 /// point(s, r) = p(s) + r g(s), s the arc length of the face's middle line.
 class RuledSurface {
  public:
+  static constexpr double kLastStep_mm = 1e-4;  ///< of Newton's method
+  static constexpr double kLeastSlant = 0.02;   ///< of a ray to the surface that it meets
+
   /// The line across the view face: r is the place across it.
   [[nodiscard]] static RuledSurface view_face(const FaceCurve& curve);
   /// A side face; `side` is -1 (small v) or 1. r is how far behind the face's edge it is, towards

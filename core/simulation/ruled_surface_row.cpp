@@ -5,7 +5,6 @@
 #include "core/simulation/ruled_surface.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace alltact {
@@ -13,7 +12,6 @@ namespace alltact {
 namespace {
 
 constexpr std::size_t kKnotsApart = 16;
-constexpr double kLeastSlant = 0.02, kLastStep_mm = 1e-4;
 constexpr double kUnknown_mm = -1e6;  // where to begin
 
 /// The curve and the line that sweeps it.
@@ -121,8 +119,9 @@ ALLTACT_WIDE void meet_stretch(int n, const Swept c, const Arrays a) {
     const bool no_normal = m2 < 1e-12;
     const double per_m = 1 / std::sqrt(no_normal ? 1.0 : m2);
     const double slant = std::abs(m_x * d_x + m_y * d_y + m_z) * per_m;
-    const bool grazes = slant <= kLeastSlant * std::sqrt(d_x * d_x + d_y * d_y + 1);
-    const bool is_last = std::abs(step) <= kLastStep_mm && std::abs(twist) <= kLittleTurn;
+    const bool grazes = slant <= RuledSurface::kLeastSlant * std::sqrt(d_x * d_x + d_y * d_y + 1);
+    const bool is_last =
+        std::abs(step) <= RuledSurface::kLastStep_mm && std::abs(twist) <= kLittleTurn;
     good[i] = is_last && !flat && !along_ray && !no_normal && !grazes && way > 0 ? 1.0 : 0.0;
     out_s[i] = s + step, out_r[i] = r, out_z[i] = way;
     s_x[i] = way_x, s_y[i] = way_y, s_z[i] = way_z;

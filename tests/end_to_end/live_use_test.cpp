@@ -1,7 +1,6 @@
 // Live use for a while, as at a bench: a camera with faults, a finger measured from its newest
 // frame, one recording after the other, a finger calibrated again and again, a slow onlooker.
 // ALLTACT_SOAK_SECONDS makes it longer; then its figures lie in ALLTACT_SOAK_FILE.
-#include "calibration/finger/calibrate_finger.h"
 #include "calibration/reference/reference_recording.h"
 #include "core/recording/journal.h"
 #include "core/recording/recorder.h"
@@ -9,7 +8,7 @@
 #include "core/sensing/result_json.h"
 #include "core/sources/v4l2/v4l2_camera.h"
 #include "tests/rigs/fake_camera.h"
-#include "tests/support/flat_finger.h"
+#include "tests/support/flat_calibration.h"
 #include "tests/support/marked_finger.h"
 #include "tests/support/process_figures.h"
 #include "tests/support/program.h"
@@ -156,12 +155,7 @@ void record(const std::shared_ptr<V4l2Camera>& camera,
 
 /// What `alltact calibrate` does, again and again.
 void calibrate(const test::FlatFinger& flat, int& calibrated, const std::atomic<bool>& is_over) {
-  FingerCalibrationInput input;
-  input.folder = flat.finger();
-  input.presses.files.assign(flat.presses.begin(), flat.presses.end());
-  input.said.ball_radius_mm = 4;
-  input.reference = flat.file("ref.png");
-  input.program_version = "0.1.0";
+  const FingerCalibrationInput input = test::flat_calibration(flat);
   while (!is_over) {
     const auto done = calibrate_finger(input, Job());
     ASSERT_TRUE(done.ok()) << done.error().sentence();

@@ -18,6 +18,7 @@
 #include "tests/fuzz/readers.h"
 #include "tests/support/flat_sensor.h"
 #include "tests/support/two_marker_force.h"
+#include "tests/support/written_region.h"
 
 namespace alltact::test {
 namespace {
@@ -147,15 +148,7 @@ std::vector<std::string> result_seeds() {
   frame->time_ns = 123456789012345678;
   result.frame = frame;
   result.depth.emplace();
-  ContactRegion region;
-  region.place_mm = region.deepest_point_mm = {3.1, -0.2, 48.0};
-  region.deepest_mm = 0.8;
-  region.place_covariance_mm2 = Eigen::Vector3d(0.01, 0.02, 0.04).asDiagonal();
-  region.angle_deg = 12.5, region.angle_sd_deg = 0.25;
-  region.axis = Eigen::Vector3d(0.6, 0, 0.8);
-  region.normal = Eigen::Vector3d(-0.8, 0, 0.6);
-  region.polygon_mm = {{1, 2}, {3, 4}, {1, 5}};
-  result.regions = {region};
+  result.regions = {written_region()};
   return {result_line(result, 3, ReferenceMethod::kLocal) + "\n",
           failure_line("frame_00004", 4, {en::say("the picture is black")}) + "\n"};
 }

@@ -6,13 +6,6 @@
 #include <QApplication>
 
 namespace alltact {
-namespace {
-
-double seconds_now() {
-  return 1e-9 * static_cast<double>(monotonic_ns());
-}
-
-}  // namespace
 
 QString CheckPage::why_not_take() const {
   if (!session_.view()) return tr("There is no live picture: choose a source.");
@@ -28,7 +21,7 @@ void CheckPage::press_pedal() {
 void CheckPage::take() {
   if (!why_not_take().isEmpty()) return;
   live_->freeze(false);
-  const auto taken = taker_.want(seconds_now());
+  const auto taken = taker_.want(monotonic_s());
   if (taken) keep_taken(*taken);
   follow_source();
   show_status();
@@ -49,7 +42,7 @@ void CheckPage::watch() {
   if (!isVisible()) return;
   const FrameResult& result = session_.view()->result;
   const auto waited = taker_.state();
-  if (const auto taken = taker_.see(result.frame, dark_patch(result), seconds_now()))
+  if (const auto taken = taker_.see(result.frame, dark_patch(result), monotonic_s()))
     keep_taken(*taken);
   if (taker_.state() != waited) show_status();
 }

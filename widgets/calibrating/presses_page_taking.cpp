@@ -6,13 +6,6 @@
 #include <QApplication>
 
 namespace alltact {
-namespace {
-
-double now_s() {
-  return 1e-9 * static_cast<double>(monotonic_ns());
-}
-
-}  // namespace
 
 QString PressesPage::why_not_take() const {
   if (!session_.view()) return tr("There is no live picture: choose a source.");
@@ -28,7 +21,7 @@ void PressesPage::take() {
   refused_.reset();
   live_->freeze(false);
   show_press({});
-  const auto taken = taker_.want(now_s());
+  const auto taken = taker_.want(monotonic_s());
   if (taken) keep_taken(*taken);
   follow_source();
   show_problems();
@@ -73,8 +66,9 @@ void PressesPage::watch_contact() {
   const FrameResult& result = session_.view()->result;
   const bool can_take = why_not_take().isEmpty();
   guided_ = can_take ? guided_frame(result, desk_, forecast_, 0) : GuidedFrame();
-  const bool is_still = still_.add(guided_.contact, now_s()) && can_take;
-  const auto taken = taker_.see(can_take ? result.frame : FramePtr(), guided_.contact, now_s());
+  const bool is_still = still_.add(guided_.contact, monotonic_s()) && can_take;
+  const auto taken =
+      taker_.see(can_take ? result.frame : FramePtr(), guided_.contact, monotonic_s());
   guided_.held = held_part();
   show_guide();
   if (taken)

@@ -224,7 +224,7 @@ void RecordPlace::look_at_frame() {
   unknown_frames_ = touch_ == FaceTouch::kUnknown ? unknown_frames_ + 1 : 0;
   const bool is_recording = session_.status().recording.state == RecordingState::kRunning;
   if (is_recording && is_touched_) ++touched_frames_;
-  if (!is_recording) rig_.add(result, 1e-9 * static_cast<double>(monotonic_ns()));
+  if (!is_recording) rig_.add(result, monotonic_s());
   show_coverage();
 }
 

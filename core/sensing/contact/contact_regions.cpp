@@ -183,8 +183,7 @@ class RegionSums {
     const double sd = sd_of_mean({noise_ / pixels, systematic_ / pixels}, pixels, options);
     return depth_ / pixels >= kLeastSds * sd;
   }
-  /// How many standard deviations deep the deepest place lies, infinite where none is told; what
-  /// lies a little beside a steep wall is as deep as that, wherever exactly.
+  /// How many standard deviations deep the deepest place lies; infinite where none is told.
   [[nodiscard]] double sds_deep(const RegionOptions& options) const {
     if (!options.pressed) return std::numeric_limits<double>::infinity();
     DepthCauses causes = pressed_at(options, deepest_px_, region_.deepest_mm);

@@ -90,20 +90,25 @@ struct RegionOptions {
   std::function<DepthCauses(int, int, double)> pressed = {};
 };
 
-/// Regions ordered by volume, largest first, but for those whose greatest depth is less than half
-/// as many of its standard deviations as the surest one's: they come last, because in a pose that
-/// was never recorded a wide stretch may seem dented a little. A cell is touched where its mean
-/// depth is above the threshold and at least 4 times what noise and reference can make of untouched
-/// skin there: sd^2 = noise^2 / n + systematic^2, n its independent pixels (one in correlated_px2).
-/// A region's mean depth must be that, too, with n its own, and its greatest one 4 of
-/// deepest_sd_mm. Where the skin is pressed deepest: skin moves along z, so that on a face inclined
-/// by theta the middle of a body, that of the volume which it displaces, and the skin that lies
-/// deepest below it differ by d sin(theta) along the face, d the greatest depth. The skin's own
-/// centre, weighted with d - h (h the depth at which the region ends), lies between them, (sum of
-/// (d - h)^2 / sum of (d - h) / 2 + h) sin(theta) from the middle, by partial integration. The
-/// angle is that of principal_axis.h. Its sd holds what noise does and axis_beyond_noise_deg, the
-/// latter over the square root of the region's width (sd across its axis, mm); not how well lens,
-/// mapping and light are known.
+/// Regions ordered by volume, largest first; but those whose greatest depth is less than half as
+/// many of its standard deviations as the surest one's come last, because in a pose that was never
+/// recorded a wide stretch may seem dented a little.
+///
+/// A cell is touched where its mean depth is above the threshold and at least 4 times what noise
+/// and reference can make of untouched skin there: sd^2 = noise^2 / n + systematic^2, n its
+/// independent pixels (one in correlated_px2). A region's mean depth must be that, too, with n its
+/// own, and its greatest depth 4 times what that may be off by, but for DepthCauses::lateral: what
+/// lies a little beside a steep wall is as deep all the same.
+///
+/// Where the skin is pressed deepest: skin moves along z, so that on a face inclined by theta the
+/// middle of a body, that of the volume which it displaces, and the skin that lies deepest below it
+/// differ by d sin(theta) along the face, d the greatest depth. The skin's own centre, weighted
+/// with d - h (h the depth at which the region ends), lies between them, (sum of (d - h)^2 / sum of
+/// (d - h) / 2 + h) sin(theta) from the middle, by partial integration.
+///
+/// The angle is that of principal_axis.h. Its sd holds what noise does and axis_beyond_noise_deg,
+/// the latter over the square root of the region's width (sd across its axis, mm); not how well
+/// lens, mapping and light are known.
 [[nodiscard]] std::vector<ContactRegion> contact_regions(const DepthMap& depth,
                                                          const FaceShape& shape,
                                                          const Face& face,

@@ -55,9 +55,6 @@ ALLTACT_WIDE void meet_sides(const SideRow& r) {
   }
 }
 
-// So many pixels beyond what is drawn of a side, however slanted, nothing of it is seen.
-constexpr double kSurePixels = 50;
-
 // Where each ray meets the side that it points to.
 void meet_sides_by_rays(const SideRow& r, const FrameGeometry& geometry, int v) {
   const auto n = static_cast<std::size_t>(r.n);

@@ -1,7 +1,6 @@
 // A calibration may be stopped at any moment: then there is the best solution so far, or the finger
 // is as it was.
-#include "calibration/finger/calibrate_finger.h"
-#include "tests/support/flat_finger.h"
+#include "tests/support/flat_calibration.h"
 
 #include <cmath>
 
@@ -31,12 +30,7 @@ struct Stopped {
   int reports = 0;
 };
 Stopped calibrate_until(const FlatFinger& flat, int count) {
-  FingerCalibrationInput input;
-  input.folder = flat.finger();
-  input.presses.files.assign(flat.presses.begin(), flat.presses.end());
-  input.said.ball_radius_mm = 4;
-  input.reference = flat.file("ref.png");
-  input.program_version = "0.1.0";
+  FingerCalibrationInput input = flat_calibration(flat);
   input.make_report = one_page;
   int reports = 0;
   Job* self = nullptr;

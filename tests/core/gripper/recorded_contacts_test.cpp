@@ -1,6 +1,7 @@
 #include "core/gripper/recorded_contacts.h"
 
 #include "core/sensing/result_json.h"
+#include "tests/support/written_region.h"
 
 #include <random>
 
@@ -11,23 +12,10 @@
 namespace alltact {
 namespace {
 
+using test::written_region;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Pair;
-
-ContactRegion written_region() {
-  ContactRegion region;
-  region.place_mm = {3.1, -0.2, 48.0};
-  region.place_px = {100, 100};
-  region.deepest_point_mm = region.place_mm;
-  region.deepest_mm = 0.8;
-  region.place_covariance_mm2 = Eigen::Vector3d(0.01, 0.02, 0.04).asDiagonal();
-  region.angle_deg = 12.5, region.angle_sd_deg = 0.25;
-  region.axis = Eigen::Vector3d(0.6, 0, 0.8);
-  region.normal = Eigen::Vector3d(-0.8, 0, 0.6);
-  region.polygon_mm = {{1, 2}, {3, 4}, {1, 5}};
-  return region;
-}
 
 /// A line as the program writes it.
 std::string written_line(std::int64_t time_ns) {

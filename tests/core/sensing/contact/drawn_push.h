@@ -86,9 +86,9 @@ inline std::optional<Told> told_of(const std::string& scene, Parameters& random)
   frame->grey = plan->render(1);
   const auto result = Pipeline::before_reference(*snapshot, {})(frame);
   if (!result || !result->shape) return std::nullopt;
-  const Truth rest = plan->truth(0);
+  const Truth rest = plan->truth(0, TruthDetail::kWithoutPictures);
   Told told;
-  told.truth = plan->truth(1);
+  told.truth = plan->truth(1, TruthDetail::kWithoutPictures);
   std::mt19937 bits(static_cast<unsigned>(1e9 * random.between(0, 1)));
   std::normal_distribution<double> noise(0.0, kMarkerNoise_px);
   ContactSettings settings;
