@@ -163,7 +163,7 @@ Status write_video(const SimulateOptions& options,
     frame.name = name;
     frame.origin = options.scene.string();
     if (!writer) {
-      auto made = VideoWriter::create(file, frame, VideoCodec::kFfv1, plan.frames_per_s());
+      auto made = VideoWriter::create(file, frame, VideoCodec::kMagicYuv, plan.frames_per_s());
       if (!made) return made.error();
       writer = std::move(*made);
     }

@@ -24,7 +24,7 @@ class ReferenceVideo {
 
   Status add(const Frame& frame) {
     if (!writer_) {
-      auto made = VideoWriter::create(file_, frame, VideoCodec::kFfv1, frames_per_s_);
+      auto made = VideoWriter::create(file_, frame, VideoCodec::kMagicYuv, frames_per_s_);
       if (!made) return made.error();
       writer_ = std::move(*made);
     }

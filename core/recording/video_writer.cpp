@@ -2,12 +2,9 @@
 
 #include "core/recording/matroska_file.h"
 
-#include <chrono>
-
 namespace alltact {
 namespace {
 
-constexpr double kFfv1Share = 0.4;  // of a frame's time; the rest is for everyone else
 constexpr int kSlices = 4;
 constexpr int kSmallestSliced = 32;  // px; smaller pictures cannot be cut into slices
 
@@ -83,29 +80,9 @@ class Encoder {
   AvPtr<AVFrame> picture_{av_frame_alloc()};
 };
 
-double seconds_now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-/// True when FFV1 leaves time enough on this computer, by trying.
-bool keeps_up_with_ffv1(const cv::Mat& grey, double frames_per_s) {
-  auto encoder = Encoder::create(VideoCodec::kFfv1, grey.size(), frames_per_s);
-  if (!encoder) return false;
-  const AvPtr<AVPacket> packet(av_packet_alloc());
-  // The first picture makes tables that the others find made.
-  double seconds = 0;
-  for (int i = 0; i < 2; ++i) {
-    const double begin = seconds_now();
-    if (!encoder->encode(grey, *packet)) return false;
-    seconds = seconds_now() - begin;
-  }
-  return seconds <= kFfv1Share / frames_per_s;
-}
-
-VideoCodec resolved(VideoCodec wanted, const Frame& first, double frames_per_s) {
+VideoCodec resolved(VideoCodec wanted, const Frame& first) {
   if (wanted != VideoCodec::kAuto) return wanted;
-  if (first.jpeg) return VideoCodec::kMjpeg;
-  return keeps_up_with_ffv1(first.grey, frames_per_s) ? VideoCodec::kFfv1 : VideoCodec::kMagicYuv;
+  return first.jpeg ? VideoCodec::kMjpeg : VideoCodec::kMagicYuv;
 }
 
 AvPtr<AVCodecParameters> mjpeg_parameters(cv::Size size) {
@@ -189,7 +166,7 @@ Result<VideoWriter> VideoWriter::create(const std::filesystem::path& file,
   quiet_libav();
   const cv::Size size = first.grey.size();
   if (Status status = check(first, size, wanted); !status) return status.error();
-  const VideoCodec codec = resolved(wanted, first, frames_per_s);
+  const VideoCodec codec = resolved(wanted, first);
   std::optional<Encoder> encoder;
   auto parameters = mjpeg_parameters(size);
   if (codec != VideoCodec::kMjpeg) {

@@ -8,11 +8,13 @@
 #include "widgets/scene3d/vtk_view.h"
 
 #include <QApplication>
+#include <QElapsedTimer>
 #include <algorithm>
 #include <fstream>
 
 #include <benchmark/benchmark.h>
 #include <opencv2/imgcodecs.hpp>
+#include <sys/resource.h>
 
 namespace alltact::test {
 namespace {
@@ -40,15 +42,40 @@ void until_the_picture_moves(benchmark::State& state) {
 }
 BENCHMARK(until_the_picture_moves)->Unit(benchmark::kMillisecond)->Iterations(5)->UseRealTime();
 
-/// A camera's 1920 x 1080 MJPEG at 30 frames a second, a simulated finger in it; edges and markers
-/// found and drawn, everything recorded. Without a reference the markers are two plain rows.
+double processor_seconds() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+/// Depth for all frames from now on, as a calibrated finger has it.
+Status give_mapping(const std::filesystem::path& folder) {
+  auto finger = Finger::load(folder);
+  if (!finger) return finger.error();
+  finger->mapping.emplace();
+  finger->mapping->kind = MappingKind::kMoebius;
+  finger->mapping->x_max = 0.7;
+  finger->mapping->a_mm = 1.5;
+  finger->mapping->b = 0.5;
+  return finger->save(folder);
+}
+
+/// A camera's 1920 x 1080 MJPEG, a simulated finger in it; what the finger tells found and drawn:
+/// edges and markers, with a reference depth and contacts too. Everything is recorded. Without a
+/// reference the markers are two plain rows. cores: what the whole program takes, the made-up
+/// camera's share included.
 void age_of_full_hd(benchmark::State& state) {
   const bool has_reference = state.range(0) != 0;
+  const auto frames_per_s = static_cast<std::uint32_t>(state.range(1));
   const TemporaryFolder folder;
   std::ofstream(folder / "hd.yaml") << small_scene(false, 1920);
   const Plan plan = Plan::compile(Scene::load(folder / "hd.yaml").value(), 1).value();
   FakeOptions camera;
   camera.sizes = {{1920, 1080}};
+  camera.rates = {frames_per_s};
   constexpr int kPackets = 30;
   for (int i = 0; i < kPackets; ++i)
     cv::imencode(".jpg", plan.render(i), camera.packets.emplace_back());
@@ -62,7 +89,8 @@ void age_of_full_hd(benchmark::State& state) {
   const Status saved = save_camera(description.camera, plan.finger().camera);
   auto finger = make_finger(description);
   if (!saved || !finger) return state.SkipWithError("no finger");
-  if (has_reference && !give_reference(description.finger, {folder / "hd.yaml"}, Job()))
+  if (has_reference && (!give_reference(description.finger, {folder / "hd.yaml"}, Job()) ||
+                        !give_mapping(description.finger)))
     return state.SkipWithError("no reference");
   for (auto step : state) {
     StudioOptions options;
@@ -75,7 +103,12 @@ void age_of_full_hd(benchmark::State& state) {
     QTest::qWait(500);
     const std::size_t before = studio.session().ages_ms().size();
     studio.session().start_recording(folder / "hd.mkv");
+    const double busy_before = processor_seconds();
+    QElapsedTimer clock;
+    clock.start();
     QTest::qWait(8000);
+    state.counters["cores"] =
+        (processor_seconds() - busy_before) / (1e-3 * static_cast<double>(clock.elapsed()));
     studio.session().stop_recording();
     wait_until([&] { return studio.session().status().recording.state == RecordingState::kDone; });
     const auto& ages = studio.session().ages_ms();
@@ -93,9 +126,10 @@ void age_of_full_hd(benchmark::State& state) {
   }
 }
 BENCHMARK(age_of_full_hd)
-    ->ArgName("reference")
-    ->Arg(0)
-    ->Arg(1)
+    ->ArgNames({"reference", "frames_per_s"})
+    ->Args({0, 30})
+    ->Args({1, 30})
+    ->Args({1, 60})
     ->Unit(benchmark::kMillisecond)
     ->Iterations(1)
     ->UseRealTime();

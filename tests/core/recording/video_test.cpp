@@ -175,14 +175,12 @@ TEST(VideoWriter, SaysWhatItCannotRecord) {
 
 TEST(VideoWriter, ChoosesPacketsWhereThereAreAny) {
   const TemporaryFolder folder;
-  const auto choice = [&](bool is_jpeg, double frames_per_s) {
-    return VideoWriter::create(
-               folder / "v.mkv", *camera_frame(0, is_jpeg), VideoCodec::kAuto, frames_per_s)
+  const auto choice = [&](bool is_jpeg) {
+    return VideoWriter::create(folder / "v.mkv", *camera_frame(0, is_jpeg), VideoCodec::kAuto, 30)
         ->codec();
   };
-  EXPECT_EQ(choice(true, 30), VideoCodec::kMjpeg);
-  EXPECT_EQ(choice(false, 0.01), VideoCodec::kFfv1);     // any computer has 40 s
-  EXPECT_EQ(choice(false, 1e7), VideoCodec::kMagicYuv);  // none does it in 40 ns
+  EXPECT_EQ(choice(true), VideoCodec::kMjpeg);
+  EXPECT_EQ(choice(false), VideoCodec::kMagicYuv);
 }
 
 TEST(VideoWriter, TimesThatAreNoneOrGoBackwardsStillMakeAVideo) {
