@@ -8,6 +8,8 @@
 #include <system_error>
 #include <thread>
 
+#include <sys/mman.h>
+
 namespace alltact {
 
 namespace {
@@ -17,10 +19,20 @@ void say_nothing(QtMsgType type, const QMessageLogContext&, const QString& text)
   if (type == QtFatalMsg) std::fprintf(stderr, "%s\n", qPrintable(text));
 }
 
+/// Qt and libpng end the program where they get none, so they are asked to draw only where there is
+/// about twice what pages of a report were seen to take.
+bool has_room_to_draw() {
+  constexpr std::size_t kBytes = std::size_t{256} << 20;
+  void* room = ::mmap(nullptr, kBytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (room == MAP_FAILED) return false;
+  ::munmap(room, kBytes);
+  return true;
+}
+
 }  // namespace
 
-OffscreenDrawing::OffscreenDrawing() {
-  if (QCoreApplication::instance() != nullptr) return;
+OffscreenDrawing::OffscreenDrawing() : has_room_(has_room_to_draw()) {
+  if (!has_room_ || QCoreApplication::instance() != nullptr) return;
   qInstallMessageHandler(say_nothing);
   qputenv("QT_QPA_PLATFORM", "offscreen");
   // One size of everything, whatever the user's desktop says.
@@ -38,6 +50,7 @@ Status OffscreenDrawing::ready() const {
   constexpr int kPatience_ms = 2000;
   const Error none{
       en::say("there is not enough memory to draw"), "", en::say("close other programs")};
+  if (!has_room_) return none;
   try {
     std::thread([] {}).join();  // Qt's own pool would wait without end for one that cannot begin
   } catch (const std::system_error&) {

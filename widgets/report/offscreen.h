@@ -15,13 +15,14 @@ class OffscreenDrawing {
  public:
   OffscreenDrawing();
   ~OffscreenDrawing();
-  /// Error: there is not enough memory to draw. Nothing is to be drawn then: Qt would wait for
-  /// threads that never begin.
+  /// Error: there is not enough memory to draw. Nothing is to be drawn then: Qt would end the
+  /// program, or wait for threads that never begin.
   [[nodiscard]] Status ready() const;
   OffscreenDrawing(const OffscreenDrawing&) = delete;
   OffscreenDrawing& operator=(const OffscreenDrawing&) = delete;
 
  private:
+  bool has_room_;
   std::unique_ptr<QApplication> application_;
 };
 
