@@ -3698,7 +3698,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>Measured, or another ball</source>
-        <translation>Gemessen, oder eine andere Kugel</translation>
+        <translation>Gemessen, andere Kugel</translation>
     </message>
     <message>
         <source>Press %1</source>
@@ -6525,8 +6525,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>die Aufnahme konnte nicht beginnen</translation>
     </message>
     <message>
-        <source>how pictures are stored, all without loss: auto takes the camera&apos;s own packets (mjpeg) where it sends such, else ffv1 where this computer keeps up with it, else magicyuv</source>
-        <translation>wie Bilder gespeichert werden, alle ohne Verlust: auto nimmt die Pakete der Kamera (mjpeg), wo sie solche sendet, sonst ffv1, wo dieser Rechner mitkommt, sonst magicyuv</translation>
+        <source>how pictures are stored, all without loss: auto takes the camera&apos;s own packets (mjpeg) where it sends such, else magicyuv; ffv1 is about a tenth smaller and four times slower to read</source>
+        <translation>wie Bilder gespeichert werden, alle ohne Verlust: auto nimmt die Pakete der Kamera (mjpeg), wo sie solche sendet, sonst magicyuv; ffv1 ist etwa ein Zehntel kleiner und viermal langsamer zu lesen</translation>
     </message>
     <message>
         <source>memory for frames that wait for the disk, in megabytes</source>
@@ -13109,12 +13109,12 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>{} wurde zuletzt um {} geändert, und die Uhr dieses Rechners sagt {}: Stellen Sie die Uhr</translation>
     </message>
     <message>
-        <source>its disk does not answer and is waited for</source>
-        <translation>sein Datenträger antwortet nicht; es wird auf ihn gewartet</translation>
+        <source>its disk takes long to answer and is waited for</source>
+        <translation>sein Datenträger lässt lange auf Antwort warten; es wird auf ihn gewartet</translation>
     </message>
     <message>
-        <source>look after the network, or the cable of that disk</source>
-        <translation>nach dem Netzwerk oder dem Kabel dieses Datenträgers zu sehen</translation>
+        <source>wait; where it lasts, look after the network or the cable of that disk</source>
+        <translation>abzuwarten und, wenn es andauert, nach dem Netzwerk oder dem Kabel dieses Datenträgers zu sehen</translation>
     </message>
     <message>
         <source>the push on the back moves the markers too little, or bends the finger too far, to tell how far from the base it is</source>

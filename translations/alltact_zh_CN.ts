@@ -6485,8 +6485,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>无法开始录制</translation>
     </message>
     <message>
-        <source>how pictures are stored, all without loss: auto takes the camera&apos;s own packets (mjpeg) where it sends such, else ffv1 where this computer keeps up with it, else magicyuv</source>
-        <translation>图片如何存储,均为无损:auto 在相机送出数据包(mjpeg)时直接采用,否则若本机跟得上用 ffv1,再否则用 magicyuv</translation>
+        <source>how pictures are stored, all without loss: auto takes the camera&apos;s own packets (mjpeg) where it sends such, else magicyuv; ffv1 is about a tenth smaller and four times slower to read</source>
+        <translation>图片如何存储,均为无损:auto 在相机送出数据包(mjpeg)时直接采用,否则用 magicyuv;ffv1 约小十分之一,但读取慢四倍</translation>
     </message>
     <message>
         <source>memory for frames that wait for the disk, in megabytes</source>
@@ -13058,12 +13058,12 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>{} 上次更改于 {}，而本机时钟显示 {}：请校准时钟</translation>
     </message>
     <message>
-        <source>its disk does not answer and is waited for</source>
-        <translation>其磁盘没有响应，正在等待</translation>
+        <source>its disk takes long to answer and is waited for</source>
+        <translation>其磁盘响应缓慢，正在等待</translation>
     </message>
     <message>
-        <source>look after the network, or the cable of that disk</source>
-        <translation>检查网络或该磁盘的连接线</translation>
+        <source>wait; where it lasts, look after the network or the cable of that disk</source>
+        <translation>请稍候；若持续如此，请检查网络或该磁盘的连接线</translation>
     </message>
     <message>
         <source>the push on the back moves the markers too little, or bends the finger too far, to tell how far from the base it is</source>

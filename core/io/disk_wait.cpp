@@ -98,9 +98,9 @@ std::vector<std::filesystem::path> DiskWatch::slow() const {
 }
 
 Error slow_disk(const std::filesystem::path& file) {
-  return {en::say("its disk does not answer and is waited for"),
+  return {en::say("its disk takes long to answer and is waited for"),
           file.string(),
-          en::say("look after the network, or the cable of that disk")};
+          en::say("wait; where it lasts, look after the network or the cable of that disk")};
 }
 
 }  // namespace alltact

@@ -143,7 +143,7 @@ TEST_F(DiskFaults, ADiskThatStallsIsToldOfAndCanBeLeft) {
       finger(),
       ALLTACT_FAULTY_DISK,
       ALLTACT_PROGRAM));
-  EXPECT_THAT(run.errors, HasSubstr("finger.yaml: its disk does not answer"));
+  EXPECT_THAT(run.errors, HasSubstr("finger.yaml: its disk takes long to answer"));
   EXPECT_EQ(run.status, 128 + SIGINT);
 }
 

@@ -163,7 +163,9 @@ class Geometry : public testing::Test {
                                tile);
   }
   static void keep_sheet(const char* name, const QImage& sheet) {
-    if (!qEnvironmentVariableIsSet("ALLTACT_RENEW_GALLERY")) return;
+    if (!qEnvironmentVariableIsSet("ALLTACT_RENEW_GALLERY") ||
+        qEnvironmentVariableIsSet("QT_SCALE_FACTOR"))
+      return;
     const std::filesystem::path folder =
         std::filesystem::path(ALLTACT_SOURCE_DIR) / "tests/gallery/pages";
     std::filesystem::create_directories(folder);

@@ -33,7 +33,7 @@ TEST(StalledDisk, IsSaidInOneSentenceUntilItAnswers) {
   options.finger = finger;
   options.slow_files = [&disks] { return disks.slow(); };
   Studio studio(options);
-  const std::string sentence = "its disk does not answer";
+  const std::string sentence = "its disk takes long to answer";
   ASSERT_TRUE(
       wait_until([&] { return studio.problems().find(sentence) != std::string::npos; }, 5000));
   const std::string said = studio.problems();

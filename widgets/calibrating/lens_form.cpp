@@ -47,6 +47,7 @@ LensForm::LensForm(QWidget* parent)
   columns_->setValue(9);
   rows_->setValue(6);
   auto* size = new QHBoxLayout;
+  size->setSpacing(4);  // px: "9 by 6" stands in one line of the side
   size->addWidget(columns_);
   size->addWidget(by_label_);
   size->addWidget(rows_);

@@ -178,7 +178,7 @@ void AccuracyPlot::draw_marks() {
   for (const AccuracyPoint& point : points_)
     if (point.is_in_use)
       mark(tr("in use now"),
-           QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(text, 2), Qt::NoBrush, 17),
+           QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(text, 2), Qt::NoBrush, 13),
            point);
 }
 

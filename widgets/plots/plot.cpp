@@ -3,6 +3,7 @@
 #include "widgets/plots/custom_plot.h"
 
 #include <QEvent>
+#include <QLocale>
 #include <QSvgGenerator>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -73,7 +74,9 @@ bool Plot::save_svg(const QString& file, const QSize& size) {
 
 void Plot::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) rebuild();
+  const auto type = event->type();
+  if (type == QEvent::PaletteChange || type == QEvent::FontChange || type == QEvent::LanguageChange)
+    rebuild();
 }
 
 void Plot::showEvent(QShowEvent* event) {
@@ -134,6 +137,9 @@ void Plot::dress_axis(QCPAxis* axis) const {
 }
 
 void Plot::dress() {
+  QLocale numbers;  // the window's, which may have changed since
+  numbers.setNumberOptions(QLocale::OmitGroupSeparator);
+  chart_->setLocale(numbers);
   chart_->setBackground(QBrush(palette().color(QPalette::Base)));
   for (QCPAxis* axis : {chart_->xAxis, chart_->yAxis}) dress_axis(axis);
   for (QCPAxis* axis : {chart_->xAxis2, chart_->yAxis2}) {
