@@ -1,21 +1,19 @@
 // A change of one value that can be undone.
 #pragma once
 
-#include <QUndoCommand>
-#include <functional>
-#include <utility>
+#include "widgets/undo_step.h"
 
 namespace alltact {
 
 /// Holds the values before and after, never a pointer into what they belong to. Changes with the
 /// same `merge_id` (>= 0) that follow each other are one step.
 template <class T>
-class ValueChange : public QUndoCommand {
+class ValueChange : public UndoStep {
  public:
   using Apply = std::function<void(const T&)>;
 
-  ValueChange(const QString& text, T before, T after, Apply apply, int merge_id = -1)
-      : QUndoCommand(text),
+  ValueChange(StepWords words, T before, T after, Apply apply, int merge_id = -1)
+      : UndoStep(std::move(words)),
         before_(std::move(before)),
         after_(std::move(after)),
         apply_(std::move(apply)),

@@ -1,6 +1,7 @@
 #include "app/studio/edit_menu.h"
 
 #include "app/studio/workspace.h"
+#include "widgets/undo_step.h"
 
 namespace alltact {
 
@@ -31,8 +32,8 @@ void EditMenu::follow() {
   const bool can_undo = stack_.canUndo(), can_redo = stack_.canRedo();
   undo_->setEnabled(can_undo && !would_end_recording(stack_.command(stack_.index() - 1)));
   redo_->setEnabled(can_redo && !would_end_recording(stack_.command(stack_.index())));
-  undo_->setText(can_undo ? tr("&Undo: %1").arg(stack_.undoText()) : tr("&Undo"));
-  redo_->setText(can_redo ? tr("&Redo: %1").arg(stack_.redoText()) : tr("&Redo"));
+  undo_->setText(can_undo ? tr("&Undo: %1").arg(undo_words(stack_)) : tr("&Undo"));
+  redo_->setText(can_redo ? tr("&Redo: %1").arg(redo_words(stack_)) : tr("&Redo"));
 }
 
 }  // namespace alltact

@@ -43,7 +43,10 @@ void Workspace::open_finger(const std::filesystem::path& folder) {
   const auto wanted = whole_path(folder);
   if (wanted == state_.finger) return set_finger(wanted);
   undo_.push(new ValueChange<std::filesystem::path>(
-      wanted.empty() ? tr("close the finger") : tr("open finger %1").arg(short_name(wanted)),
+      [wanted] {
+        return wanted.empty() ? tr("close the finger")
+                              : tr("open finger %1").arg(short_name(wanted));
+      },
       state_.finger,
       wanted,
       [this](const std::filesystem::path& finger) { set_finger(finger); }));
@@ -51,11 +54,14 @@ void Workspace::open_finger(const std::filesystem::path& folder) {
 
 void Workspace::open_source(const Inputs& inputs) {
   if (inputs == state_.source) return set_source(inputs);
-  undo_.push(new InputsChange(inputs.empty() ? tr("close the source")
-                                             : tr("open source %1").arg(short_name(inputs.front())),
-                              state_.source,
-                              inputs,
-                              [this](const Inputs& wanted) { set_source(wanted); }));
+  undo_.push(new InputsChange(
+      [inputs] {
+        return inputs.empty() ? tr("close the source")
+                              : tr("open source %1").arg(short_name(inputs.front()));
+      },
+      state_.source,
+      inputs,
+      [this](const Inputs& wanted) { set_source(wanted); }));
 }
 
 void Workspace::begin_with(const std::filesystem::path& finger, const Inputs& source) {

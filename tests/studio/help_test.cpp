@@ -159,6 +159,7 @@ void expect_like_kept(
     dresser.wear({Theme::kLight, QString::fromStdString(page.language)});
     QTest::qWait(400);
     ASSERT_TRUE(wait_until(is_calm));
+    QTest::qWait(100);  // plots are painted with the next turns of the loop
     const QImage now = reduced(window.grab().toImage());
     const QString file = QString::fromStdString(page.file(".png").string());
     if (qEnvironmentVariableIsSet("ALLTACT_RENEW_HELP")) {

@@ -1,9 +1,11 @@
 // One stack of steps for the session: finger and source can be taken back like everything else.
+#include "app/studio/dresser.h"
 #include "core/sources/open/open_source.h"
 #include "tests/studio/studio_rig.h"
 
 #include <QAction>
 #include <QCheckBox>
+#include <QMenu>
 #include <QMenuBar>
 #include <QSlider>
 
@@ -97,6 +99,28 @@ TEST(Undo, LeadsBackToTheFirstPage) {
     });
   }));
   EXPECT_NE(studio.find<QToolButton>("Source: none"), nullptr);
+}
+
+/// The menu's line that undoes.
+QString undo_line(Studio& studio) {
+  for (QMenu* menu : studio.window().findChildren<QMenu*>())
+    for (const QAction* action : menu->actions())
+      if (action->shortcut() == QKeySequence(Qt::CTRL | Qt::Key_Z)) return action->text();
+  return {};
+}
+
+TEST(Undo, SaysWhatWasDoneInTheLanguageOfNow) {
+  Studio studio(calibrated());
+  ASSERT_TRUE(wait_for_finger(studio, MadeFingers::get().calibrated()));
+  studio.window().open_finger(MadeFingers::get().described());
+  EXPECT_TRUE(undo_line(studio).endsWith("open finger described"))
+      << undo_line(studio).toStdString();
+  Dresser dresser;
+  dresser.wear({Theme::kLight, QStringLiteral("de")});
+  EXPECT_TRUE(wait_until([&] { return undo_line(studio).endsWith("Finger described öffnen"); }))
+      << undo_line(studio).toStdString();
+  dresser.wear({Theme::kLight, QStringLiteral("en")});
+  EXPECT_TRUE(wait_until([&] { return undo_line(studio).endsWith("open finger described"); }));
 }
 
 TEST(Undo, OpeningWhatIsOpenIsNoStep) {

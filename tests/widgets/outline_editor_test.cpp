@@ -128,7 +128,7 @@ class OutlineEditorTest : public testing::Test {
                      &OutlineEditor::ball_moved,
                      [this](const Eigen::Vector3d& before, const Eigen::Vector3d& after, int grip) {
                        undo_.push(new ValueChange<Eigen::Vector3d>(
-                           QStringLiteral("move"),
+                           [] { return QStringLiteral("move"); },
                            before,
                            after,
                            [this](const Eigen::Vector3d& c) { put(c); },

@@ -122,7 +122,7 @@ void FingerStudyRun::use(std::size_t row) {
   const auto& rows = study_->study.rows;
   const PipelineSettings& wanted = rows[row].settings;
   undo_.push(new ValueChange<InUse>(
-      tr("use other settings"),
+      [] { return tr("use other settings"); },
       in_use_,
       InUse{name_of_use(wanted, rows.front().settings), wanted},
       [this, folder = folder_](const InUse& value) { set_in_use(folder, value); }));

@@ -5,8 +5,8 @@
 #include "core/io/atomic_file.h"
 #include "core/utc_time.h"
 #include "widgets/report/calibration_pages.h"
+#include "widgets/undo_step.h"
 
-#include <QUndoCommand>
 #include <algorithm>
 #include <mutex>
 #include <set>
@@ -53,10 +53,10 @@ struct CalibrationRun::HeardRounds {
 };
 
 /// A calibration as a step: what was written before it is put back.
-class CalibrationRun::Undo : public QUndoCommand {
+class CalibrationRun::Undo : public UndoStep {
  public:
   Undo(CalibrationRun& run, Files before, Made made_before, Made made_after)
-      : QUndoCommand(tr("calibrate")),
+      : UndoStep([] { return tr("calibrate"); }),
         run_(run),
         folder_(run.desk_.folder()),
         before_(std::move(before)),

@@ -219,7 +219,7 @@ void CheckPage::check() {
       taken_.clear();
       last_ = checked->check;
       undo_.push(new ValueChange<std::optional<std::string>>(
-          tr("check"),
+          [] { return tr("check"); },
           checked->before,
           checked->after,
           [this, folder](const std::optional<std::string>& content) {

@@ -9,6 +9,7 @@
 #include "widgets/panels/picture_panel.h"
 #include "widgets/plots/history_plot.h"
 #include "widgets/shell/problem_list.h"
+#include "widgets/undo_step.h"
 
 #include <QGroupBox>
 #include <QProgressBar>
@@ -51,7 +52,7 @@ class CheckPage : public StepPage {
   void check();
   void begin_again();
   void forget_taken();
-  void set_taken(const QString& what, std::vector<FramePtr> frames);
+  void set_taken(const StepWords& what, std::vector<FramePtr> frames);
   void load_history();
   void write_history(const std::optional<std::string>& content);
   void show_history();

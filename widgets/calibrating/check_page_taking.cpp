@@ -33,7 +33,7 @@ void CheckPage::keep_taken(const PressTaker::Taken& taken) {
   copy->jpeg.reset();
   auto more = taken_;
   more.push_back(copy);
-  set_taken(tr("take a press for the check"), std::move(more));
+  set_taken([] { return tr("take a press for the check"); }, std::move(more));
   live_->flash(tr("Press %1").arg(taken_.size()));
   QApplication::beep();
 }
@@ -57,7 +57,7 @@ void CheckPage::hideEvent(QHideEvent* event) {
   StepPage::hideEvent(event);
 }
 
-void CheckPage::set_taken(const QString& what, std::vector<FramePtr> frames) {
+void CheckPage::set_taken(const StepWords& what, std::vector<FramePtr> frames) {
   undo_.push(new ValueChange<std::vector<FramePtr>>(
       what,
       taken_,
@@ -70,7 +70,7 @@ void CheckPage::set_taken(const QString& what, std::vector<FramePtr> frames) {
 }
 
 void CheckPage::begin_again() {
-  set_taken(tr("begin the check again"), {});
+  set_taken([] { return tr("begin the check again"); }, {});
 }
 
 }  // namespace alltact

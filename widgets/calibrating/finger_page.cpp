@@ -150,7 +150,7 @@ void FingerPage::change_sizes() {
   const Sizes wanted(face.kind == FaceKind::kFinRay ? width_->value() : face.width_mm,
                      layer_->value());
   undo_.push(new ValueChange<Sizes>(
-      tr("change the finger's sizes"),
+      [] { return tr("change the finger's sizes"); },
       Sizes(face.width_mm, face.layer_mm),
       wanted,
       [this, folder = finger.folder](const Sizes& sizes) { write_sizes(folder, sizes); }));

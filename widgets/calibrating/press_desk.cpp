@@ -78,10 +78,10 @@ struct PressDesk::Waiting {
   std::set<std::string> unkept;  // presses whose pictures could not be written
 };
 
-class PressDesk::AddOrRemove : public QUndoCommand {
+class PressDesk::AddOrRemove : public UndoStep {
  public:
-  AddOrRemove(PressDesk& desk, const QString& text, std::vector<FramePtr> frames, bool adds)
-      : QUndoCommand(text),
+  AddOrRemove(PressDesk& desk, StepWords words, std::vector<FramePtr> frames, bool adds)
+      : UndoStep(std::move(words)),
         desk_(desk),
         frames_(std::move(frames)),
         adds_(adds),
@@ -273,14 +273,16 @@ std::string PressDesk::add(std::vector<FramePtr> frames) {
     frame = named(frame, name);
   }
   const std::string first = frames.front()->name;
-  undo_.push(new AddOrRemove(*this, tr("take %1").arg(as_text(first)), std::move(frames), true));
+  undo_.push(new AddOrRemove(
+      *this, [first] { return tr("take %1").arg(as_text(first)); }, std::move(frames), true));
   return first;
 }
 
 void PressDesk::remove(const std::string& name) {
   const DeskPress* press = find(name);
   if (press == nullptr || !press->frame) return;
-  undo_.push(new AddOrRemove(*this, tr("remove %1").arg(as_text(name)), {press->frame}, false));
+  undo_.push(new AddOrRemove(
+      *this, [name] { return tr("remove %1").arg(as_text(name)); }, {press->frame}, false));
 }
 
 void PressDesk::insert(const std::vector<FramePtr>& frames) {
@@ -339,11 +341,13 @@ void PressDesk::add_files(const std::vector<fs::path>& inputs) {
         return true;
       });
       if (!frames->empty())
-        undo_.push(
-            new AddOrRemove(*this,
-                            tr("add %n picture(s)", nullptr, static_cast<int>(frames->size())),
-                            std::move(*frames),
-                            true));
+        undo_.push(new AddOrRemove(
+            *this,
+            [count = static_cast<int>(frames->size())] {
+              return tr("add %n picture(s)", nullptr, count);
+            },
+            std::move(*frames),
+            true));
       if (!twice.isEmpty())
         Q_EMIT refused({Meaning::kDoubtful,
                         tr("There are presses of these names already: %1.").arg(twice.join(", ")),

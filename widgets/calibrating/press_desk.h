@@ -7,6 +7,7 @@
 #include "widgets/background_work.h"
 #include "widgets/calibrating/press_looker.h"
 #include "widgets/shell/problem_list.h"
+#include "widgets/undo_step.h"
 
 #include <QObject>
 #include <QUndoStack>
@@ -94,10 +95,10 @@ class PressDesk : public QObject {
   void load();
   void load_looker();
   void look_at_next();
-  void change(const QString& text, PressSet said, int merge_id = -1);
-  void change_radii(const QString& text, PressSet said, int merge_id);
+  void change(const StepWords& words, PressSet said, int merge_id = -1);
+  void change_radii(const StepWords& words, PressSet said, int merge_id);
   /// What `change` makes of a press' note.
-  void change_note(const QString& text,
+  void change_note(const StepWords& words,
                    const std::string& name,
                    const std::function<void(PressNote&)>& change,
                    int merge_id = -1);

@@ -11,10 +11,10 @@ enum MergeId { kRadius = 5'000'000, kOperator, kGrips = 5'100'000 };
 
 }  // namespace
 
-void PressDesk::change(const QString& text, PressSet said, int merge_id) {
+void PressDesk::change(const StepWords& words, PressSet said, int merge_id) {
   if (said == said_ || folder_.empty()) return;
   undo_.push(new ValueChange<PressSet>(
-      text,
+      words,
       said_,
       std::move(said),
       [this, folder = folder_](const PressSet& value) {
@@ -23,16 +23,16 @@ void PressDesk::change(const QString& text, PressSet said, int merge_id) {
       merge_id));
 }
 
-void PressDesk::change_radii(const QString& text, PressSet said, int merge_id) {
+void PressDesk::change_radii(const StepWords& words, PressSet said, int merge_id) {
   // Outlines drawn by hand stay where they are: the same cone, another ball.
   if (looker_ && looker_->is_perspective())
     for (auto& [name, note] : said.notes)
       if (const double before = said_.radius_of(name); note.ball_mm && before > 0)
         *note.ball_mm *= said.radius_of(name) / before;
-  change(text, std::move(said), merge_id);
+  change(words, std::move(said), merge_id);
 }
 
-void PressDesk::change_note(const QString& text,
+void PressDesk::change_note(const StepWords& words,
                             const std::string& name,
                             const std::function<void(PressNote&)>& change_it,
                             int merge_id) {
@@ -40,14 +40,14 @@ void PressDesk::change_note(const QString& text,
   PressNote note = said.of(name);
   change_it(note);
   said.say(name, std::move(note));
-  change(text, std::move(said), merge_id);
+  change(words, std::move(said), merge_id);
 }
 
 void PressDesk::set_radius(double radius_mm) {
   if (!(radius_mm > 0)) return;
   PressSet said = said_;
   said.ball_radius_mm = radius_mm;
-  change_radii(tr("change the ball's radius"), std::move(said), kRadius);
+  change_radii([] { return tr("change the ball's radius"); }, std::move(said), kRadius);
 }
 
 void PressDesk::set_radius_of(const std::string& name, double radius_mm) {
@@ -56,50 +56,54 @@ void PressDesk::set_radius_of(const std::string& name, double radius_mm) {
   note.ball_radius_mm.reset();
   if (radius_mm > 0 && radius_mm != said.ball_radius_mm) note.ball_radius_mm = radius_mm;
   said.say(name, std::move(note));
-  change_radii(tr("change the ball's radius of %1").arg(as_text(name)), std::move(said), -1);
+  change_radii([name] { return tr("change the ball's radius of %1").arg(as_text(name)); },
+               std::move(said),
+               -1);
 }
 
 void PressDesk::set_depth_of(const std::string& name, const ToldDepth& depth) {
-  change_note(tr("change the measured depth of %1").arg(as_text(name)), name, [&](PressNote& note) {
-    note.depth = depth.mm > 0 ? std::optional(depth) : std::nullopt;
-  });
+  change_note(
+      [name] { return tr("change the measured depth of %1").arg(as_text(name)); },
+      name,
+      [&](PressNote& note) { note.depth = depth.mm > 0 ? std::optional(depth) : std::nullopt; });
 }
 
 void PressDesk::set_step_of(const std::string& name, double step_mm) {
-  change_note(tr("change the step of %1").arg(as_text(name)), name, [&](PressNote& note) {
-    note.step_mm = step_mm > 0 ? std::optional(step_mm) : std::nullopt;
-  });
+  change_note(
+      [name] { return tr("change the step of %1").arg(as_text(name)); },
+      name,
+      [&](PressNote& note) { note.step_mm = step_mm > 0 ? std::optional(step_mm) : std::nullopt; });
 }
 
 void PressDesk::set_operator(const std::string& name) {
   PressSet said = said_;
   said.operator_name = name;
-  change(tr("change the operator"), std::move(said), kOperator);
+  change([] { return tr("change the operator"); }, std::move(said), kOperator);
 }
 
 void PressDesk::place_ball(const std::string& name, const Eigen::Vector3d& centre_mm, int grip) {
-  change_note(
-      tr("move the outline of %1").arg(as_text(name)),
-      name,
-      [&](PressNote& note) { note.ball_mm = centre_mm; },
-      kGrips + grip);
+  change_note([name] { return tr("move the outline of %1").arg(as_text(name)); },
+              name,
+              [&](PressNote& note) { note.ball_mm = centre_mm; },
+              kGrips + grip);
 }
 
 void PressDesk::find_again(const std::string& name) {
-  change_note(tr("find the ball of %1").arg(as_text(name)), name, [](PressNote& note) {
-    note.ball_mm.reset();
-  });
+  change_note([name] { return tr("find the ball of %1").arg(as_text(name)); },
+              name,
+              [](PressNote& note) { note.ball_mm.reset(); });
 }
 
 void PressDesk::take_out(const std::string& name, const std::string& because) {
-  change_note(tr("take out %1").arg(as_text(name)), name, [&](PressNote& note) {
-    note.excluded = because;
-  });
+  change_note([name] { return tr("take out %1").arg(as_text(name)); },
+              name,
+              [&](PressNote& note) { note.excluded = because; });
 }
 
 void PressDesk::put_back(const std::string& name) {
-  change_note(
-      tr("put back %1").arg(as_text(name)), name, [](PressNote& note) { note.excluded.reset(); });
+  change_note([name] { return tr("put back %1").arg(as_text(name)); },
+              name,
+              [](PressNote& note) { note.excluded.reset(); });
 }
 
 }  // namespace alltact

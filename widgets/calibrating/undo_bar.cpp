@@ -1,6 +1,7 @@
 #include "widgets/calibrating/undo_bar.h"
 
 #include "widgets/shell/icons.h"
+#include "widgets/undo_step.h"
 
 #include <QHBoxLayout>
 
@@ -34,8 +35,8 @@ void UndoBar::follow() {
   const bool is_recording = session_.status().recording.state == RecordingState::kRunning;
   undo_->setEnabled(stack_.canUndo() && !is_recording);
   redo_->setEnabled(stack_.canRedo() && !is_recording);
-  const QString undo = stack_.canUndo() ? tr("Undo: %1").arg(stack_.undoText()) : tr("Undo");
-  const QString redo = stack_.canRedo() ? tr("Redo: %1").arg(stack_.redoText()) : tr("Redo");
+  const QString undo = stack_.canUndo() ? tr("Undo: %1").arg(undo_words(stack_)) : tr("Undo");
+  const QString redo = stack_.canRedo() ? tr("Redo: %1").arg(redo_words(stack_)) : tr("Redo");
   undo_->setText(undo_->fontMetrics().elidedText(undo, Qt::ElideRight, kMostWords));
   undo_->setToolTip(tr("%1 (Ctrl+Z)").arg(undo));
   redo_->setToolTip(tr("%1 (Ctrl+Shift+Z)").arg(redo));

@@ -6,6 +6,7 @@
 #include "widgets/inspect/section_plot.h"
 #include "widgets/inspect/surface_box.h"
 #include "widgets/inspect/view_box.h"
+#include "widgets/undo_step.h"
 
 #include <memory>
 
@@ -24,7 +25,9 @@ class InspectSide : public Translated<QWidget> {
 
  Q_SIGNALS:
   /// As of ViewBox.
-  void changed(const alltact::InspectOptions& options, const QString& what, int merge_id);
+  void changed(const alltact::InspectOptions& options,
+               const alltact::StepWords& what,
+               int merge_id);
 
  private:
   void measure();

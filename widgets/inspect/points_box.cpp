@@ -78,7 +78,8 @@ void PointsBox::connect_points() {
     if (!at) return;
     InspectOptions next = options_;
     next.a = place_of(*frame_, *at);
-    Q_EMIT changed(next, tr("move point A"), -1);
+    Q_EMIT changed(
+        next, [] { return tr("move point A"); }, -1);
   });
   connect(across_, &QPushButton::clicked, this, [this] { lay_line(true); });
   connect(along_, &QPushButton::clicked, this, [this] { lay_line(false); });
@@ -86,7 +87,8 @@ void PointsBox::connect_points() {
     InspectOptions next = options_;
     next.a.reset();
     next.b.reset();
-    Q_EMIT changed(next, tr("take the points away"), -1);
+    Q_EMIT changed(
+        next, [] { return tr("take the points away"); }, -1);
   });
 }
 
@@ -99,7 +101,11 @@ void PointsBox::change_part(const Point& point, std::size_t part, int merge_id) 
   constexpr double kBarelyAbove = kNotChosen_mm + 10;  // one step up from "not chosen"
   (part == 0 ? place->along_mm : place->across_mm) = value < kBarelyAbove ? 0.0 : value;
   Q_EMIT changed(
-      next, point.member == &InspectOptions::a ? tr("move point A") : tr("move point B"), merge_id);
+      next,
+      [is_first = point.member == &InspectOptions::a] {
+        return is_first ? tr("move point A") : tr("move point B");
+      },
+      merge_id);
 }
 
 std::optional<cv::Point2d> PointsBox::deepest() const {
@@ -139,7 +145,8 @@ void PointsBox::lay_line(bool is_across) {
     next.a = place_of(*frame_, cv::Point2d(first, v));
     next.b = place_of(*frame_, cv::Point2d(last, v));
   }
-  Q_EMIT changed(next, is_across ? tr("cut across") : tr("cut along"), -1);
+  Q_EMIT changed(
+      next, [is_across] { return is_across ? tr("cut across") : tr("cut along"); }, -1);
 }
 
 void PointsBox::name_parts() {

@@ -4,6 +4,7 @@
 #include "widgets/inspect/inspect_options.h"
 #include "widgets/inspect/inspected_frame.h"
 #include "widgets/translated.h"
+#include "widgets/undo_step.h"
 
 #include <QDoubleSpinBox>
 #include <QGroupBox>
@@ -27,7 +28,9 @@ class PointsBox : public Translated<QGroupBox> {
 
  Q_SIGNALS:
   /// As of ViewBox.
-  void changed(const alltact::InspectOptions& options, const QString& what, int merge_id);
+  void changed(const alltact::InspectOptions& options,
+               const alltact::StepWords& what,
+               int merge_id);
 
  private:
   struct Point {

@@ -185,20 +185,22 @@ void ViewBox::connect_view() {
   connect(shown_as_, &QComboBox::activated, this, [this](int index) {
     InspectOptions next = options_;
     next.shown_as = static_cast<ShownAs>(index + 1);
-    Q_EMIT changed(next, tr("show as %1").arg(shown_as_->itemText(index)), -1);
+    Q_EMIT changed(
+        next, [this, index] { return tr("show as %1").arg(shown_as_->itemText(index)); }, -1);
   });
   connect(standpoint_, &QComboBox::activated, this, [this](int index) {
     InspectOptions next = options_;
     next.standpoint = static_cast<Standpoint>(index + 1);
     next.look.reset();
-    Q_EMIT changed(next, tr("look from: %1").arg(standpoint_->itemText(index)), -1);
+    Q_EMIT changed(
+        next, [this, index] { return tr("look from: %1").arg(standpoint_->itemText(index)); }, -1);
   });
   const auto on_number =
       [this](QDoubleSpinBox* box, double SceneOptions::*member, QString (*what)(), int merge_id) {
         connect(box, &QDoubleSpinBox::valueChanged, this, [=, this](double value) {
           InspectOptions next = options_;
           next.scene.*member = value;
-          Q_EMIT changed(next, what(), merge_id);
+          Q_EMIT changed(next, what, merge_id);
         });
       };
   on_number(
@@ -214,8 +216,11 @@ void ViewBox::connect_view() {
     connect(part.box, &QCheckBox::clicked, this, [this, part](bool is_on) {
       InspectOptions next = options_;
       next.scene.*part.member = is_on;
-      const QString name = part.text().remove(QLatin1Char('&'));
-      Q_EMIT changed(next, is_on ? tr("show %1").arg(name) : tr("hide %1").arg(name), -1);
+      const auto what = [text = part.text, is_on] {
+        const QString name = text().remove(QLatin1Char('&'));
+        return is_on ? tr("show %1").arg(name) : tr("hide %1").arg(name);
+      };
+      Q_EMIT changed(next, what, -1);
     });
 }
 
@@ -223,12 +228,14 @@ void ViewBox::connect_comparison() {
   connect(comparison_, &QComboBox::activated, this, [this](int index) {
     InspectOptions next = options_;
     next.comparison = static_cast<Comparison>(index + 1);
-    Q_EMIT changed(next, tr("compare: %1").arg(comparison_->itemText(index)), -1);
+    Q_EMIT changed(
+        next, [this, index] { return tr("compare: %1").arg(comparison_->itemText(index)); }, -1);
   });
   const auto change_with = [this](const Comparand& with, int merge_id) {
     InspectOptions next = options_;
     next.with = with;
-    Q_EMIT changed(next, tr("compare with %1").arg(comparand_text(with)), merge_id);
+    Q_EMIT changed(
+        next, [with] { return tr("compare with %1").arg(comparand_text(with)); }, merge_id);
   };
   connect(with_, &QComboBox::activated, this, [this, change_with](int index) {
     Comparand with = options_.with;

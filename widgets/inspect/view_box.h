@@ -3,6 +3,7 @@
 
 #include "widgets/inspect/inspect_options.h"
 #include "widgets/translated.h"
+#include "widgets/undo_step.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -25,7 +26,9 @@ class ViewBox : public Translated<QGroupBox> {
 
  Q_SIGNALS:
   /// merge_id: of changes that are one step when they follow each other; -1: none.
-  void changed(const alltact::InspectOptions& options, const QString& what, int merge_id);
+  void changed(const alltact::InspectOptions& options,
+               const alltact::StepWords& what,
+               int merge_id);
 
  private:
   struct Row {

@@ -17,11 +17,12 @@ struct ZeroWords {
 void change_zero(LiveSession& session,
                  QUndoStack& undo,
                  const std::optional<SessionZero>& zero,
-                 const QString& what) {
+                 StepWords what) {
   using Zero = std::optional<SessionZero>;
-  undo.push(new ValueChange<Zero>(what, session.force_zero(), zero, [&session](const Zero& wanted) {
-    session.set_force_zero(wanted);
-  }));
+  undo.push(new ValueChange<Zero>(
+      std::move(what), session.force_zero(), zero, [&session](const Zero& wanted) {
+        session.set_force_zero(wanted);
+      }));
 }
 
 }  // namespace
@@ -34,11 +35,11 @@ void take_zero(LiveSession& session, QUndoStack& undo) {
       session,
       undo,
       SessionZero{*zero, QDateTime::currentDateTime(), finger.folder, finger.finger->force_model},
-      ZeroWords::take());
+      ZeroWords::take);
 }
 
 void drop_zero(LiveSession& session, QUndoStack& undo) {
-  if (session.force_zero()) change_zero(session, undo, std::nullopt, ZeroWords::drop());
+  if (session.force_zero()) change_zero(session, undo, std::nullopt, ZeroWords::drop);
 }
 
 }  // namespace alltact

@@ -135,7 +135,8 @@ void InspectPlace::connect_panes() {
     connect(pane, &InspectPane::all_wanted, this, [this] {
       InspectOptions next = options_;
       next.look.reset();
-      change_options(next, tr("show all again"), -1);
+      change_options(
+          next, [] { return tr("show all again"); }, -1);
     });
   }
 }
@@ -155,7 +156,7 @@ void InspectPlace::name_parts() {
 }
 
 void InspectPlace::change_options(const InspectOptions& options,
-                                  const QString& what,
+                                  const StepWords& what,
                                   int merge_id) {
   if (options == options_) return;
   undo_.push(new ValueChange<InspectOptions>(
@@ -193,7 +194,8 @@ void InspectPlace::keep_look(const InspectPane& pane, bool is_drag) {
     since_turn_.start();
   InspectOptions next = options_;
   next.look = pane.face_pane()->scene().look();
-  change_options(next, tr("turn the 3D view"), is_drag ? -1 : kFirstTurn + turns_ % kTurns);
+  change_options(
+      next, [] { return tr("turn the 3D view"); }, is_drag ? -1 : kFirstTurn + turns_ % kTurns);
 }
 
 void InspectPlace::set_point(QPointF pixel, bool is_second) {
@@ -202,7 +204,8 @@ void InspectPlace::set_point(QPointF pixel, bool is_second) {
   if (!place) return;
   InspectOptions next = options_;
   (is_second ? next.b : next.a) = place;
-  change_options(next, is_second ? tr("put point B") : tr("put point A"), -1);
+  change_options(
+      next, [is_second] { return is_second ? tr("put point B") : tr("put point A"); }, -1);
 }
 
 /// They lie on a finger, and not on the next one.
@@ -218,14 +221,16 @@ void InspectPlace::open(const std::filesystem::path& recording) {
   if (recording == options_.recording) return show_recording();
   InspectOptions next = options_;
   next.recording = recording;
-  change_options(next, tr("inspect %1").arg(text_of(recording.filename())), -1);
+  change_options(
+      next, [recording] { return tr("inspect %1").arg(text_of(recording.filename())); }, -1);
 }
 
 void InspectPlace::restore(const InspectOptions& options, std::size_t frame) {
   left_at_[options.recording] = frame;
   InspectOptions next = options;
   if (!VtkView::is_supported()) next.shown_as = ShownAs::kHeightMap;
-  change_options(next, tr("go on with what was inspected"), -1);
+  change_options(
+      next, [] { return tr("go on with what was inspected"); }, -1);
 }
 
 std::size_t InspectPlace::frame_number() const {
@@ -249,7 +254,8 @@ void InspectPlace::go_live() {
   next.recording.clear();
   if (next.second) next.look.reset();
   next.second.reset();
-  change_options(next, tr("inspect the live finger"), -1);
+  change_options(
+      next, [] { return tr("inspect the live finger"); }, -1);
 }
 
 void InspectPlace::follow_live() {

@@ -13,6 +13,7 @@
 #include "widgets/live/live_session.h"
 #include "widgets/panels/force_box.h"
 #include "widgets/places/place.h"
+#include "widgets/undo_step.h"
 
 #include <QElapsedTimer>
 #include <QLabel>
@@ -71,7 +72,7 @@ class InspectPlace : public Place {
     return QString::fromStdString(path.string());
   }
   void name_parts();
-  void change_options(const InspectOptions& options, const QString& what, int merge_id);
+  void change_options(const InspectOptions& options, const StepWords& what, int merge_id);
   void set_options(const InspectOptions& options);
   void set_point(QPointF pixel, bool is_second);
   void drop_points();

@@ -34,7 +34,7 @@ void InspectPlace::choose_place(bool is_second) {
   connect(dialog, &GripperDialog::chosen, this, [this, folder, now](const Pose& place) {
     if (place == now) return;
     undo_.push(new ValueChange<Pose>(
-        tr("place %1 in the gripper").arg(text_of(folder.filename())),
+        [folder] { return tr("place %1 in the gripper").arg(text_of(folder.filename())); },
         now,
         place,
         [this, folder](const Pose& wanted) { pair_.set_place(folder, wanted); }));
@@ -77,7 +77,12 @@ void InspectPlace::open_second(const std::optional<SecondFinger>& second) {
   InspectOptions next = options_;
   next.second = second;
   next.look.reset();  // another frame, other faces
-  change_options(next, second ? tr("show a second finger") : tr("close the second finger"), -1);
+  change_options(
+      next,
+      [opens = second.has_value()] {
+        return opens ? tr("show a second finger") : tr("close the second finger");
+      },
+      -1);
 }
 
 }  // namespace alltact

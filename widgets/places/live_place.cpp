@@ -84,14 +84,18 @@ void LivePlace::connect_choices() {
     connect(choice.box, &QCheckBox::clicked, this, [this, choice](bool is_on) {
       ViewOptions next = options_;
       next.*choice.member = is_on;
-      const QString name = choice.box->text().remove(QLatin1Char('&'));
-      change_options(next, is_on ? tr("show %1").arg(name) : tr("hide %1").arg(name), -1);
+      const auto what = [box = choice.box, is_on] {
+        const QString name = box->text().remove(QLatin1Char('&'));
+        return is_on ? tr("show %1").arg(name) : tr("hide %1").arg(name);
+      };
+      change_options(next, what, -1);
     });
   connect(top_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
     if (value == options_.depth_top_mm) return;
     ViewOptions next = options_;
     next.depth_top_mm = value;
-    change_options(next, tr("change the depth colours"), kDepthTop);
+    change_options(
+        next, [] { return tr("change the depth colours"); }, kDepthTop);
   });
 }
 
@@ -162,7 +166,7 @@ void LivePlace::set_options(const ViewOptions& options) {
   Q_EMIT changed();
 }
 
-void LivePlace::change_options(const ViewOptions& options, const QString& what, int merge_id) {
+void LivePlace::change_options(const ViewOptions& options, const StepWords& what, int merge_id) {
   undo_.push(new ValueChange<ViewOptions>(
       what, options_, options, [this](const ViewOptions& value) { set_options(value); }, merge_id));
 }
@@ -173,7 +177,7 @@ void LivePlace::change_control(std::uint32_t id, std::int64_t before, std::int64
       std::find_if(controls.begin(), controls.end(), [&](const auto& c) { return c.id == id; });
   const std::string name = control == controls.end() ? std::string() : control->name;
   undo_.push(new ValueChange<std::int64_t>(
-      tr("change %1").arg(QString::fromStdString(name)),
+      [name] { return tr("change %1").arg(QString::fromStdString(name)); },
       before,
       value,
       [this, id, name](const std::int64_t& wanted) {
@@ -184,13 +188,14 @@ void LivePlace::change_control(std::uint32_t id, std::int64_t before, std::int64
 }
 
 void LivePlace::change_lock(bool is_locked) {
-  undo_.push(new ValueChange<bool>(is_locked ? tr("lock brightness") : tr("unlock brightness"),
-                                   !is_locked,
-                                   is_locked,
-                                   [this](const bool& value) {
-                                     session_.set_lock(value);
-                                     Q_EMIT lock_set(value);
-                                   }));
+  undo_.push(new ValueChange<bool>(
+      [is_locked] { return is_locked ? tr("lock brightness") : tr("unlock brightness"); },
+      !is_locked,
+      is_locked,
+      [this](const bool& value) {
+        session_.set_lock(value);
+        Q_EMIT lock_set(value);
+      }));
 }
 
 void LivePlace::show_status() {

@@ -9,6 +9,7 @@
 #include "widgets/panels/picture_panel.h"
 #include "widgets/places/place.h"
 #include "widgets/shell/start_panel.h"
+#include "widgets/undo_step.h"
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>
@@ -59,7 +60,7 @@ class LivePlace : public Place {
   void connect_force();
   void connect_choices();
   void name_parts();
-  void change_options(const ViewOptions& options, const QString& what, int merge_id);
+  void change_options(const ViewOptions& options, const StepWords& what, int merge_id);
   void change_control(std::uint32_t id, std::int64_t before, std::int64_t value);
   void change_lock(bool is_locked);
   void connect_lamp();
@@ -67,7 +68,9 @@ class LivePlace : public Place {
   [[nodiscard]] ShownForce shown_force() const;
   void connect_pair();
   void choose_second();
-  void change_second(const std::optional<SecondCamera>& second, const QString& what, int merge_id);
+  void change_second(const std::optional<SecondCamera>& second,
+                     const StepWords& what,
+                     int merge_id);
   void set_second(const std::optional<SecondCamera>& second);
   void set_layers(LiveSession& session) const;
   void show_pair();

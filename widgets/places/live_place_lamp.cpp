@@ -49,7 +49,7 @@ void LivePlace::change_lamp(const std::optional<DimmerSetting>& wanted) {
   if (wanted == before) return;
   const bool is_level = wanted && before && same(*wanted, *before);
   undo_.push(new ValueChange<std::optional<DimmerSetting>>(
-      is_level ? tr("dim the lamp") : tr("choose the lamp's dimmer"),
+      [is_level] { return is_level ? tr("dim the lamp") : tr("choose the lamp's dimmer"); },
       before,
       wanted,
       [this](const std::optional<DimmerSetting>& lamp) {

@@ -19,7 +19,8 @@ void LivePlace::connect_pair() {
     auto second = pair_.opened();
     if (!second) return;
     second->motor_turns = turns;
-    change_second(second, tr("change the motor's position"), kMotorMergeId);
+    change_second(
+        second, [] { return tr("change the motor's position"); }, kMotorMergeId);
   });
 }
 
@@ -31,11 +32,16 @@ void LivePlace::set_cameras(const std::vector<FoundCamera>& cameras) {
 }
 
 void LivePlace::open_second(const std::optional<SecondCamera>& second) {
-  change_second(second, second ? tr("watch a second finger") : tr("close the second finger"), -1);
+  change_second(
+      second,
+      [opens = second.has_value()] {
+        return opens ? tr("watch a second finger") : tr("close the second finger");
+      },
+      -1);
 }
 
 void LivePlace::change_second(const std::optional<SecondCamera>& second,
-                              const QString& what,
+                              const StepWords& what,
                               int merge_id) {
   using Second = std::optional<SecondCamera>;
   if (second == pair_.opened()) return;
