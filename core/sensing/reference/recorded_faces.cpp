@@ -5,6 +5,7 @@
 #include "core/sensing/face/face_edges.h"
 #include "core/sensing/face/profile_degree.h"
 
+#include <future>
 #include <numeric>
 #include <queue>
 #include <thread>
@@ -95,23 +96,17 @@ class Reader {
     if (const Status status = find_rest(read); !status) return status.error();
     Keeper keeper(frames_.table, limit_bytes);
     const std::size_t count = frames_.table.frames.size();
+    auto next = begin_reading(0, job);
     for (std::size_t first = 0; first < count; first += kAtOnce) {
       job.report(static_cast<double>(first) / static_cast<double>(count),
                  en::say("reading reference frame {} of {}", first + 1, count));
-      std::vector<Row> rows(std::min(kAtOnce, count - first));
-      for (std::size_t i = 0; i < rows.size(); ++i) {
-        if (job.stop_requested())
-          return Error{
-              en::say("stopped before the reference was read"), frames_.video.string(), ""};
-        auto grey = picture(first + i);
-        if (!grey) return grey.error();
-        rows[i].number = first + i;
-        rows[i].grey = std::move(*grey);
-      }
-      over_parts(static_cast<int>(rows.size()), threads(), [&](int from, int to) {
-        for (int i = from; i < to; ++i) look_at(read, rows[static_cast<std::size_t>(i)]);
+      auto rows = next.get();
+      if (!rows) return rows.error();
+      next = begin_reading(first + kAtOnce, job);  // while these are looked at
+      over_parts(static_cast<int>(rows->size()), threads(), [&](int from, int to) {
+        for (int i = from; i < to; ++i) look_at(read, (*rows)[static_cast<std::size_t>(i)]);
       });
-      for (Row& row : rows)
+      for (Row& row : *rows)
         if (row.looked) add(std::move(row), keeper, read);
     }
     read.bytes = keeper.bytes();
@@ -122,6 +117,24 @@ class Reader {
   }
 
  private:
+  /// Up to kAtOnce pictures from `first` on, on a thread of their own where one can be had.
+  [[nodiscard]] std::future<Result<std::vector<Row>>> begin_reading(std::size_t first,
+                                                                    const Job& job) const {
+    return std::async([this, first, &job]() -> Result<std::vector<Row>> {
+      const std::size_t count = frames_.table.frames.size();
+      std::vector<Row> rows(first < count ? std::min(kAtOnce, count - first) : 0);
+      for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (job.stop_requested())
+          return Error{
+              en::say("stopped before the reference was read"), frames_.video.string(), ""};
+        auto grey = picture(first + i);
+        if (!grey) return grey.error();
+        rows[i].number = first + i;
+        rows[i].grey = std::move(*grey);
+      }
+      return rows;
+    });
+  }
   [[nodiscard]] Error wrong(Message what) const {
     return {std::move(what),
             frames_.video.string(),
