@@ -107,6 +107,24 @@ Result<fs::path> unfinished_folder(const fs::path& cache) {
   return fs::path(path);
 }
 
+/// In place of what other programs may put and take there at the same time.
+std::error_code put_in_place(const fs::path& made, const fs::path& cache, const std::string& name) {
+  constexpr int kMostTries = 100;  // each that fails is another program's success
+  std::error_code failed;
+  for (int i = 0; i < kMostTries; ++i) {
+    fs::rename(made, cache / name, failed);
+    if (!failed) break;
+    // Another program was first, or what stands there is damaged; either way ours is whole. The
+    // old one goes out of the way by a name of its own, so that nobody sees half of it.
+    const auto aside = unfinished_folder(cache);
+    if (!aside) break;
+    std::error_code no_matter;
+    fs::rename(cache / name, *aside / "old", no_matter);
+    remove_quietly(*aside);
+  }
+  return failed;
+}
+
 }  // namespace
 
 std::optional<fs::path> kept_fingers_folder() {
@@ -161,26 +179,14 @@ Status keep_finger(const fs::path& cache,
   }
   const nlohmann::ordered_json list{{"note", note}, {"files", *files}};
   const Status listed = write_file_atomically(*made / kListFile, list.dump(1) + "\n");
-  std::error_code failed;
-  if (listed) {
-    fs::rename(*made, cache / name, failed);
-    if (failed) {
-      // Another program was first, or what stands there is damaged; either way ours is whole. The
-      // old one goes out of the way by a name of its own, so that nobody sees half of it.
-      const auto aside = unfinished_folder(cache);
-      if (aside) {
-        std::error_code no_matter;
-        fs::rename(cache / name, *aside / "old", no_matter);
-        fs::rename(*made, cache / name, failed);
-        remove_quietly(*aside);
-      }
-    }
+  if (!listed) {
+    remove_quietly(*made);
+    return listed;
   }
-  if (!listed || failed) remove_quietly(*made);
-  if (!listed) return listed;
-  // A third program may have been faster again: then there is a finger, which is what was asked.
-  std::error_code no_matter;
-  if (failed && !fs::exists(cache / name, no_matter)) return cannot_be_kept(cache, failed.value());
+  if (const std::error_code failed = put_in_place(*made, cache, name)) {
+    remove_quietly(*made);
+    return cannot_be_kept(cache, failed.value());
+  }
   remove_oldest(cache);
   return {};
 }

@@ -27,14 +27,13 @@ void change_zero(LiveSession& session,
 
 }  // namespace
 
-void take_zero(LiveSession& session, QUndoStack& undo) {
-  const auto zero = present_zero(session.touch_history());
+void take_zero(LiveSession& session, QUndoStack& undo, const ForceZero& zero) {
   const FingerStatus& finger = session.status().finger;
-  if (!zero || !finger.finger) return;
+  if (!finger.finger) return;
   change_zero(
       session,
       undo,
-      SessionZero{*zero, QDateTime::currentDateTime(), finger.folder, finger.finger->force_model},
+      SessionZero{zero, QDateTime::currentDateTime(), finger.folder, finger.finger->force_model},
       ZeroWords::take);
 }
 

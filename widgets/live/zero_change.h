@@ -7,9 +7,9 @@
 
 namespace alltact {
 
-/// The present reading of the live finger counts as no force. Does nothing where there is none.
-/// Both outlive the steps.
-void take_zero(LiveSession& session, QUndoStack& undo);
+/// A reading of the live finger counts as no force: the one its user saw, whatever came since. Does
+/// nothing where there is no finger. Session and stack outlive the steps.
+void take_zero(LiveSession& session, QUndoStack& undo, const ForceZero& zero);
 /// Forces count as measured again.
 void drop_zero(LiveSession& session, QUndoStack& undo);
 

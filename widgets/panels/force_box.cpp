@@ -38,7 +38,9 @@ ForceBox::ForceBox(std::function<ShownForce()> ask, QWidget* parent)
   timer_.setSingleShot(true);
   timer_.setInterval(kBetweenDrawings_ms);
   connect(&timer_, &QTimer::timeout, this, &ForceBox::draw);
-  connect(take_zero_, &QPushButton::clicked, this, &ForceBox::zero_wanted);
+  connect(take_zero_, &QPushButton::clicked, this, [this] {
+    if (offered_zero_) emit zero_wanted(*offered_zero_);
+  });
   connect(no_zero_, &QPushButton::clicked, this, &ForceBox::no_zero_wanted);
   say([this] {
     setTitle(tr("Force"));
@@ -79,15 +81,15 @@ void ForceBox::draw() {
   const auto zero = shown.zero ? std::optional(shown.zero->zero) : std::nullopt;
   plot_->set_data(has_forces ? *shown.history : TouchHistory(), zero);
   zero_->setText(is_any ? zero_text(shown) : QString());
-  const bool can_take = shown.is_live && has_forces && present_zero(*shown.history);
+  offered_zero_ = shown.is_live && has_forces ? present_zero(*shown.history) : std::nullopt;
   for (QWidget* widget : std::initializer_list<QWidget*>{zero_, take_zero_, no_zero_})
     widget->setVisible(is_any);
-  take_zero_->setEnabled(can_take);
+  take_zero_->setEnabled(offered_zero_.has_value());
   no_zero_->setEnabled(shown.zero.has_value());
   take_zero_->setToolTip(
-      !shown.is_live ? tr("A recording is shown as it was measured.")
-      : can_take     ? tr("The mean of the last half second counts as no force from now on.")
-                     : tr("There is no reading in range that could count as zero."));
+      !shown.is_live  ? tr("A recording is shown as it was measured.")
+      : offered_zero_ ? tr("The mean of the last half second counts as no force from now on.")
+                      : tr("There is no reading in range that could count as zero."));
 }
 
 QString ForceBox::reading_text(const ShownForce& shown) const {

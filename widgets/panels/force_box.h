@@ -39,8 +39,8 @@ class ForceBox : public Translated<QGroupBox> {
   [[nodiscard]] int drawings() const { return drawings_; }
 
  Q_SIGNALS:
-  /// The present reading is to count as none.
-  void zero_wanted();
+  /// This reading, which the button offered as it was last drawn, is to count as none.
+  void zero_wanted(const alltact::ForceZero& zero);
   /// Forces are to count as measured.
   void no_zero_wanted();
 
@@ -58,6 +58,7 @@ class ForceBox : public Translated<QGroupBox> {
   QLabel *reading_, *zero_;
   ForcePlot* plot_;
   QPushButton *take_zero_, *no_zero_;
+  std::optional<ForceZero> offered_zero_;  ///< by the button as it is drawn
 };
 
 }  // namespace alltact

@@ -27,7 +27,9 @@ void InspectPlace::make_touch(QVBoxLayout& column) {
   (new QVBoxLayout(contact_group_))->addWidget(contact_);
   column.addWidget(contact_group_);
   column.addWidget(force_);
-  connect(force_, &ForceBox::zero_wanted, this, [this] { take_zero(session_, undo_); });
+  connect(force_, &ForceBox::zero_wanted, this, [this](const ForceZero& zero) {
+    take_zero(session_, undo_, zero);
+  });
   connect(force_, &ForceBox::no_zero_wanted, this, [this] { drop_zero(session_, undo_); });
   connect(&session_, &LiveSession::status_ready, force_, &ForceBox::news);
 }

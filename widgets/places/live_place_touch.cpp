@@ -20,7 +20,9 @@ void LivePlace::make_contact() {
 
 void LivePlace::connect_force() {
   connect(&session_, &LiveSession::view_ready, force_, &ForceBox::news);
-  connect(force_, &ForceBox::zero_wanted, this, [this] { take_zero(session_, undo_); });
+  connect(force_, &ForceBox::zero_wanted, this, [this](const ForceZero& zero) {
+    take_zero(session_, undo_, zero);
+  });
   connect(force_, &ForceBox::no_zero_wanted, this, [this] { drop_zero(session_, undo_); });
 }
 
