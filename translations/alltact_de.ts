@@ -2725,6 +2725,30 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>What these presses would come to; not in use yet.</source>
         <translation>Was diese Eindrücke ergäben; noch nicht in Gebrauch.</translation>
     </message>
+    <message>
+        <source>S&amp;how this press</source>
+        <translation>Diesen Eindruck &amp;zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Put back</source>
+        <translation>Zurück&amp;nehmen</translation>
+    </message>
+    <message>
+        <source>Take &amp;out</source>
+        <translation>&amp;Herausnehmen</translation>
+    </message>
+    <message>
+        <source>Click a bar or a circle: which points are this press&apos;s, and where.</source>
+        <translation>Ein Klick auf einen Balken oder Kreis zeigt, welche Punkte von diesem Eindruck sind und wo er liegt.</translation>
+    </message>
+    <message>
+        <source>%1 is taken out: the next calibration goes without it.</source>
+        <translation>%1 ist herausgenommen: Die nächste Kalibrierung kommt ohne ihn aus.</translation>
+    </message>
+    <message>
+        <source>%1: its points are marked +, its circle is bold.</source>
+        <translation>%1: Seine Punkte sind mit + bezeichnet, sein Kreis ist fett.</translation>
+    </message>
 </context>
 <context>
     <name>alltact::MappingPlot</name>
@@ -3302,6 +3326,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Mean depth error inside the contact (mm)</source>
         <translation>Mittlerer Tiefenfehler im Kontakt (mm)</translation>
+    </message>
+    <message>
+        <source>%1: %2 mm</source>
+        <translation>%1: %2 mm</translation>
+    </message>
+    <message>
+        <source>No press is chosen</source>
+        <translation>Kein Eindruck ist gewählt</translation>
     </message>
 </context>
 <context>

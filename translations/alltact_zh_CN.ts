@@ -2713,6 +2713,30 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>What these presses would come to; not in use yet.</source>
         <translation>这些按压将得出的结果；尚未启用。</translation>
     </message>
+    <message>
+        <source>S&amp;how this press</source>
+        <translation>显示这次按压(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Put back</source>
+        <translation>放回(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Take &amp;out</source>
+        <translation>取出(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Click a bar or a circle: which points are this press&apos;s, and where.</source>
+        <translation>点击条形或圆圈，可看到哪些点属于该次按压以及它的位置。</translation>
+    </message>
+    <message>
+        <source>%1 is taken out: the next calibration goes without it.</source>
+        <translation>%1 已取出：下次标定不使用它。</translation>
+    </message>
+    <message>
+        <source>%1: its points are marked +, its circle is bold.</source>
+        <translation>%1：其点标为 +，其圆圈加粗。</translation>
+    </message>
 </context>
 <context>
     <name>alltact::MappingPlot</name>
@@ -3287,6 +3311,14 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Mean depth error inside the contact (mm)</source>
         <translation>接触内的平均深度误差 (mm)</translation>
+    </message>
+    <message>
+        <source>%1: %2 mm</source>
+        <translation>%1：%2 mm</translation>
+    </message>
+    <message>
+        <source>No press is chosen</source>
+        <translation>未选择按压</translation>
     </message>
 </context>
 <context>

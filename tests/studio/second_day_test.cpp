@@ -160,6 +160,37 @@ TEST_F(SecondDay, PlotsTakeTheRoomOfTheMapping) {
   }
 }
 
+/// One press, wherever it is shown.
+TEST_F(SecondDay, APressIsTheSameInEveryPlotAndCanBeLeftOutThere) {
+  rig_.open();
+  ASSERT_TRUE(is_recalled());
+  rig_.go_to_step("Mapping");
+  auto* page = rig_.place().findChild<MappingPage*>();
+  auto* errors = page->findChild<PressErrorPlot*>();
+  const auto pictures = [&] {
+    std::vector<QImage> all;
+    for (auto* plot : page->findChildren<Plot*>())
+      if (plot->isVisible()) all.push_back(plot->picture(plot->size()));
+    return all;
+  };
+  const auto before = pictures();
+  ASSERT_EQ(before.size(), 4U);
+  QTest::keyClick(errors, Qt::Key_Down);
+  const std::string worst = errors->chosen();
+  EXPECT_TRUE(says(rig_.studio(), (worst + ": its points").c_str()));
+  const auto chosen = pictures();
+  for (std::size_t i = 0; i < before.size(); ++i) EXPECT_NE(before[i], chosen[i]) << i;
+  rig_.studio().click("Take out");
+  EXPECT_EQ(rig_.run().state(), CalibrationState::kStale);
+  EXPECT_TRUE(says(rig_.studio(), (worst + " is taken out").c_str()));
+  rig_.studio().click("Put back");
+  EXPECT_EQ(rig_.run().state(), CalibrationState::kCurrent);
+  rig_.studio().click("Show this press");
+  auto* list = rig_.studio().find<QListView>("Presses");
+  ASSERT_TRUE(list->isVisible());
+  EXPECT_THAT(list->currentIndex().data().toString().toStdString(), HasSubstr(worst));
+}
+
 /// While the reference is read, which takes long where it is long.
 TEST_F(SecondDay, KnowsTheVerdictBeforeThePressesAreRead) {
   rig_.open();

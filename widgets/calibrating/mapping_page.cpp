@@ -30,6 +30,10 @@ MappingPage::MappingPage(PressDesk& desk,
       log_(new QListWidget),
       convergence_(new ConvergencePlot),
       figures_(new QWidget),
+      chosen_row_(new QWidget),
+      chosen_(wrapped_text()),
+      show_press_(new QPushButton),
+      leave_out_(new QPushButton),
       drawing_(new FingerDrawing(DrawnThing::kPress)),
       mapping_(new MappingPlot),
       errors_(new PressErrorPlot),
@@ -46,6 +50,12 @@ MappingPage::MappingPage(PressDesk& desk,
   row->addWidget(progress_, 2);
   column->addLayout(row);
   column->addWidget(text_);
+  auto* chosen = new QHBoxLayout(chosen_row_);
+  chosen->setContentsMargins(0, 0, 0, 0);
+  chosen->addWidget(chosen_, 1);
+  chosen->addWidget(show_press_);
+  chosen->addWidget(leave_out_);
+  column->addWidget(chosen_row_);
   auto* running = new QHBoxLayout(running_);
   running->setContentsMargins(0, 0, 0, 0);
   running->addWidget(log_, 1);
@@ -72,7 +82,9 @@ MappingPage::MappingPage(PressDesk& desk,
     show_progress();
     show_figures();
   });
+  connect_chosen();
   say([this] {
+    show_press_->setText(tr("S&how this press"));
     stop_->setText(tr("&Stop"));
     stop_->setToolTip(tr("Keeps the best solution so far"));
     log_->setAccessibleName(tr("What has been done"));
@@ -82,6 +94,44 @@ MappingPage::MappingPage(PressDesk& desk,
     shown_.reset();
     show_status();
   });
+}
+
+/// The same press in all four plots.
+void MappingPage::connect_chosen() {
+  errors_->let_choose();
+  connect(errors_, &PressErrorPlot::press_chosen, this, &MappingPage::show_text);
+  connect(errors_, &PressErrorPlot::press_opened, this, &MappingPage::press_wanted);
+  for (FaceMapPlot* map : {residual_, sd_}) {
+    map->let_choose();
+    connect(map, &FaceMapPlot::contact_chosen, this, [this](std::size_t contact) {
+      if (!shown_ || contact >= shown_->residuals.size()) return;
+      errors_->choose(shown_->residuals[contact].press);
+      show_text();
+    });
+  }
+  connect(
+      show_press_, &QPushButton::clicked, this, [this] { Q_EMIT press_wanted(errors_->chosen()); });
+  connect(leave_out_, &QPushButton::clicked, this, [this] {
+    desk_.take_out_or_put_back(errors_->chosen());
+  });
+}
+
+void MappingPage::show_chosen() {
+  chosen_row_->setVisible(figures_->isVisibleTo(this));
+  const std::string& name = errors_->chosen();
+  const DeskPress* press = desk_.find(name);
+  const bool is_out = desk_.said().of(name).excluded;
+  for (QPushButton* button : {show_press_, leave_out_}) {
+    button->setVisible(!name.empty());
+    button->setEnabled(press != nullptr && desk_.is_ready() && !run_.is_running());
+  }
+  leave_out_->setText(is_out ? tr("&Put back") : tr("Take &out"));
+  chosen_->setText(name.empty()
+                       ? tr("Click a bar or a circle: which points are this press's, and where.")
+                   : is_out ? tr("%1 is taken out: the next calibration goes without it.")
+                                  .arg(QString::fromStdString(name))
+                            : tr("%1: its points are marked +, its circle is bold.")
+                                  .arg(QString::fromStdString(name)));
 }
 
 StepState MappingPage::state() const {
@@ -174,6 +224,7 @@ void MappingPage::show_figures() {
     shown_ = done;
     show_text();
   }
+  show_chosen();
 }
 
 void MappingPage::show_text() {
@@ -189,10 +240,13 @@ void MappingPage::show_text() {
   }
   const Calibration& calibration = shown_->calibration;
   const FaceKind kind = shown_->finger.face.kind;
-  mapping_->set_data(mapping_figure(calibration, shown_->residuals));
   errors_->set_data(press_errors(calibration));
-  residual_->set_data(face_figure(FaceQuantity::kResidual, calibration, shown_->residuals, kind));
-  sd_->set_data(face_figure(FaceQuantity::kDepthSd, calibration, shown_->residuals, kind));
+  const std::string& chosen = errors_->chosen();
+  mapping_->set_data(mapping_figure(calibration, shown_->residuals, chosen));
+  residual_->set_data(
+      face_figure(FaceQuantity::kResidual, calibration, shown_->residuals, kind, chosen));
+  sd_->set_data(face_figure(FaceQuantity::kDepthSd, calibration, shown_->residuals, kind, chosen));
+  show_chosen();
   const QString mapping = tr("Mapping: %1.").arg(in_window_language(calibration.degree_choice));
   text_->setText(shown_ == run_.result() ? mapping
                                          : tr("What these presses would come to; not in use yet.") +

@@ -33,6 +33,10 @@ class MappingPage : public StepPage {
   }
   void show_status();
 
+ Q_SIGNALS:
+  /// To be shown with its picture.
+  void press_wanted(const std::string& name);
+
  protected:
   void showEvent(QShowEvent* event) override;
   void hideEvent(QHideEvent* event) override;
@@ -41,6 +45,8 @@ class MappingPage : public StepPage {
   void show_progress();
   void show_figures();
   void show_text();
+  void connect_chosen();
+  void show_chosen();
   void show_log();
 
   PressDesk& desk_;
@@ -54,7 +60,10 @@ class MappingPage : public StepPage {
   QListWidget* log_;  // what was done
   ConvergencePlot* convergence_;
   bool was_running_ = false;
-  QWidget* figures_;        // of what it came to, or would
+  QWidget* figures_;     // of what it came to, or would
+  QWidget* chosen_row_;  // of the press that is chosen among the errors
+  QLabel* chosen_;
+  QPushButton *show_press_, *leave_out_;
   FingerDrawing* drawing_;  // of what a press is, before there are figures
   MappingPlot* mapping_;
   PressErrorPlot* errors_;

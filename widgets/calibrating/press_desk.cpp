@@ -227,6 +227,13 @@ bool PressDesk::is_kept(const std::string& name) const {
   return !waiting_->unkept.contains(name);
 }
 
+void PressDesk::take_out_or_put_back(const std::string& name) {
+  if (said_.of(name).excluded)
+    put_back(name);
+  else
+    take_out(name, {});
+}
+
 bool PressDesk::is_usable(const DeskPress& press) const {
   const PressNote& note = said_.of(press.name);
   if (note.excluded) return false;

@@ -74,6 +74,7 @@ class PressDesk : public QObject {
   void find_again(const std::string& name);  ///< forgets where a hand put the ball
   void take_out(const std::string& name, const std::string& because);
   void put_back(const std::string& name);
+  void take_out_or_put_back(const std::string& name);
   /// Under the next free names press_1, press_2, ...; gives the first.
   std::string add(std::vector<FramePtr> frames);
   void remove(const std::string& name);

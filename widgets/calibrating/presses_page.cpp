@@ -199,7 +199,7 @@ void PressesPage::connect_parts() {
     show_press(model_.name_at(at.row()));
   });
   connect(&model_, &QAbstractItemModel::modelReset, this, &PressesPage::show_list);
-  connect(out_, &QPushButton::clicked, this, &PressesPage::take_out_or_put_back);
+  connect(out_, &QPushButton::clicked, this, [this] { desk_.take_out_or_put_back(shown_); });
   connect(remove_, &QPushButton::clicked, this, [this] { desk_.remove(shown_); });
   connect(add_, &QPushButton::clicked, this, &PressesPage::choose_files);
   connect(radius_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
@@ -285,13 +285,6 @@ void PressesPage::choose_files() {
     desk_.add_files(inputs);
   });
   dialog->show();
-}
-
-void PressesPage::take_out_or_put_back() {
-  if (desk_.said().of(shown_).excluded)
-    desk_.put_back(shown_);
-  else
-    desk_.take_out(shown_, {});
 }
 
 void PressesPage::show_press(const std::string& name) {

@@ -63,7 +63,6 @@ class PressesPage : public StepPage {
   void follow_source();
   [[nodiscard]] double held_part() const;
   void choose_files();
-  void take_out_or_put_back();
   void show_problems();
   void show_list();
   void show_shown();

@@ -39,7 +39,7 @@ ForceBox::ForceBox(std::function<ShownForce()> ask, QWidget* parent)
   timer_.setInterval(kBetweenDrawings_ms);
   connect(&timer_, &QTimer::timeout, this, &ForceBox::draw);
   connect(take_zero_, &QPushButton::clicked, this, [this] {
-    if (offered_zero_) emit zero_wanted(*offered_zero_);
+    if (offered_zero_) Q_EMIT zero_wanted(*offered_zero_);
   });
   connect(no_zero_, &QPushButton::clicked, this, &ForceBox::no_zero_wanted);
   say([this] {

@@ -52,6 +52,10 @@ CalibratePlace::CalibratePlace(LiveSession& session,
   connect(finger_, &FingerPage::new_finger_wanted, this, &CalibratePlace::new_finger_wanted);
   connect(finger_, &FingerPage::open_finger_wanted, this, &CalibratePlace::open_finger_wanted);
   connect(finger_, &FingerPage::record_wanted, this, [this] { Q_EMIT place_wanted("record"); });
+  connect(mapping_, &MappingPage::press_wanted, this, [this](const std::string& name) {
+    go_to(kPressesStep);
+    presses_->show_press(name);
+  });
   connect(&run_, &CalibrationRun::changed, this, &CalibratePlace::follow_run);
   connect(&session_, &LiveSession::status_ready, this, &CalibratePlace::follow);
   is_made_ = true;

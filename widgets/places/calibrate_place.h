@@ -52,7 +52,7 @@ class CalibratePlace : public Place {
   [[nodiscard]] bool has_news() const { return has_news_; }
 
  private:
-  static constexpr std::size_t kSteps = 6, kVerdictStep = 4;
+  static constexpr std::size_t kSteps = 6, kPressesStep = 2, kVerdictStep = 4;
   void follow();
   void follow_run();
   void show_steps();

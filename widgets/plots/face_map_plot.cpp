@@ -39,6 +39,30 @@ void FaceMapPlot::set_data(FaceMapData data) {
   rebuild();
 }
 
+void FaceMapPlot::let_choose() {
+  chart().setMouseTracking(true);
+  connect(&chart(), &QCustomPlot::mouseMove, this, [this](QMouseEvent* event) {
+    chart().setCursor(contact_at(event->position()) ? Qt::PointingHandCursor : Qt::ArrowCursor);
+  });
+  connect(&chart(), &QCustomPlot::mousePress, this, [this](QMouseEvent* event) {
+    const auto contact = contact_at(event->position());
+    if (event->button() == Qt::LeftButton && contact) Q_EMIT contact_chosen(*contact);
+  });
+}
+
+std::optional<std::size_t> FaceMapPlot::contact_at(const QPointF& place) const {
+  const double along_mm = chart().xAxis->pixelToCoord(place.x());
+  const double across_mm = chart().yAxis->pixelToCoord(place.y());
+  std::optional<std::size_t> found;
+  for (std::size_t i = 0; i < data_.contacts.size(); ++i) {
+    const FaceMapData::Contact& contact = data_.contacts[i];
+    const bool is_inside =
+        std::hypot(along_mm - contact.along_mm, across_mm - contact.across_mm) <= contact.radius_mm;
+    if (is_inside && (!found || contact.radius_mm < data_.contacts[*found].radius_mm)) found = i;
+  }
+  return found;
+}
+
 QString FaceMapPlot::empty_text() const {
   return tr("Nothing is known of the face yet");
 }
@@ -89,8 +113,9 @@ void FaceMapPlot::draw_contacts() {
                                contact.across_mm - contact.radius_mm);
     circle->bottomRight->setCoords(contact.along_mm + contact.radius_mm,
                                    contact.across_mm + contact.radius_mm);
-    circle->setPen(contact.is_wanted ? QPen(series_colour(1, palette()), 3, Qt::DashLine)
-                                     : QPen(palette().color(QPalette::Text), 1));
+    circle->setPen(contact.is_wanted
+                       ? QPen(series_colour(1, palette()), 3, Qt::DashLine)
+                       : QPen(palette().color(QPalette::Text), contact.is_chosen ? 3 : 1));
     if (!contact.name.empty())
       add_note(contact.along_mm,
                contact.across_mm - contact.radius_mm,

@@ -3,6 +3,7 @@
 
 #include "widgets/plots/plot.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@ struct FaceMapData {
     double along_mm = 0, across_mm = 0, radius_mm = 0;
     std::string name;        ///< may be empty
     bool is_wanted = false;  ///< drawn bold and dashed: where there should be one
+    bool is_chosen = false;  ///< drawn bold
   };
   std::vector<Contact> contacts;  ///< drawn as circles
   bool has_base = true;           ///< false: a flat sensor, whose picture has a left and a right
@@ -28,6 +30,12 @@ class FaceMapPlot : public Plot {
   explicit FaceMapPlot(QWidget* parent = nullptr) : Plot(parent) {}
   ~FaceMapPlot() override;
   void set_data(FaceMapData data);
+  /// From now on a click into a contact's circle tells of it.
+  void let_choose();
+
+ Q_SIGNALS:
+  /// Of the data's contacts, the smallest there.
+  void contact_chosen(std::size_t contact);
 
  protected:
   bool draw() override;
@@ -38,6 +46,7 @@ class FaceMapPlot : public Plot {
   void draw_face();
   void draw_cells();
   void draw_contacts();
+  [[nodiscard]] std::optional<std::size_t> contact_at(const QPointF& place) const;
   FaceMapData data_;
   QObject* scale_ = nullptr;
 };

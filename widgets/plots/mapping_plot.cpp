@@ -49,11 +49,23 @@ void MappingPlot::draw_points(bool sure, const QString& name) {
   if (cloud->dataCount() == 0) chart().removeGraph(cloud);
 }
 
+void MappingPlot::draw_chosen() {
+  auto* cloud = chart().addGraph();
+  cloud->setLineStyle(QCPGraph::lsNone);
+  cloud->setScatterStyle(
+      QCPScatterStyle(QCPScatterStyle::ssPlus, palette().color(QPalette::Text), 5.0));
+  for (const auto& point : data_.points)
+    if (point.is_chosen) cloud->addData(point.x, point.depth_mm);
+  cloud->setName(data_.chosen);
+  if (cloud->dataCount() == 0) chart().removeGraph(cloud);
+}
+
 bool MappingPlot::draw() {
   if (data_.curve.empty()) return false;
   draw_band();
   draw_points(false, tr("nearer the rim"));
   draw_points(true, tr("inner part of a contact"));
+  draw_chosen();
   auto* curve = chart().addGraph();
   for (const auto& point : data_.curve) curve->addData(point.x, point.depth_mm);
   curve->setPen(QPen(series_colour(1, palette()), 2));

@@ -10,7 +10,8 @@ namespace alltact {
 struct MappingPlotData {
   struct Point {
     double x = 0, depth_mm = 0;
-    bool is_sure = true;  ///< false: near the rim, where the skin may have left the ball
+    bool is_sure = true;     ///< false: near the rim, where the skin may have left the ball
+    bool is_chosen = false;  ///< of the press that is chosen: drawn over the others
   };
   struct CurvePoint {
     double x = 0, depth_mm = 0, sd_mm = 0;
@@ -19,6 +20,7 @@ struct MappingPlotData {
   std::vector<CurvePoint> curve;  ///< in the order of x
   double x_max = 0;               ///< end of the calibrated range; 0: none
   bool is_small = false;          ///< no room for legend and notes
+  QString chosen;                 ///< the chosen press' name, for the legend
   QString depth_axis;             ///< what depth is and its unit; empty: "Press depth (mm)"
 };
 
@@ -35,6 +37,7 @@ class MappingPlot : public Plot {
  private:
   void draw_band();
   void draw_points(bool sure, const QString& name);
+  void draw_chosen();
   MappingPlotData data_;
 };
 

@@ -1,9 +1,13 @@
 #include "widgets/plots/press_error_plot.h"
 
+#include "widgets/accessible.h"
 #include "widgets/plots/custom_plot.h"
 #include "widgets/theme.h"
 
+#include <QKeyEvent>
+#include <QLocale>
 #include <algorithm>
+#include <cmath>
 
 namespace alltact {
 namespace {
@@ -22,18 +26,133 @@ QString short_name(const std::string& name) {
 
 }  // namespace
 
+PressErrorPlot::PressErrorPlot(QWidget* parent) : Plot(parent) {}
+
 void PressErrorPlot::set_data(std::vector<PressError> errors) {
   errors_ = std::move(errors);
   std::stable_sort(errors_.begin(), errors_.end(), [](const PressError& a, const PressError& b) {
     return worst_of(a) > worst_of(b);
   });
-  setAccessibleName(tr("Error of every press, worst first"));
-  if (!errors_.empty())
-    setAccessibleDescription(
-        tr("The worst of %n press(es) is %1 with %2 mm.", "", static_cast<int>(errors_.size()))
-            .arg(QString::fromStdString(errors_.front().press))
-            .arg(worst_of(errors_.front()), 0, 'f', 3));
+  if (!chosen_row()) chosen_.clear();
+  tell();
   rebuild();
+}
+
+void PressErrorPlot::let_choose() {
+  can_choose_ = true;
+  setFocusPolicy(Qt::StrongFocus);
+  set_accessible_role(*this, QAccessible::Chart);
+  connect(&chart(), &QCustomPlot::mousePress, this, [this](QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton) press(event->position());
+  });
+  connect(&chart(), &QCustomPlot::mouseDoubleClick, this, [this] {
+    if (!chosen_.empty()) Q_EMIT press_opened(chosen_);
+  });
+  connect(&chart(), &QCustomPlot::mouseMove, this, [this](QMouseEvent* event) {
+    chart().setCursor(row_at(event->position()) ? Qt::PointingHandCursor : Qt::ArrowCursor);
+  });
+  chart().setMouseTracking(true);
+}
+
+void PressErrorPlot::choose(const std::string& press) {
+  const std::string before = std::exchange(chosen_, press);
+  if (!chosen_row()) chosen_.clear();
+  if (chosen_ == before) return;
+  tell();
+  rebuild();
+}
+
+void PressErrorPlot::choose_by_hand(const std::string& press) {
+  const std::string before = chosen_;
+  choose(press);
+  if (chosen_ != before) Q_EMIT press_chosen(chosen_);
+}
+
+void PressErrorPlot::tell() {
+  setAccessibleName(tr("Error of every press, worst first"));
+  if (errors_.empty()) return;
+  const auto words = [](const QString& sentence, const PressError& error) {
+    return sentence.arg(QString::fromStdString(error.press),
+                        QLocale().toString(worst_of(error), 'f', 3));
+  };
+  setAccessibleDescription(
+      words(tr("The worst of %n press(es) is %1 with %2 mm.", "", static_cast<int>(errors_.size())),
+            errors_.front()));
+  if (!can_choose_) return;
+  const auto row = chosen_row();
+  set_accessible_value(*this,
+                       row ? words(tr("%1: %2 mm"), errors_[static_cast<std::size_t>(*row)])
+                           : tr("No press is chosen"));
+}
+
+int PressErrorPlot::shown() const {
+  return std::min(kShown, static_cast<int>(errors_.size()));
+}
+
+std::optional<int> PressErrorPlot::chosen_row() const {
+  for (int i = 0; i < shown(); ++i)
+    if (errors_[static_cast<std::size_t>(i)].press == chosen_) return i;
+  return std::nullopt;
+}
+
+/// A row reaches over its name and its bars.
+std::optional<int> PressErrorPlot::row_at(const QPointF& place) const {
+  const QRect axes = chart().axisRect()->rect();
+  if (errors_.empty() || place.y() < axes.top() || place.y() > axes.bottom()) return std::nullopt;
+  const double from_below = chart().yAxis->pixelToCoord(place.y());
+  const int row = shown() - 1 - static_cast<int>(std::lround(from_below));
+  return row >= 0 && row < shown() ? std::optional(row) : std::nullopt;
+}
+
+void PressErrorPlot::press(const QPointF& place) {
+  setFocus(Qt::MouseFocusReason);
+  const auto row = row_at(place);
+  choose_by_hand(row ? errors_[static_cast<std::size_t>(*row)].press : std::string());
+}
+
+void PressErrorPlot::keyPressEvent(QKeyEvent* event) {
+  if (!can_choose_ || errors_.empty()) return Plot::keyPressEvent(event);
+  const auto row = chosen_row();
+  const auto go = [this](int to) {
+    choose_by_hand(errors_[static_cast<std::size_t>(std::clamp(to, 0, shown() - 1))].press);
+  };
+  switch (event->key()) {
+    case Qt::Key_Up:
+      return go(row ? *row - 1 : shown() - 1);
+    case Qt::Key_Down:
+      return go(row ? *row + 1 : 0);
+    case Qt::Key_Home:
+      return go(0);
+    case Qt::Key_End:
+      return go(shown() - 1);
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+      if (row) Q_EMIT press_opened(chosen_);
+      return;
+    case Qt::Key_Escape:
+      if (!row) break;
+      return choose_by_hand({});
+    default:
+      break;
+  }
+  Plot::keyPressEvent(event);
+}
+
+/// A frame round the chosen row, behind its bars.
+void PressErrorPlot::draw_chosen() {
+  const auto row = chosen_row();
+  if (!row) return;
+  const double middle = shown() - 1 - *row;
+  auto* frame = new QCPItemRect(&chart());
+  frame->setLayer(QStringLiteral("background"));
+  frame->topLeft->setTypeX(QCPItemPosition::ptAxisRectRatio);
+  frame->bottomRight->setTypeX(QCPItemPosition::ptAxisRectRatio);
+  frame->topLeft->setCoords(0, middle + 0.5);
+  frame->bottomRight->setCoords(1, middle - 0.5);
+  QColor inside = palette().color(QPalette::Highlight);
+  frame->setPen(QPen(inside, 2));
+  inside.setAlpha(50);
+  frame->setBrush(inside);
 }
 
 QString PressErrorPlot::empty_text() const {
@@ -41,13 +160,13 @@ QString PressErrorPlot::empty_text() const {
 }
 
 int PressErrorPlot::comfortable_height() const {
-  const int shown = std::min(kShown, static_cast<int>(errors_.size()));
-  return 130 + 30 * std::max(2, shown);
+  return 130 + 30 * std::max(2, shown());
 }
 
 bool PressErrorPlot::draw() {
   if (errors_.empty()) return false;
-  const int shown = std::min(kShown, static_cast<int>(errors_.size()));
+  const int shown = this->shown();
+  draw_chosen();
   auto* own = new QCPBars(chart().yAxis, chart().xAxis);
   auto* held_out = new QCPBars(chart().yAxis, chart().xAxis);
   auto* group = new QCPBarsGroup(&chart());

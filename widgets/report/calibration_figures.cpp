@@ -36,8 +36,10 @@ const BallFit* ball_of(const Calibration& calibration, const std::string& press)
 }  // namespace
 
 MappingPlotData mapping_figure(const Calibration& calibration,
-                               const std::vector<PressResiduals>& residuals) {
+                               const std::vector<PressResiduals>& residuals,
+                               const std::string& chosen_press) {
   MappingPlotData data;
+  data.chosen = QString::fromStdString(chosen_press);
   const auto mapping = Mapping::create(calibration.mapping);
   if (!mapping) return data;
   data.x_max = mapping->x_max();
@@ -52,8 +54,10 @@ MappingPlotData mapping_figure(const Calibration& calibration,
   }
   for (const PressResiduals& press : residuals)
     for (const ResidualSample& sample : press.samples)
-      data.points.push_back(
-          {sample.x, sample.ball_depth_mm / sample.factor, sample.rim <= kSureRim});
+      data.points.push_back({sample.x,
+                             sample.ball_depth_mm / sample.factor,
+                             sample.rim <= kSureRim,
+                             !chosen_press.empty() && press.press == chosen_press});
   return data;
 }
 
@@ -71,7 +75,8 @@ std::vector<PressError> press_errors(const Calibration& calibration) {
 FaceMapData face_figure(FaceQuantity quantity,
                         const Calibration& calibration,
                         const std::vector<PressResiduals>& residuals,
-                        FaceKind kind) {
+                        FaceKind kind,
+                        const std::string& chosen_press) {
   double length = 0, width = 0;
   for (const PressResiduals& press : residuals) {
     length = std::max(length, press.face_length_mm);
@@ -103,7 +108,12 @@ FaceMapData face_figure(FaceQuantity quantity,
   data.quantity = title_of(quantity);
   data.has_base = kind == FaceKind::kFinRay;
   for (const PressResiduals& press : residuals)
-    data.contacts.push_back({press.along_mm, press.across_mm, press.contact_radius_mm, ""});
+    data.contacts.push_back({press.along_mm,
+                             press.across_mm,
+                             press.contact_radius_mm,
+                             "",
+                             false,
+                             !chosen_press.empty() && press.press == chosen_press});
   return data;
 }
 

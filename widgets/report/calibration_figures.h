@@ -7,12 +7,15 @@
 #include "widgets/plots/mapping_plot.h"
 #include "widgets/plots/press_error_plot.h"
 
+#include <string>
 #include <vector>
 
 namespace alltact {
 
+/// `chosen_press` stands out; empty: none.
 [[nodiscard]] MappingPlotData mapping_figure(const Calibration& calibration,
-                                             const std::vector<PressResiduals>& residuals);
+                                             const std::vector<PressResiduals>& residuals,
+                                             const std::string& chosen_press = {});
 
 [[nodiscard]] std::vector<PressError> press_errors(const Calibration& calibration);
 
@@ -22,11 +25,13 @@ enum class FaceQuantity {
   kDepthSd,       ///< standard deviation of the depth read there, as the fit knows its own curve
   kCoverage,      ///< how deep the presses there went
 };
-/// In mm, over what the presses showed of the face; the contacts as circles.
+/// In mm, over what the presses showed of the face; the contacts as circles, in the order of the
+/// residuals.
 [[nodiscard]] FaceMapData face_figure(FaceQuantity quantity,
                                       const Calibration& calibration,
                                       const std::vector<PressResiduals>& residuals,
-                                      FaceKind kind);
+                                      FaceKind kind,
+                                      const std::string& chosen_press = {});
 
 /// Signed, from the inner part of every contact, mm.
 [[nodiscard]] std::vector<double> all_errors(const std::vector<PressResiduals>& residuals);

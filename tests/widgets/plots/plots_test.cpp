@@ -1,6 +1,7 @@
 // Plots are looked at as pictures: what is given must be seen, in every theme, and nothing else.
 #include "tests/support/program.h"
 #include "widgets/plots/convergence_plot.h"
+#include "widgets/plots/custom_plot.h"
 #include "widgets/plots/face_map_plot.h"
 #include "widgets/plots/histogram_plot.h"
 #include "widgets/plots/history_plot.h"
@@ -9,8 +10,10 @@
 #include "widgets/plots/press_light_plot.h"
 #include "widgets/theme.h"
 
+#include <QTest>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
 
 #include <gmock/gmock.h>
@@ -177,6 +180,94 @@ TEST(PressErrorPlot, CutsOffTheGoodEndAndKeepsAllThatIsAskedFor) {
   EXPECT_LT(many.comfortable_height(), 1200);
   EXPECT_EQ(few.accessibleDescription().toStdString(),
             "The worst of 3 press(es) is press_2 with 0.014 mm.");
+}
+
+/// The rows of three presses, from the top: press_2, press_1, press_0.
+TEST(PressErrorPlot, ChoosesByKeysAsAListDoes) {
+  PressErrorPlot plot;
+  plot.let_choose();
+  plot.set_data(some_errors(3));
+  std::vector<std::string> chosen, opened;
+  QObject::connect(
+      &plot, &PressErrorPlot::press_chosen, [&](const auto& press) { chosen.push_back(press); });
+  QObject::connect(
+      &plot, &PressErrorPlot::press_opened, [&](const auto& press) { opened.push_back(press); });
+  for (const auto key : {Qt::Key_Return,
+                         Qt::Key_Down,
+                         Qt::Key_Down,
+                         Qt::Key_Up,
+                         Qt::Key_Up,
+                         Qt::Key_End,
+                         Qt::Key_Down,
+                         Qt::Key_Return,
+                         Qt::Key_Escape})
+    QTest::keyClick(&plot, key);
+  EXPECT_THAT(chosen,
+              testing::ElementsAre("press_2", "press_1", "press_2", "press_0", std::string()));
+  EXPECT_THAT(opened, testing::ElementsAre("press_0"));
+  plot.choose("press_1");
+  EXPECT_EQ(chosen.size(), 5U) << "only a hand is told of";
+  plot.set_data(some_errors(5));
+  EXPECT_EQ(plot.chosen(), "press_1");
+  plot.set_data(some_errors(1));
+  EXPECT_EQ(plot.chosen(), "");
+}
+
+TEST(PressErrorPlot, TheRowUnderThePointerIsChosenAndFramed) {
+  PressErrorPlot plot;
+  plot.setPalette(theme_palette(Theme::kLight));
+  plot.let_choose();
+  plot.set_data(some_errors(3));
+  plot.resize(600, 300);
+  plot.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&plot));
+  QTest::qWait(100);
+  const QImage before = plot.grab().toImage();
+  auto* chart = plot.findChild<QCustomPlot*>();
+  const auto rows = [&](double row) {
+    return QPoint(chart->axisRect()->left() + 5,
+                  static_cast<int>(std::lround(chart->yAxis->coordToPixel(row))));
+  };
+  for (const auto& [row, press] : std::map<double, std::string>{
+           {0, "press_0"}, {0.4, "press_0"}, {0.6, "press_1"}, {2.3, "press_2"}}) {
+    QTest::mouseClick(chart, Qt::LeftButton, Qt::NoModifier, rows(row));
+    EXPECT_EQ(plot.chosen(), press) << row;
+  }
+  QTest::qWait(100);
+  const QImage after = plot.grab().toImage();
+  const QColor frame = plot.palette().color(QPalette::Highlight);
+  EXPECT_GT(count_of(after, frame, 20), count_of(before, frame, 20) + 500);
+  QTest::mouseClick(chart, Qt::LeftButton, Qt::NoModifier, QPoint(300, 295));
+  EXPECT_EQ(plot.chosen(), "") << "below the rows";
+}
+
+TEST(FaceMapPlot, AClickTellsOfTheSmallestContactThere) {
+  FaceMapPlot plot;
+  plot.let_choose();
+  FaceMapData data = some_face();
+  data.contacts = {{20, 0, 6, ""}, {23, 0, 2, ""}, {60, 4, 3, ""}};
+  plot.set_data(data);
+  plot.resize(700, 260);
+  plot.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&plot));
+  QTest::qWait(100);
+  std::vector<std::size_t> chosen;
+  QObject::connect(
+      &plot, &FaceMapPlot::contact_chosen, [&](std::size_t contact) { chosen.push_back(contact); });
+  auto* chart = plot.findChild<QCustomPlot*>();
+  const auto click = [&](double along_mm, double across_mm) {
+    QTest::mouseClick(chart,
+                      Qt::LeftButton,
+                      Qt::NoModifier,
+                      QPoint(static_cast<int>(std::lround(chart->xAxis->coordToPixel(along_mm))),
+                             static_cast<int>(std::lround(chart->yAxis->coordToPixel(across_mm)))));
+  };
+  click(16, 0);
+  click(23, 1);
+  click(60, 2);
+  click(60, -2);
+  click(45, 0);
+  EXPECT_THAT(chosen, testing::ElementsAre(0, 1, 2));
 }
 
 TEST(FaceMapPlot, ShowsWhatIsKnownAndOnlyThat) {

@@ -215,7 +215,8 @@ TEST(V4l2Camera, AClockThatIsSetBackDuringARecordingIsSaidAndLosesNothing) {
   auto recorder = Recorder::start(folder / "x.mkv", {}, 30, "fake");
   ASSERT_TRUE(recorder.ok());
   std::int64_t last_ns = 0;
-  for (const auto ahead : {0ms, -3600000ms, 7200000ms, 0ms}) {
+  // Not further back than any computer has run that has got here.
+  for (const auto ahead : {0ms, -30000ms, 7200000ms, 0ms}) {
     fake.set_clock(ahead);
     for (int i = 0; i < 5; ++i) {
       fake.produce();
@@ -231,7 +232,7 @@ TEST(V4l2Camera, AClockThatIsSetBackDuringARecordingIsSaidAndLosesNothing) {
   }
   EXPECT_EQ(camera->status().counts.mistimed, 10U);
   EXPECT_THAT(remarks_of(*camera),
-              testing::ElementsAre(HasSubstr("The camera's clock was set by -3600.0 s")));
+              testing::ElementsAre(HasSubstr("The camera's clock was set by -30.0 s")));
   ASSERT_TRUE((*recorder)->finish("done").ok());
   const auto journal = read_journal(journal_of(folder / "x.mkv"));
   ASSERT_TRUE(journal.ok()) << journal.error().sentence();
