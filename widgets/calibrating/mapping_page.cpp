@@ -120,7 +120,7 @@ void MappingPage::show_chosen() {
   chosen_row_->setVisible(figures_->isVisibleTo(this));
   const std::string& name = errors_->chosen();
   const DeskPress* press = desk_.find(name);
-  const bool is_out = desk_.said().of(name).excluded;
+  const bool is_out = desk_.said().of(name).excluded.has_value();
   for (QPushButton* button : {show_press_, leave_out_}) {
     button->setVisible(!name.empty());
     button->setEnabled(press != nullptr && desk_.is_ready() && !run_.is_running());
