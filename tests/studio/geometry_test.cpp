@@ -269,7 +269,8 @@ TEST_F(Geometry, OfTheStepsWithPresses) {
   look(rig.studio(), "mapping_first", open_step(rig, "4"));
   rig.run().start();
   ASSERT_TRUE(wait_until([&] { return rig.run().result() != nullptr; }, 60000));
-  QTest::keyClick(rig.place().findChild<PressErrorPlot*>(), Qt::Key_Down);
+  QTest::keyClick(rig.place().findChild<MappingPage*>()->findChild<PressErrorPlot*>(),
+                  Qt::Key_Down);
   look(rig.studio(), "mapping", rig.place());
   look(rig.studio(), "verdict", open_step(rig, "5"));
   look(rig.studio(), "check", open_step(rig, "6"));

@@ -175,7 +175,8 @@ TEST_P(Screens, CalibrateMappingAndVerdict) {
   save(rig.studio(), "calibrate_running");
   ASSERT_TRUE(wait_until([&] { return rig.run().result() != nullptr; }, 60000));
   save(rig.studio(), "calibrate_mapping");
-  QTest::keyClick(rig.place().findChild<PressErrorPlot*>(), Qt::Key_Down);
+  QTest::keyClick(rig.place().findChild<MappingPage*>()->findChild<PressErrorPlot*>(),
+                  Qt::Key_Down);
   save(rig.studio(), "calibrate_mapping_press");
   rig.go_to_step("5");
   save(rig.studio(), "calibrate_verdict");

@@ -91,16 +91,7 @@ void FaceMapPlot::draw_cells() {
   map->setGradient(viridis());
   map->setDataRange(QCPRange(0, largest > 0 ? largest : 1));
   scale->axis()->setLabel(data_.quantity);
-  for (QCPAxis* axis : {scale->axis()}) {
-    const QColor text = palette().color(QPalette::Text);
-    axis->setLabelColor(text);
-    axis->setTickLabelColor(text);
-    axis->setBasePen(QPen(text));
-    axis->setTickPen(QPen(text));
-    axis->setSubTickPen(Qt::NoPen);
-    axis->setLabelFont(font());
-    axis->setTickLabelFont(font());
-  }
+  add_axis(scale->axis());
   auto* group = new QCPMarginGroup(&chart());
   chart().axisRect()->setMarginGroup(QCP::msTop | QCP::msBottom, group);
   scale->setMarginGroup(QCP::msTop | QCP::msBottom, group);

@@ -102,6 +102,7 @@ void Plot::draw_now(const QSize& size) {
   chart_->clearPlottables();
   chart_->clearItems();
   dress();
+  titles_.clear();
   if (!draw()) {
     for (QCPAxis* axis : {chart_->xAxis, chart_->yAxis, chart_->xAxis2, chart_->yAxis2})
       axis->setVisible(false);
@@ -112,7 +113,6 @@ void Plot::draw_now(const QSize& size) {
     text->setFont(font());
     text->setColor(palette().color(QPalette::Text));
   }
-  titles_.clear();
   for (QCPAxis* axis : {chart_->xAxis, chart_->yAxis, chart_->xAxis2, chart_->yAxis2})
     if (axis->visible() && !axis->label().isEmpty()) titles_.emplace_back(axis, axis->label());
   fit_words(size);
@@ -134,6 +134,11 @@ void Plot::dress_axis(QCPAxis* axis) const {
   axis->setLabelFont(font());
   axis->grid()->setPen(QPen(faint, 1));
   axis->grid()->setZeroLinePen(QPen(faint, 1));
+}
+
+void Plot::add_axis(QCPAxis* axis) {
+  dress_axis(axis);
+  titles_.emplace_back(axis, axis->label());
 }
 
 void Plot::dress() {
