@@ -21,6 +21,8 @@
 #include <vtkNew.h>
 #include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLState.h>
+#include <vtkRenderer.h>
+#include <vtkRendererCollection.h>
 
 namespace alltact {
 namespace {
@@ -248,7 +250,13 @@ void VtkView::render() {
   gl->Push();
   gl->vtkglDepthFunc(GL_LEQUAL);
   gl->vtkglEnable(GL_DEPTH_TEST);
-  if (state_->is_dirty) state_->window->Render();
+  if (state_->is_dirty) {
+    // Opaque, or what lies behind the window shines through.
+    vtkRendererCollection* renderers = state_->window->GetRenderers();
+    renderers->InitTraversal();
+    while (vtkRenderer* renderer = renderers->GetNextItem()) renderer->SetBackgroundAlpha(1);
+    state_->window->Render();
+  }
   makeCurrent();  // rendering may have run what took the context
   show_picture();
   gl->Pop();
@@ -265,6 +273,7 @@ void VtkView::show_picture() {
   functions->glDisable(GL_SCISSOR_TEST);
   const QSize pixels = (QSizeF(size()) * devicePixelRatioF()).toSize();
   const int* source = window->GetRenderFramebuffer()->GetLastSize();
+  const bool is_same_size = source[0] == pixels.width() && source[1] == pixels.height();
   window->BlitDisplayFramebuffer(0,
                                  0,
                                  0,
@@ -275,17 +284,7 @@ void VtkView::show_picture() {
                                  pixels.width(),
                                  pixels.height(),
                                  GL_COLOR_BUFFER_BIT,
-                                 GL_LINEAR);
-  // Opaque, or what lies behind the window shines through.
-  GLboolean mask[4];
-  GLfloat colour[4];
-  functions->glGetBooleanv(GL_COLOR_WRITEMASK, mask);
-  functions->glGetFloatv(GL_COLOR_CLEAR_VALUE, colour);
-  functions->glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
-  functions->glClearColor(0, 0, 0, 1);
-  functions->glClear(GL_COLOR_BUFFER_BIT);
-  functions->glColorMask(mask[0], mask[1], mask[2], mask[3]);
-  functions->glClearColor(colour[0], colour[1], colour[2], colour[3]);
+                                 is_same_size ? GL_NEAREST : GL_LINEAR);
 }
 
 void VtkView::paintGL() {
