@@ -363,6 +363,29 @@
     </message>
 </context>
 <context>
+    <name>alltact::AgeLabel</name>
+    <message>
+        <source>Age of the picture</source>
+        <translation>Alter des Bildes</translation>
+    </message>
+    <message>
+        <source>pictures without times</source>
+        <translation>Bilder ohne Zeitangabe</translation>
+    </message>
+    <message>
+        <source>picture %1 s old</source>
+        <translation>Bild %1 s alt</translation>
+    </message>
+    <message>
+        <source>picture %1 ms old</source>
+        <translation>Bild %1 ms alt</translation>
+    </message>
+    <message>
+        <source>What moves is seen late. Close other programs, or choose a faster setting in Accuracy.</source>
+        <translation>Was sich bewegt, ist verspätet zu sehen. Schließen Sie andere Programme, oder wählen Sie unter Genauigkeit eine schnellere Einstellung.</translation>
+    </message>
+</context>
+<context>
     <name>alltact::CalibratePlace</name>
     <message>
         <source>&amp;Next: %1</source>
@@ -5076,20 +5099,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Verlorene Bilder</translation>
     </message>
     <message>
-        <source>Age of the picture</source>
-        <translation>Alter des Bildes</translation>
-    </message>
-    <message>
         <source>Time of a frame</source>
         <translation>Zeit für ein Bild</translation>
-    </message>
-    <message>
-        <source>picture %1 ms old</source>
-        <translation>Bild %1 ms alt</translation>
-    </message>
-    <message>
-        <source>pictures without times</source>
-        <translation>Bilder ohne Zeitangabe</translation>
     </message>
     <message>
         <source>%1 ms a frame</source>

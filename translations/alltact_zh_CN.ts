@@ -21,7 +21,7 @@
     </message>
     <message>
         <source>Press depth, %1 (mm)</source>
-        <translation>按压深度,%1 (mm)</translation>
+        <translation>按压深度，%1 (mm)</translation>
     </message>
     <message>
         <source>along the normal</source>
@@ -44,15 +44,15 @@
     </message>
     <message>
         <source>Depth error, half within (mm)</source>
-        <translation>深度误差,一半在内 (mm)</translation>
+        <translation>深度误差，一半在内 (mm)</translation>
     </message>
     <message>
         <source>Depth error, 95 % within (mm)</source>
-        <translation>深度误差,95 % 在内 (mm)</translation>
+        <translation>深度误差，95 % 在内 (mm)</translation>
     </message>
     <message>
         <source>Place error, half within (mm)</source>
-        <translation>位置误差,一半在内 (mm)</translation>
+        <translation>位置误差，一半在内 (mm)</translation>
     </message>
     <message>
         <source>Standing</source>
@@ -64,7 +64,7 @@
     </message>
     <message>
         <source>worse than: %1</source>
-        <translation>不如:%1</translation>
+        <translation>不如：%1</translation>
     </message>
     <message>
         <source>not in every picture</source>
@@ -72,7 +72,7 @@
     </message>
     <message>
         <source>in use now; %1</source>
-        <translation>正在使用;%1</translation>
+        <translation>正在使用；%1</translation>
     </message>
     <message>
         <source>what it loses is not in these pictures</source>
@@ -83,31 +83,31 @@
     <name>alltact::AccuracyPlace</name>
     <message>
         <source>How fast must it be, and what error may it have? What settings cost in time and bring in accuracy is measured once on this finger&apos;s own pictures; then one answer stands here.</source>
-        <translation>要多快,又允许多大误差?用此手指自己的图像测量一次各项设置所花的时间和带来的精度,之后这里会给出一个答案。</translation>
+        <translation>要多快，又允许多大误差？用此手指自己的图像测量一次各项设置所花的时间和带来的精度，之后这里会给出一个答案。</translation>
     </message>
     <message>
         <source>&amp;Measure what settings cost on this finger (about 12 s)</source>
-        <translation>测量各项设置在此手指上的代价(约 12 秒)(&amp;M)</translation>
+        <translation>测量各项设置在此手指上的代价（约 12 秒）(&amp;M)</translation>
     </message>
     <message>
         <source>How many pictures per &amp;second?</source>
-        <translation>每秒多少张图像?(&amp;S)</translation>
+        <translation>每秒多少张图像？(&amp;S)</translation>
     </message>
     <message>
         <source>How many pictures per second?</source>
-        <translation>每秒多少张图像?</translation>
+        <translation>每秒多少张图像？</translation>
     </message>
     <message>
         <source>What er&amp;ror may it have?</source>
-        <translation>允许多大误差?(&amp;R)</translation>
+        <translation>允许多大误差？(&amp;R)</translation>
     </message>
     <message>
         <source>What error may it have?</source>
-        <translation>允许多大误差?</translation>
+        <translation>允许多大误差？</translation>
     </message>
     <message>
         <source>Of depth, where 95 % of all points lie within.</source>
-        <translation>深度误差,95 % 的位置在此范围内。</translation>
+        <translation>深度误差，95 % 的位置在此范围内。</translation>
     </message>
     <message>
         <source> mm</source>
@@ -147,7 +147,7 @@
     </message>
     <message>
         <source>What was measured is kept; measuring goes on there another time.</source>
-        <translation>已测得的会保留,下次从那里继续。</translation>
+        <translation>已测得的会保留，下次从那里继续。</translation>
     </message>
     <message>
         <source>Accuracy</source>
@@ -163,11 +163,11 @@
     </message>
     <message>
         <source>%1 ms a picture; depth: half of all points within %2 mm, 95 % within %3 mm</source>
-        <translation>每张图像 %1 ms;深度:一半位置在 %2 mm 内,95 % 在 %3 mm 内</translation>
+        <translation>每张图像 %1 ms；深度：一半位置在 %2 mm 内，95 % 在 %3 mm 内</translation>
     </message>
     <message>
         <source>; place: half within %1 mm</source>
-        <translation>;位置:一半在 %1 mm 内</translation>
+        <translation>；位置：一半在 %1 mm 内</translation>
     </message>
     <message>
         <source>In use now.</source>
@@ -175,7 +175,7 @@
     </message>
     <message>
         <source>Other than now: %1</source>
-        <translation>与现在不同:%1</translation>
+        <translation>与现在不同：%1</translation>
     </message>
     <message>
         <source>%1 ms faster than now</source>
@@ -221,15 +221,15 @@
     </message>
     <message>
         <source>The finger has changed since this was measured: measure again.</source>
-        <translation>此次测量之后手指已改变:请重新测量。</translation>
+        <translation>此次测量之后手指已改变：请重新测量。</translation>
     </message>
     <message>
         <source>Measured on another computer (%1): its errors hold, its times do not.</source>
-        <translation>在另一台计算机 (%1) 上测得:误差有效,时间无效。</translation>
+        <translation>在另一台计算机 (%1) 上测得：误差有效，时间无效。</translation>
     </message>
     <message>
         <source>Measuring was stopped: some settings are missing.</source>
-        <translation>测量已停止:缺少一些设置。</translation>
+        <translation>测量已停止：缺少一些设置。</translation>
     </message>
     <message>
         <source>Chosen by hand. Esc in the figure returns to the answer.</source>
@@ -253,7 +253,7 @@
     </message>
     <message>
         <source>No setting is so fast on this computer. This is the fastest: %1 pictures per second.</source>
-        <translation>在这台计算机上没有这么快的设置。这是最快的:每秒 %1 张图像。</translation>
+        <translation>在这台计算机上没有这么快的设置。这是最快的：每秒 %1 张图像。</translation>
     </message>
     <message>
         <source>No setting measures this finger&apos;s pictures.</source>
@@ -269,7 +269,7 @@
     </message>
     <message>
         <source>&amp;Measure again (about 12 s)</source>
-        <translation>重新测量(约 12 秒)(&amp;M)</translation>
+        <translation>重新测量（约 12 秒）(&amp;M)</translation>
     </message>
     <message>
         <source>&amp;Measure what is missing</source>
@@ -321,12 +321,12 @@
     <message numerus="yes">
         <source>%n slower or worse, beyond this figure</source>
         <translation>
-            <numerusform>%n 个更慢或更差,在图外</numerusform>
+            <numerusform>%n 个更慢或更差，在图外</numerusform>
         </translation>
     </message>
     <message>
         <source>best for its time; whisker up to 95 %</source>
-        <translation>同样时间内最好;竖线至 95 %</translation>
+        <translation>同样时间内最好；竖线至 95 %</translation>
     </message>
     <message>
         <source>chosen</source>
@@ -342,7 +342,7 @@
     </message>
     <message>
         <source>%1: at %2 ms, further right →</source>
-        <translation>%1:在 %2 ms 处,更靠右 →</translation>
+        <translation>%1：在 %2 ms 处，更靠右 →</translation>
     </message>
 </context>
 <context>
@@ -357,18 +357,41 @@
     </message>
     <message>
         <source>What accuracy costs in time, as a table</source>
-        <translation>精度所需的时间(表格)</translation>
+        <translation>精度所需的时间（表格）</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::AgeLabel</name>
+    <message>
+        <source>Age of the picture</source>
+        <translation>图像延迟</translation>
+    </message>
+    <message>
+        <source>pictures without times</source>
+        <translation>图像没有时间</translation>
+    </message>
+    <message>
+        <source>picture %1 s old</source>
+        <translation>图像延迟 %1 s</translation>
+    </message>
+    <message>
+        <source>picture %1 ms old</source>
+        <translation>图像延迟 %1 ms</translation>
+    </message>
+    <message>
+        <source>What moves is seen late. Close other programs, or choose a faster setting in Accuracy.</source>
+        <translation>运动显示有延迟。请关闭其他程序，或在“精度”中选择更快的设置。</translation>
     </message>
 </context>
 <context>
     <name>alltact::CalibratePlace</name>
     <message>
         <source>&amp;Next: %1</source>
-        <translation>下一步:%1(&amp;N)</translation>
+        <translation>下一步：%1(&amp;N)</translation>
     </message>
     <message>
         <source>This finger is not calibrated yet, so that no depth is shown.</source>
-        <translation>此手指尚未标定,因此不显示深度。</translation>
+        <translation>此手指尚未标定，因此不显示深度。</translation>
     </message>
     <message>
         <source>Calibrate it with ball presses.</source>
@@ -414,15 +437,15 @@
     </message>
     <message>
         <source>Is it still what it was?</source>
-        <translation>它还和原来一样吗?</translation>
+        <translation>它还和原来一样吗？</translation>
     </message>
     <message>
         <source>Press the ball of the calibration in at three places, base, middle and tip, and take a picture of each. The calibration stays as it is.</source>
-        <translation>用标定时的球在根部、中部和指尖三处压入,各拍一张。标定保持不变。</translation>
+        <translation>用标定时的球在根部、中部和指尖三处压入，各拍一张。标定保持不变。</translation>
     </message>
     <message>
         <source>&amp;Take a press (Space)</source>
-        <translation>拍摄按压(空格)(&amp;T)</translation>
+        <translation>拍摄按压（空格）(&amp;T)</translation>
     </message>
     <message>
         <source>&amp;Begin again</source>
@@ -438,7 +461,7 @@
     </message>
     <message>
         <source>There is no live picture: choose a source.</source>
-        <translation>没有实时画面:请选择来源。</translation>
+        <translation>没有实时画面：请选择来源。</translation>
     </message>
     <message>
         <source>The finger is not calibrated.</source>
@@ -462,7 +485,7 @@
     </message>
     <message>
         <source>Checked last on %1.</source>
-        <translation>上次检查:%1。</translation>
+        <translation>上次检查：%1。</translation>
     </message>
     <message>
         <source>%1 of %2 taken.</source>
@@ -636,7 +659,7 @@
     </message>
     <message>
         <source>Locked: unlock above to change it.</source>
-        <translation>已锁定:请在上方解锁后再改。</translation>
+        <translation>已锁定：请在上方解锁后再改。</translation>
     </message>
     <message>
         <source>An automatic mode has it in hand.</source>
@@ -652,11 +675,11 @@
     </message>
     <message>
         <source>Automatic modes stay off, and what changes by itself is put back.</source>
-        <translation>自动模式保持关闭,自行变化的设置会被恢复。</translation>
+        <translation>自动模式保持关闭，自行变化的设置会被恢复。</translation>
     </message>
     <message>
         <source>Brightness is the measurement: locked, nothing changes it. Unlock it before calibrating only.</source>
-        <translation>亮度就是测量值:锁定后不会改变。仅在标定之前解锁。</translation>
+        <translation>亮度就是测量值：锁定后不会改变。仅在标定之前解锁。</translation>
     </message>
     <message>
         <source>A camera&apos;s exposure, gain, white balance and focus stand here. This source is no camera.</source>
@@ -748,11 +771,11 @@
     </message>
     <message>
         <source>Enough: all directions are reached.</source>
-        <translation>足够:所有方向都已达到。</translation>
+        <translation>足够：所有方向都已达到。</translation>
     </message>
     <message>
         <source>Missing: %1.</source>
-        <translation>缺少:%1。</translation>
+        <translation>缺少：%1。</translation>
     </message>
 </context>
 <context>
@@ -763,7 +786,7 @@
     </message>
     <message>
         <source>&amp;Undo: %1</source>
-        <translation>撤销:%1(&amp;U)</translation>
+        <translation>撤销：%1(&amp;U)</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
@@ -771,7 +794,7 @@
     </message>
     <message>
         <source>&amp;Redo: %1</source>
-        <translation>重做:%1(&amp;R)</translation>
+        <translation>重做：%1(&amp;R)</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
@@ -848,7 +871,7 @@
     </message>
     <message>
         <source>What finger %1 has learnt, for other programs.</source>
-        <translation>手指 %1 学到的内容,供其他程序使用。</translation>
+        <translation>手指 %1 学到的内容，供其他程序使用。</translation>
     </message>
     <message>
         <source>&amp;Folder for the files</source>
@@ -896,7 +919,7 @@
     </message>
     <message>
         <source>Camera matrix and distortion, for cv::FileStorage.</source>
-        <translation>相机矩阵和畸变,供 cv::FileStorage 读取。</translation>
+        <translation>相机矩阵和畸变，供 cv::FileStorage 读取。</translation>
     </message>
     <message>
         <source>&amp;ROS: camera_info.yaml and parameters.yaml</source>
@@ -904,7 +927,7 @@
     </message>
     <message>
         <source>The camera as drivers and image_pipeline read it; face, markers and mapping as parameters of a ROS 2 node.</source>
-        <translation>驱动程序和 image_pipeline 所读的相机;面、标记点和映射作为 ROS 2 节点的参数。</translation>
+        <translation>驱动程序和 image_pipeline 所读的相机；面、标记点和映射作为 ROS 2 节点的参数。</translation>
     </message>
     <message>
         <source>&amp;JSON: calibration.json</source>
@@ -912,15 +935,15 @@
     </message>
     <message>
         <source>All figures in one file, for programs of your own.</source>
-        <translation>全部数值放在一个文件中,供自己的程序使用。</translation>
+        <translation>全部数值放在一个文件中，供自己的程序使用。</translation>
     </message>
     <message>
         <source>&amp;Whole finger: finger.zip</source>
-        <translation>整个手指:finger.zip(&amp;W)</translation>
+        <translation>整个手指：finger.zip(&amp;W)</translation>
     </message>
     <message>
         <source>Every file of the finger, its untouched pictures too: to keep, to send, and to measure with in Python.</source>
-        <translation>手指的所有文件,包括未触碰的图像:用于保存、发送,以及在 Python 中测量。</translation>
+        <translation>手指的所有文件，包括未触碰的图像：用于保存、发送，以及在 Python 中测量。</translation>
     </message>
     <message>
         <source>Nothing is chosen.</source>
@@ -932,7 +955,7 @@
     </message>
     <message>
         <source>Written: %1.</source>
-        <translation>已写入:%1。</translation>
+        <translation>已写入：%1。</translation>
     </message>
     <message>
         <source>Open the folder</source>
@@ -957,11 +980,11 @@
     </message>
     <message>
         <source>Along the finger, from the base (mm)</source>
-        <translation>沿手指,从根部 (mm)</translation>
+        <translation>沿手指，从根部 (mm)</translation>
     </message>
     <message>
         <source>Along the picture, from the left (mm)</source>
-        <translation>沿图像,从左侧 (mm)</translation>
+        <translation>沿图像，从左侧 (mm)</translation>
     </message>
     <message>
         <source>Across (mm)</source>
@@ -1170,11 +1193,11 @@
     <name>alltact::FingerPage</name>
     <message>
         <source>A flat, rigid sensor with a layer of %1 mm, %2 mm before the camera.</source>
-        <translation>平面刚性传感器:层厚 %1 mm,距相机 %2 mm。</translation>
+        <translation>平面刚性传感器：层厚 %1 mm，距相机 %2 mm。</translation>
     </message>
     <message>
         <source>A Fin Ray finger whose face is %1 mm wide, with a layer of %2 mm and %3 dots on each side.</source>
-        <translation>Fin Ray 手指:面宽 %1 mm,层厚 %2 mm,每侧 %3 个标记点。</translation>
+        <translation>Fin Ray 手指：面宽 %1 mm，层厚 %2 mm，每侧 %3 个标记点。</translation>
     </message>
     <message>
         <source>Geometry</source>
@@ -1206,7 +1229,7 @@
     </message>
     <message>
         <source>The finger needs a folder of its own: make one, or open one.</source>
-        <translation>手指需要自己的文件夹:请新建或打开一个。</translation>
+        <translation>手指需要自己的文件夹：请新建或打开一个。</translation>
     </message>
     <message>
         <source>Its untouched picture is missing.</source>
@@ -1214,11 +1237,11 @@
     </message>
     <message>
         <source>Its reference recording is missing: record it bending, untouched.</source>
-        <translation>缺少参考录像:请录制它未被触碰时的弯曲过程。</translation>
+        <translation>缺少参考录像：请录制它未被触碰时的弯曲过程。</translation>
     </message>
     <message>
         <source>Width and layer are measured with a caliper, dots are counted. All that is known of one finger is kept in one folder.</source>
-        <translation>用卡尺测量宽度和层厚,并数出标记点。一个手指的全部信息都保存在一个文件夹里。</translation>
+        <translation>用卡尺测量宽度和层厚，并数出标记点。一个手指的全部信息都保存在一个文件夹里。</translation>
     </message>
     <message>
         <source>Its untouched picture is there.</source>
@@ -1234,7 +1257,7 @@
     </message>
     <message>
         <source>Every press is compared with a picture of the finger bent alike and not touched. Record it bending in all directions, then install the recording.</source>
-        <translation>每次按压都与同样弯曲、未被触碰的手指图像比较。请录制它向各个方向弯曲的过程,然后设为参考。</translation>
+        <translation>每次按压都与同样弯曲、未被触碰的手指图像比较。请录制它向各个方向弯曲的过程，然后设为参考。</translation>
     </message>
     <message>
         <source>Finger</source>
@@ -1416,19 +1439,19 @@
     <name>alltact::FrameWords</name>
     <message>
         <source>no depth: too dark</source>
-        <translation>无深度:过暗</translation>
+        <translation>无深度：过暗</translation>
     </message>
     <message>
         <source>no depth: too bright</source>
-        <translation>无深度:过亮</translation>
+        <translation>无深度：过亮</translation>
     </message>
     <message>
         <source>no depth: off the face</source>
-        <translation>无深度:不在面上</translation>
+        <translation>无深度：不在面上</translation>
     </message>
     <message>
         <source>u %1 px, v %2 px, grey %3</source>
-        <translation>u %1 px,v %2 px,灰度 %3</translation>
+        <translation>u %1 px,v %2 px，灰度 %3</translation>
     </message>
     <message>
         <source>depth %1 mm</source>
@@ -1436,7 +1459,7 @@
     </message>
     <message>
         <source>Depth, mm</source>
-        <translation>深度,mm</translation>
+        <translation>深度，mm</translation>
     </message>
 </context>
 <context>
@@ -1541,19 +1564,19 @@
     <name>alltact::HeaderBar</name>
     <message>
         <source>Finger:</source>
-        <translation>手指:</translation>
+        <translation>手指：</translation>
     </message>
     <message>
         <source>Source:</source>
-        <translation>来源:</translation>
+        <translation>来源：</translation>
     </message>
     <message>
         <source>Finger: %1</source>
-        <translation>手指:%1</translation>
+        <translation>手指：%1</translation>
     </message>
     <message>
         <source>Source: %1</source>
-        <translation>来源:%1</translation>
+        <translation>来源：%1</translation>
     </message>
     <message>
         <source>none</source>
@@ -1562,11 +1585,11 @@
     </message>
     <message>
         <source>%1 (loading)</source>
-        <translation>%1(正在加载)</translation>
+        <translation>%1（正在加载）</translation>
     </message>
     <message>
         <source>%1 (simulated)</source>
-        <translation>%1(仿真)</translation>
+        <translation>%1（仿真）</translation>
     </message>
 </context>
 <context>
@@ -1597,7 +1620,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 
 把内置相机的透明硅胶手指变成测量仪器。
 
-自有源代码采用 BSD-3-Clause 许可;连同所用的库,整个程序采用 GPL 第 3 版许可。</translation>
+自有源代码采用 BSD-3-Clause 许可；连同所用的库，整个程序采用 GPL 第 3 版许可。</translation>
     </message>
     <message>
         <source>&amp;Close</source>
@@ -1707,18 +1730,18 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>The camera&apos;s picture. The wheel or + and - zoom, 0 shows all of it, 1 its own size. Drag or use the arrow keys to move it; Shift and the arrow keys move the probe.</source>
-        <translation>相机图像。滚轮或 + 和 - 缩放,0 显示全部,1 为原始大小。拖动或用方向键移动;Shift 加方向键移动探针。</translation>
+        <translation>相机图像。滚轮或 + 和 - 缩放，0 显示全部，1 为原始大小。拖动或用方向键移动；Shift 加方向键移动探针。</translation>
     </message>
 </context>
 <context>
     <name>alltact::InspectPane</name>
     <message>
         <source>Difference, mm</source>
-        <translation>差值,mm</translation>
+        <translation>差值，mm</translation>
     </message>
     <message>
         <source>Depth, mm</source>
-        <translation>深度,mm</translation>
+        <translation>深度，mm</translation>
     </message>
     <message>
         <source>There is nothing to compare with in this frame.</source>
@@ -1757,15 +1780,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>Shown: the live finger</source>
-        <translation>显示:实时手指</translation>
+        <translation>显示：实时手指</translation>
     </message>
     <message>
         <source>Shown: %1</source>
-        <translation>显示:%1</translation>
+        <translation>显示：%1</translation>
     </message>
     <message>
         <source>The finger is not calibrated yet, so brightness cannot be told as depth.</source>
-        <translation>手指尚未标定,无法由亮度得到深度。</translation>
+        <translation>手指尚未标定，无法由亮度得到深度。</translation>
     </message>
     <message>
         <source>The face was not found in this picture.</source>
@@ -1777,7 +1800,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>Nothing can be shown; above stands why.</source>
-        <translation>无法显示;原因见上方。</translation>
+        <translation>无法显示；原因见上方。</translation>
     </message>
     <message>
         <source>The recording is being opened.</source>
@@ -1785,7 +1808,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>No source is open. Choose one above, or open a recording.</source>
-        <translation>没有打开的图像源。请在上方选择,或打开一段录像。</translation>
+        <translation>没有打开的图像源。请在上方选择，或打开一段录像。</translation>
     </message>
     <message>
         <source>No finger is open. Open the one that is seen, above.</source>
@@ -1813,7 +1836,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>Saved: %1</source>
-        <translation>已保存:%1</translation>
+        <translation>已保存：%1</translation>
     </message>
     <message>
         <source>show all again</source>
@@ -2133,19 +2156,19 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>, %1 mm a pixel</source>
-        <translation>,每像素 %1 mm</translation>
+        <translation>，每像素 %1 mm</translation>
     </message>
     <message>
         <source>, focal length %1 px</source>
-        <translation>,焦距 %1 px</translation>
+        <translation>，焦距 %1 px</translation>
     </message>
     <message>
         <source>, behind a window</source>
-        <translation>,隔着窗口</translation>
+        <translation>，隔着窗口</translation>
     </message>
     <message>
         <source>Its calibration: %1.</source>
-        <translation>其标定:%1。</translation>
+        <translation>其标定：%1。</translation>
     </message>
     <message>
         <source>From a camera file</source>
@@ -2181,7 +2204,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>Folder of board pictures, or a recording</source>
-        <translation>标定板图片的文件夹,或一段录像</translation>
+        <translation>标定板图片的文件夹，或一段录像</translation>
     </message>
     <message>
         <source>Choose…</source>
@@ -2213,19 +2236,19 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>The lens has to be known first: choose a camera file, or measure one.</source>
-        <translation>必须先知道镜头:请选择相机文件或进行测量。</translation>
+        <translation>必须先知道镜头：请选择相机文件或进行测量。</translation>
     </message>
     <message>
         <source>This finger&apos;s camera has %1</source>
-        <translation>此手指的相机:%1</translation>
+        <translation>此手指的相机：%1</translation>
     </message>
     <message>
         <source>The camera has %1</source>
-        <translation>相机:%1</translation>
+        <translation>相机：%1</translation>
     </message>
     <message>
         <source>A finger measures through its camera&apos;s lens, so the lens comes first. It is measured once for each camera, with ten to twenty pictures of a flat board from all sides.</source>
-        <translation>手指通过相机镜头测量,所以先要知道镜头。每台相机只需测量一次:从各个方向拍摄十到二十张平面标定板的图片。</translation>
+        <translation>手指通过相机镜头测量，所以先要知道镜头。每台相机只需测量一次：从各个方向拍摄十到二十张平面标定板的图片。</translation>
     </message>
     <message>
         <source>Camera (*.yaml *.yml)</source>
@@ -2447,11 +2470,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>A ring: the marker is seen. A dashed diamond: its place is an estimate.</source>
-        <translation>圆圈:看得见标记点。虚线菱形:位置为估计值。</translation>
+        <translation>圆圈：看得见标记点。虚线菱形：位置为估计值。</translation>
     </message>
     <message>
         <source>Stripes falling to the right: too bright to measure. Stripes falling to the left: too dark.</source>
-        <translation>向右下的条纹:过亮,无法测量。向左下的条纹:过暗。</translation>
+        <translation>向右下的条纹：过亮，无法测量。向左下的条纹：过暗。</translation>
     </message>
     <message>
         <source>Colours &amp;end at</source>
@@ -2653,7 +2676,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>Error of every press, worst first</source>
-        <translation>各次按压的误差,最大的在前</translation>
+        <translation>各次按压的误差，最大的在前</translation>
     </message>
     <message>
         <source>The calibration is being made.</source>
@@ -2674,7 +2697,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message numerus="yes">
         <source>(about %n second(s) left)</source>
         <translation>
-            <numerusform>(约剩 %n 秒)</numerusform>
+            <numerusform>（约剩 %n 秒）</numerusform>
         </translation>
     </message>
     <message>
@@ -2687,15 +2710,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>With one press or more, what every pixel&apos;s darkening means in mm is learnt from the shape of the ball.</source>
-        <translation>有一次或多次按压后,由球的形状学得每个像素变暗意味着多少毫米。</translation>
+        <translation>有一次或多次按压后，由球的形状学得每个像素变暗意味着多少毫米。</translation>
     </message>
     <message>
         <source>What every pixel&apos;s darkening means in mm is learnt from the shape of the ball, with all presses together. Each press is left out once to see how well the others foretell it.</source>
-        <translation>每个像素变暗意味着多少毫米,由球的形状和全部按压一起学得。每次按压都会被留出一次,看其余的能预测得多好。</translation>
+        <translation>每个像素变暗意味着多少毫米，由球的形状和全部按压一起学得。每次按压都会被留出一次，看其余的能预测得多好。</translation>
     </message>
     <message>
         <source>Mapping: %1.</source>
-        <translation>映射:%1。</translation>
+        <translation>映射：%1。</translation>
     </message>
     <message>
         <source>Mapping</source>
@@ -2746,7 +2769,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>No mapping yet: calibrate with ball presses</source>
-        <translation>尚无映射:请用钢球按压标定</translation>
+        <translation>尚无映射：请用钢球按压标定</translation>
     </message>
     <message>
         <source>± 2 standard deviations</source>
@@ -2766,11 +2789,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>Brightness difference x (no unit)</source>
-        <translation>亮度差 x(无单位)</translation>
+        <translation>亮度差 x（无单位）</translation>
     </message>
     <message>
         <source>Brightness difference x (share of the untouched brightness)</source>
-        <translation>亮度差 x(占未触碰亮度的比例)</translation>
+        <translation>亮度差 x（占未触碰亮度的比例）</translation>
     </message>
     <message>
         <source>Depth (mm)</source>
@@ -2852,7 +2875,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>Fin Ray finger: its shape is read from the face&apos;s edges</source>
-        <translation>鳍条手指:形状由面的边缘得出</translation>
+        <translation>鳍条手指：形状由面的边缘得出</translation>
     </message>
     <message>
         <source>Flat, rigid sensor</source>
@@ -2916,7 +2939,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>Measure width and layer with a caliper, and count the dots. The camera file comes from the lens calibration, the first step of Calibrate.</source>
-        <translation>用卡尺测量宽度和层厚,并数出标记点。相机文件来自镜头标定,即“标定”的第一步。</translation>
+        <translation>用卡尺测量宽度和层厚，并数出标记点。相机文件来自镜头标定，即“标定”的第一步。</translation>
     </message>
     <message>
         <source>The first step of Calibrate makes one.</source>
@@ -2931,11 +2954,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>Drag the outline&apos;s centre or rim onto the ball. Arrow keys move it by a tenth of a pixel, Page Up and Page Down change its size, with Shift by a whole pixel. Ctrl and the arrow keys move the picture; the wheel zooms, over the rim it changes the size.</source>
-        <translation>把轮廓的中心或边缘拖到球上。方向键移动十分之一像素,Page Up 和 Page Down 改变大小,加 Shift 为一个像素。Ctrl 加方向键移动画面;滚轮缩放,在边缘上则改变大小。</translation>
+        <translation>把轮廓的中心或边缘拖到球上。方向键移动十分之一像素，Page Up 和 Page Down 改变大小，加 Shift 为一个像素。Ctrl 加方向键移动画面；滚轮缩放，在边缘上则改变大小。</translation>
     </message>
     <message>
         <source>Centre u %1 px, v %2 px, radius %3 px; ball at x %4, y %5, z %6 mm</source>
-        <translation>中心 u %1 px,v %2 px,半径 %3 px;球在 x %4,y %5,z %6 mm</translation>
+        <translation>中心 u %1 px,v %2 px，半径 %3 px；球在 x %4,y %5,z %6 mm</translation>
     </message>
 </context>
 <context>
@@ -3064,7 +3087,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>The source could not be opened; above stands why.</source>
-        <translation>无法打开来源;原因见上方。</translation>
+        <translation>无法打开来源；原因见上方。</translation>
     </message>
     <message>
         <source>No source is open. Choose a camera, a recording or the simulated finger.</source>
@@ -3076,7 +3099,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>Point at a pixel, or press Shift and an arrow key.</source>
-        <translation>指向一个像素,或按 Shift 加方向键。</translation>
+        <translation>指向一个像素，或按 Shift 加方向键。</translation>
     </message>
     <message>
         <source>%1 %</source>
@@ -3267,7 +3290,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>There are presses of these names already: %1.</source>
-        <translation>已有同名的按压:%1。</translation>
+        <translation>已有同名的按压：%1。</translation>
     </message>
     <message>
         <source>change the measured depth of %1</source>
@@ -3282,7 +3305,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <name>alltact::PressErrorPlot</name>
     <message>
         <source>Error of every press, worst first</source>
-        <translation>各次按压的误差,最大的在前</translation>
+        <translation>各次按压的误差，最大的在前</translation>
     </message>
     <message numerus="yes">
         <source>The worst of %n press(es) is %1 with %2 mm.</source>
@@ -3296,16 +3319,16 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>residual: the mapping knows this press</source>
-        <translation>残差:映射用过此按压</translation>
+        <translation>残差：映射用过此按压</translation>
     </message>
     <message>
         <source>left out: the mapping was made without it</source>
-        <translation>留出:映射未使用它</translation>
+        <translation>留出：映射未使用它</translation>
     </message>
     <message numerus="yes">
         <source>Mean depth error inside the contact (mm); %n better press(es) not shown</source>
         <translation>
-            <numerusform>接触内的平均深度误差 (mm);另有 %n 次较好的按压未显示</numerusform>
+            <numerusform>接触内的平均深度误差 (mm)；另有 %n 次较好的按压未显示</numerusform>
         </translation>
     </message>
     <message>
@@ -3376,7 +3399,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>How deep the ball was pressed in, normal to the face, from where it first touches, as a stage or a feeler gauge tells it</source>
-        <translation>球压入的深度,沿面的法线方向,从球刚接触处算起,由位移台或塞尺测得</translation>
+        <translation>球压入的深度，沿面的法线方向，从球刚接触处算起，由位移台或塞尺测得</translation>
     </message>
     <message>
         <source>&amp;Give or take</source>
@@ -3388,7 +3411,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>How well the depth is known: the standard deviation of measuring it</source>
-        <translation>深度的准确程度:测量的标准差</translation>
+        <translation>深度的准确程度：测量的标准差</translation>
     </message>
     <message>
         <source>&amp;Step of a punch</source>
@@ -3404,7 +3427,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>Height of the step of a flat punch that was pressed in instead of a ball; no ball is looked for then</source>
-        <translation>代替球压入的平压头的台阶高度;此时不再寻找球</translation>
+        <translation>代替球压入的平压头的台阶高度；此时不再寻找球</translation>
     </message>
 </context>
 <context>
@@ -3434,7 +3457,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>taken out: %1</source>
-        <translation>已取出:%1</translation>
+        <translation>已取出：%1</translation>
     </message>
     <message>
         <source>ball put by hand</source>
@@ -3462,7 +3485,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>measured %1 mm deep, the solution has %2 mm</source>
-        <translation>测得深 %1 mm,解为 %2 mm</translation>
+        <translation>测得深 %1 mm，解为 %2 mm</translation>
     </message>
     <message>
         <source>no face seen</source>
@@ -3525,7 +3548,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>Takes the press and its picture away (undo brings them back)</source>
-        <translation>移除按压及其图片(可撤销)</translation>
+        <translation>移除按压及其图片（可撤销）</translation>
     </message>
     <message>
         <source>&amp;Live picture</source>
@@ -3569,7 +3592,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>&amp;Take a press (Space)</source>
-        <translation>拍摄按压(空格)(&amp;T)</translation>
+        <translation>拍摄按压（空格）(&amp;T)</translation>
     </message>
     <message>
         <source>By &amp;itself when it holds still</source>
@@ -3577,7 +3600,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>Takes a press as soon as a contact holds still for half a second; both hands stay free</source>
-        <translation>接触静止半秒后自动拍摄;双手不必离开</translation>
+        <translation>接触静止半秒后自动拍摄；双手不必离开</translation>
     </message>
     <message>
         <source>&amp;Find the ball again</source>
@@ -3589,7 +3612,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>Yellow: the ball&apos;s outline, dashed as the program found it, whole where a hand put it. Blue: where the ball meets the untouched face, about the dark disc.</source>
-        <translation>黄色:球的轮廓,虚线为程序找到的,实线为手动放置的。蓝色:球与未触碰面相交之处,大致是暗斑。</translation>
+        <translation>黄色：球的轮廓，虚线为程序找到的，实线为手动放置的。蓝色：球与未触碰面相交之处，大致是暗斑。</translation>
     </message>
     <message>
         <source>Place of the ball</source>
@@ -3605,7 +3628,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>Take a press first; six at different places are good.</source>
-        <translation>请先拍摄一次按压;在不同位置拍六次为好。</translation>
+        <translation>请先拍摄一次按压；在不同位置拍六次为好。</translation>
     </message>
     <message>
         <source>In no press a ball was found yet.</source>
@@ -3613,7 +3636,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>There is no live picture: choose a source.</source>
-        <translation>没有实时画面:请选择来源。</translation>
+        <translation>没有实时画面：请选择来源。</translation>
     </message>
     <message>
         <source>The finger cannot be compared with its reference.</source>
@@ -3633,7 +3656,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>Try: %1.</source>
-        <translation>请尝试:%1。</translation>
+        <translation>请尝试：%1。</translation>
     </message>
     <message>
         <source>Or drag the outline onto the ball.</source>
@@ -3641,11 +3664,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>As it lies now it is pressed in by %1 mm.</source>
-        <translation>按现在的位置,球压入 %1 mm。</translation>
+        <translation>按现在的位置，球压入 %1 mm。</translation>
     </message>
     <message>
         <source>As it lies now it does not touch the face.</source>
-        <translation>按现在的位置,球没有碰到面。</translation>
+        <translation>按现在的位置，球没有碰到面。</translation>
     </message>
     <message>
         <source>Chosen &amp;press</source>
@@ -3661,7 +3684,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>A press that is taken out stays with the finger and is not used</source>
-        <translation>取出的按压仍保存在手指中,但不使用</translation>
+        <translation>取出的按压仍保存在手指中，但不使用</translation>
     </message>
     <message>
         <source>The picture is being read.</source>
@@ -3669,7 +3692,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>Centre u %1 px, v %2 px, radius %3 px, %4 mm before the camera</source>
-        <translation>中心 u %1 px,v %2 px,半径 %3 px,距相机 %4 mm</translation>
+        <translation>中心 u %1 px,v %2 px，半径 %3 px，距相机 %4 mm</translation>
     </message>
     <message>
         <source>No ball is drawn here.</source>
@@ -3677,12 +3700,12 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>No press yet. Press the ball in at different places and depths, base, middle and tip.</source>
-        <translation>还没有按压。请在不同位置以不同深度压入球:根部、中部和指尖。</translation>
+        <translation>还没有按压。请在不同位置以不同深度压入球：根部、中部和指尖。</translation>
     </message>
     <message numerus="yes">
         <source>%n press(es), </source>
         <translation>
-            <numerusform>%n 次按压,</numerusform>
+            <numerusform>%n 次按压，</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -3693,11 +3716,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>%1 is taken: the mean of %2 pictures held still.</source>
-        <translation>%1 已拍摄:%2 张静止画面的平均。</translation>
+        <translation>%1 已拍摄：%2 张静止画面的平均。</translation>
     </message>
     <message>
         <source>%1 is taken from a single picture; hold ball and finger still for half a second, and its noise falls to a quarter.</source>
-        <translation>%1 取自单张画面;使球和手指保持静止半秒,噪声就会降到四分之一。</translation>
+        <translation>%1 取自单张画面；使球和手指保持静止半秒，噪声就会降到四分之一。</translation>
     </message>
     <message>
         <source>&amp;Error under the ball</source>
@@ -3797,7 +3820,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>The source has ended; its last picture is shown.</source>
-        <translation>来源已结束;显示的是最后一帧。</translation>
+        <translation>来源已结束；显示的是最后一帧。</translation>
     </message>
     <message>
         <source>&amp;Play it again</source>
@@ -3808,7 +3831,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <name>alltact::ProblemList</name>
     <message>
         <source>Try: %1</source>
-        <translation>建议:%1</translation>
+        <translation>建议：%1</translation>
     </message>
     <message>
         <source>Problems</source>
@@ -3883,15 +3906,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <name>alltact::ReadingWords</name>
     <message>
         <source>no depth: too dark</source>
-        <translation>无深度:过暗</translation>
+        <translation>无深度：过暗</translation>
     </message>
     <message>
         <source>no depth: too bright</source>
-        <translation>无深度:过亮</translation>
+        <translation>无深度：过亮</translation>
     </message>
     <message>
         <source>no depth: near the face&apos;s edge</source>
-        <translation>无深度:靠近面的边缘</translation>
+        <translation>无深度：靠近面的边缘</translation>
     </message>
     <message>
         <source>depth %1 ± %2 mm</source>
@@ -3903,11 +3926,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source> (beyond what was calibrated)</source>
-        <translation>(超出标定范围)</translation>
+        <translation>（超出标定范围）</translation>
     </message>
     <message>
         <source>&lt;b&gt;%1&lt;/b&gt;: off the face</source>
-        <translation>&lt;b&gt;%1&lt;/b&gt;:不在面上</translation>
+        <translation>&lt;b&gt;%1&lt;/b&gt;：不在面上</translation>
     </message>
     <message>
         <source>&lt;b&gt;%1&lt;/b&gt;: x %2, y %3, z %4 mm</source>
@@ -3915,7 +3938,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>&lt;b&gt;A to B&lt;/b&gt;: %1 mm straight, %2 mm over the face</source>
-        <translation>&lt;b&gt;A 到 B&lt;/b&gt;:直线 %1 mm,沿面 %2 mm</translation>
+        <translation>&lt;b&gt;A 到 B&lt;/b&gt;：直线 %1 mm，沿面 %2 mm</translation>
     </message>
     <message>
         <source>by x %1, y %2, z %3 mm</source>
@@ -3923,7 +3946,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>Deepest %1 mm; contact at x %2, y %3, z %4 mm.</source>
-        <translation>最深 %1 mm;接触位置 x %2,y %3,z %4 mm。</translation>
+        <translation>最深 %1 mm；接触位置 x %2,y %3,z %4 mm。</translation>
     </message>
     <message>
         <source>Nothing presses on the face.</source>
@@ -3931,7 +3954,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>Click on the face for point A, with the right button for point B.</source>
-        <translation>在面上单击设置 A 点,右键单击设置 B 点。</translation>
+        <translation>在面上单击设置 A 点，右键单击设置 B 点。</translation>
     </message>
     <message>
         <source>not calibrated: no depth</source>
@@ -3978,7 +4001,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>Stops the installation; nothing is changed.</source>
-        <translation>停止安装;不作任何更改。</translation>
+        <translation>停止安装；不作任何更改。</translation>
     </message>
     <message>
         <source>Progress of the installation</source>
@@ -3994,11 +4017,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>Enough: all directions are reached.</source>
-        <translation>足够:所有方向都已达到。</translation>
+        <translation>足够：所有方向都已达到。</translation>
     </message>
     <message>
         <source>Still missing: %1.</source>
-        <translation>还缺少:%1。</translation>
+        <translation>还缺少：%1。</translation>
     </message>
     <message>
         <source>What was found in the recording</source>
@@ -4018,7 +4041,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>The finger hangs free now: all bending is told from here.</source>
-        <translation>手指现在自由悬垂:所有弯曲都从这里算起。</translation>
+        <translation>手指现在自由悬垂：所有弯曲都从这里算起。</translation>
     </message>
     <message>
         <source>Bending is told from the rest pose that was set.</source>
@@ -4046,7 +4069,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>Open a source first: a camera, or the simulated finger.</source>
-        <translation>请先打开来源:相机或仿真手指。</translation>
+        <translation>请先打开来源：相机或仿真手指。</translation>
     </message>
     <message>
         <source>Stop &amp;recording</source>
@@ -4070,12 +4093,12 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>Space left: %1 GB</source>
-        <translation>剩余空间:%1 GB</translation>
+        <translation>剩余空间：%1 GB</translation>
     </message>
     <message numerus="yes">
         <source>, room for about %n minute(s)</source>
         <translation>
-            <numerusform>,约可录 %n 分钟</numerusform>
+            <numerusform>，约可录 %n 分钟</numerusform>
         </translation>
     </message>
     <message>
@@ -4084,7 +4107,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>A flat sensor has one untouched picture instead of a recording.</source>
-        <translation>平面传感器只需一张未接触的图片,不需要录像。</translation>
+        <translation>平面传感器只需一张未接触的图片，不需要录像。</translation>
     </message>
     <message>
         <source>A recording is under way.</source>
@@ -4097,7 +4120,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message numerus="yes">
         <source>%n frame(s) were lost because this computer or its disk was too slow.</source>
         <translation>
-            <numerusform>由于本机或磁盘太慢,丢失了 %n 帧。</numerusform>
+            <numerusform>由于本机或磁盘太慢，丢失了 %n 帧。</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -4123,12 +4146,12 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message numerus="yes">
         <source>Installed: %1 of %n frame(s) are in the reference.</source>
         <translation>
-            <numerusform>已安装:%n 帧中有 %1 帧进入参考。</numerusform>
+            <numerusform>已安装：%n 帧中有 %1 帧进入参考。</numerusform>
         </translation>
     </message>
     <message>
         <source>Left out, with the reason:</source>
-        <translation>被舍弃的帧及原因:</translation>
+        <translation>被舍弃的帧及原因：</translation>
     </message>
     <message numerus="yes">
         <source>%n frame(s) of this recording are lost.</source>
@@ -4142,7 +4165,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>Keep it free: bend the finger at its tip, its sides or its back.</source>
-        <translation>请保持其空闲:从指尖、侧面或背面弯曲手指。</translation>
+        <translation>请保持其空闲：从指尖、侧面或背面弯曲手指。</translation>
     </message>
     <message>
         <source>Little space is left on the disk.</source>
@@ -4150,7 +4173,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>Choose a file on another disk, or make room.</source>
-        <translation>请选择其他磁盘上的文件,或清理空间。</translation>
+        <translation>请选择其他磁盘上的文件，或清理空间。</translation>
     </message>
     <message>
         <source>Start &amp;recording</source>
@@ -4158,7 +4181,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>What it leaves open: half of the references made from it are off by less than %1 mm, 95 % by less than %2 mm.</source>
-        <translation>剩余误差:由此得到的参考,一半偏差小于 %1 mm,95 % 小于 %2 mm。</translation>
+        <translation>剩余误差：由此得到的参考，一半偏差小于 %1 mm,95 % 小于 %2 mm。</translation>
     </message>
     <message numerus="yes">
         <source>%n frame(s) showed a pose that others show as well.</source>
@@ -4196,7 +4219,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>Record it bending, with nothing on its contact face.</source>
-        <translation>请录制它弯曲的过程,接触面上不要有任何东西。</translation>
+        <translation>请录制它弯曲的过程，接触面上不要有任何东西。</translation>
     </message>
     <message>
         <source>It was not twisted; twist it, too, if it is in use.</source>
@@ -4334,23 +4357,23 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <name>alltact::SaveBar</name>
     <message>
         <source>Mesh, PLY</source>
-        <translation>网格,PLY</translation>
+        <translation>网格，PLY</translation>
     </message>
     <message>
         <source>Mesh, VTP (VTK)</source>
-        <translation>网格,VTP (VTK)</translation>
+        <translation>网格，VTP (VTK)</translation>
     </message>
     <message>
         <source>Mesh, STL</source>
-        <translation>网格,STL</translation>
+        <translation>网格，STL</translation>
     </message>
     <message>
         <source>Mesh, glTF</source>
-        <translation>网格,glTF</translation>
+        <translation>网格，glTF</translation>
     </message>
     <message>
         <source>Video in 3D, MKV</source>
-        <translation>三维视频,MKV</translation>
+        <translation>三维视频，MKV</translation>
     </message>
     <message>
         <source>What is saved</source>
@@ -4959,7 +4982,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <name>alltact::StartPanel</name>
     <message>
         <source>What shall be shown?</source>
-        <translation>要显示什么?</translation>
+        <translation>要显示什么？</translation>
     </message>
     <message>
         <source>Choose where pictures come from. A finger can be opened before or after.</source>
@@ -4995,7 +5018,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>&amp;Go on with %1</source>
-        <translation>继续:%1(&amp;G)</translation>
+        <translation>继续：%1(&amp;G)</translation>
     </message>
     <message>
         <source>No camera is plugged in.</source>
@@ -5037,20 +5060,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>丢失的帧</translation>
     </message>
     <message>
-        <source>Age of the picture</source>
-        <translation>图像延迟</translation>
-    </message>
-    <message>
         <source>Time of a frame</source>
         <translation>每帧用时</translation>
-    </message>
-    <message>
-        <source>picture %1 ms old</source>
-        <translation>图像延迟 %1 ms</translation>
-    </message>
-    <message>
-        <source>pictures without times</source>
-        <translation>图像没有时间</translation>
     </message>
     <message>
         <source>%1 ms a frame</source>
@@ -5058,7 +5069,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>%1 frames/s, %2 delivered, %3 shown a second</source>
-        <translation>%1 帧/秒,已收到 %2 帧,每秒显示 %3 帧</translation>
+        <translation>%1 帧/秒，已收到 %2 帧，每秒显示 %3 帧</translation>
     </message>
     <message numerus="yes">
         <source>%n frame(s) lost</source>
@@ -5318,7 +5329,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>The presses have changed since: calibrate again.</source>
-        <translation>此后按压已有改动:请重新标定。</translation>
+        <translation>此后按压已有改动：请重新标定。</translation>
     </message>
     <message>
         <source>The report is being written.</source>
@@ -5326,7 +5337,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>By zone of the face: %1.</source>
-        <translation>按面上的区域:%1。</translation>
+        <translation>按面上的区域：%1。</translation>
     </message>
     <message>
         <source>Nothing can be said about it with these presses.</source>
@@ -5610,11 +5621,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <name>alltact::en</name>
     <message>
         <source>{} x {} px is no picture size; a side must have 16 to 16384</source>
-        <translation>{} x {} px 不是图片尺寸;边长必须为 16 到 16384</translation>
+        <translation>{} x {} px 不是图片尺寸；边长必须为 16 到 16384</translation>
     </message>
     <message>
         <source>the size of the camera&apos;s pictures, [width, height]</source>
-        <translation>相机图片的尺寸,[宽, 高]</translation>
+        <translation>相机图片的尺寸，[宽，高]</translation>
     </message>
     <message>
         <source>must be a number from 0.000001 to 100</source>
@@ -5630,7 +5641,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the focal length in pixels, as &apos;alltact lens&apos; finds it</source>
-        <translation>焦距,单位像素,由 &apos;alltact lens&apos; 得出</translation>
+        <translation>焦距，单位像素，由 &apos;alltact lens&apos; 得出</translation>
     </message>
     <message>
         <source>must be a number from {} to {}</source>
@@ -5638,7 +5649,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the picture&apos;s centre, or run &apos;alltact lens&apos;</source>
-        <translation>图片中心,或运行 &apos;alltact lens&apos;</translation>
+        <translation>图片中心，或运行 &apos;alltact lens&apos;</translation>
     </message>
     <message>
         <source>no</source>
@@ -5650,11 +5661,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>a {} camera has {} coefficients, here are {}</source>
-        <translation>{} 相机有 {} 个系数,这里有 {} 个</translation>
+        <translation>{} 相机有 {} 个系数，这里有 {} 个</translation>
     </message>
     <message>
         <source>brown: k1 k2 p1 p2 k3, fisheye: k1 k2 k3 k4, others: []</source>
-        <translation>brown:k1 k2 p1 p2 k3,fisheye:k1 k2 k3 k4,其他:[]</translation>
+        <translation>brown:k1 k2 p1 p2 k3,fisheye:k1 k2 k3 k4，其他：[]</translation>
     </message>
     <message>
         <source>holds a number that no lens has</source>
@@ -5666,7 +5677,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>belongs to a perspective camera; an orthographic one sees no nearer through it</source>
-        <translation>属于透视相机;正交相机不需要它</translation>
+        <translation>属于透视相机；正交相机不需要它</translation>
     </message>
     <message>
         <source>leave it out</source>
@@ -5674,7 +5685,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the distortion folds over inside the picture: near its border two directions would be seen in one pixel</source>
-        <translation>畸变在画面内折叠:靠近边缘处一个像素会看到两个方向</translation>
+        <translation>畸变在画面内折叠：靠近边缘处一个像素会看到两个方向</translation>
     </message>
     <message>
         <source>run &apos;alltact lens&apos; with boards that reach into the corners, or with fewer coefficients</source>
@@ -5682,7 +5693,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>{} is {} x {} px, the camera of this finger gives {} x {}</source>
-        <translation>{} 为 {} x {} px,此手指的相机给出 {} x {}</translation>
+        <translation>{} 为 {} x {} px，此手指的相机给出 {} x {}</translation>
     </message>
     <message>
         <source>must be a number from {:g} to {:g}</source>
@@ -5702,7 +5713,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>1 for air, 1.33 water, 1.41 silicone, 1.49 acrylic, 1.52 glass</source>
-        <translation>空气 1,水 1.33,硅胶 1.41,亚克力 1.49,玻璃 1.52</translation>
+        <translation>空气 1，水 1.33，硅胶 1.41，亚克力 1.49，玻璃 1.52</translation>
     </message>
     <message>
         <source>{} or {}</source>
@@ -5710,11 +5721,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>one of {}</source>
-        <translation>以下之一:{}</translation>
+        <translation>以下之一：{}</translation>
     </message>
     <message>
         <source>&apos;{}&apos;, or else {}</source>
-        <translation>“{}”,或者{}</translation>
+        <translation>“{}”，或者{}</translation>
     </message>
     <message>
         <source>must be two whole numbers</source>
@@ -5722,15 +5733,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>[width, height] in pixels</source>
-        <translation>[宽, 高],单位像素</translation>
+        <translation>[宽，高]，单位像素</translation>
     </message>
     <message>
         <source>the air between lens and window in mm</source>
-        <translation>镜头与窗口之间的空气,单位 mm</translation>
+        <translation>镜头与窗口之间的空气，单位 mm</translation>
     </message>
     <message>
         <source>the window&apos;s thickness in mm</source>
-        <translation>窗口的厚度,单位 mm</translation>
+        <translation>窗口的厚度，单位 mm</translation>
     </message>
     <message>
         <source>the window&apos;s index of refraction</source>
@@ -5742,15 +5753,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the size of a pixel in mm</source>
-        <translation>像素的大小,单位 mm</translation>
+        <translation>像素的大小，单位 mm</translation>
     </message>
     <message>
         <source>the focal length in pixels</source>
-        <translation>焦距,单位像素</translation>
+        <translation>焦距，单位像素</translation>
     </message>
     <message>
         <source>the principal point in pixels</source>
-        <translation>主点,单位像素</translation>
+        <translation>主点，单位像素</translation>
     </message>
     <message>
         <source>must be above 0 and at most 50</source>
@@ -5758,7 +5769,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the thickness of the translucent layer in mm, for example 1.5</source>
-        <translation>半透明层的厚度,单位 mm,例如 1.5</translation>
+        <translation>半透明层的厚度，单位 mm，例如 1.5</translation>
     </message>
     <message>
         <source>must be above 0 and at most 500</source>
@@ -5766,11 +5777,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the distance between the two edges of the view face in mm</source>
-        <translation>面的两条边缘之间的距离,单位 mm</translation>
+        <translation>面的两条边缘之间的距离，单位 mm</translation>
     </message>
     <message>
         <source>a fin_ray needs a camera with perspective: its shape comes from it</source>
-        <translation>fin_ray 需要透视相机:形状由它得出</translation>
+        <translation>fin_ray 需要透视相机：形状由它得出</translation>
     </message>
     <message>
         <source>pinhole, brown or fisheye</source>
@@ -5778,7 +5789,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>must be above 0 and at most 10000: the face lies before the camera</source>
-        <translation>必须大于 0 且不超过 10000:面在相机前方</translation>
+        <translation>必须大于 0 且不超过 10000：面在相机前方</translation>
     </message>
     <message>
         <source>must be a number from -10000 to 10000</source>
@@ -5786,7 +5797,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the distance of the face from the camera in mm</source>
-        <translation>面到相机的距离,单位 mm</translation>
+        <translation>面到相机的距离，单位 mm</translation>
     </message>
     <message>
         <source>a flat sensor has no markers</source>
@@ -5802,11 +5813,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the number of dots on one side face, 0 for a finger without</source>
-        <translation>一个侧面上标记点的个数,没有标记点则为 0</translation>
+        <translation>一个侧面上标记点的个数，没有标记点则为 0</translation>
     </message>
     <message>
         <source>must be numbers from 0 to {}, ascending</source>
-        <translation>必须是 0 到 {} 的编号,按升序排列</translation>
+        <translation>必须是 0 到 {} 的编号，按升序排列</translation>
     </message>
     <message>
         <source>record the reference again</source>
@@ -5818,7 +5829,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>gives depths up to {:.3g} mm in a layer of {:g} mm</source>
-        <translation>给出的深度达 {} mm,而层厚只有 {} mm</translation>
+        <translation>给出的深度达 {} mm，而层厚只有 {} mm</translation>
     </message>
     <message>
         <source>must be a number from 0 to 1000</source>
@@ -5830,7 +5841,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>copy the file into the folder and give its name only</source>
-        <translation>把文件复制到文件夹中,只写文件名</translation>
+        <translation>把文件复制到文件夹中，只写文件名</translation>
     </message>
     <message>
         <source>must be a column of the picture and a step of 0.001 to 500 mm</source>
@@ -5838,7 +5849,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>there is either a video with its markers or one picture, not both</source>
-        <translation>要么是带标记点的视频,要么是一张图片,不能两者都有</translation>
+        <translation>要么是带标记点的视频，要么是一张图片，不能两者都有</translation>
     </message>
     <message>
         <source>remove one of them</source>
@@ -5850,7 +5861,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>holds {} positions, but there are {} markers</source>
-        <translation>含有 {} 个位置,但有 {} 个标记点</translation>
+        <translation>含有 {} 个位置，但有 {} 个标记点</translation>
     </message>
     <message>
         <source>holds a position far outside the picture</source>
@@ -5882,7 +5893,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>says how a mapping was made, but there is none</source>
-        <translation>记录了映射的来源,但没有映射</translation>
+        <translation>记录了映射的来源，但没有映射</translation>
     </message>
     <message>
         <source>calibrate</source>
@@ -5890,11 +5901,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>a length in mm</source>
-        <translation>长度,单位 mm</translation>
+        <translation>长度，单位 mm</translation>
     </message>
     <message>
         <source>a distance in mm</source>
-        <translation>距离,单位 mm</translation>
+        <translation>距离，单位 mm</translation>
     </message>
     <message>
         <source>must be a list of whole numbers</source>
@@ -5914,7 +5925,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>remove this line: it is only for people to read</source>
-        <translation>删除此行:它只供人阅读</translation>
+        <translation>删除此行：它只供人阅读</translation>
     </message>
     <message>
         <source>a part of the depth</source>
@@ -5922,11 +5933,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>must be two numbers: mm along and across the face</source>
-        <translation>必须是两个数:沿面和横向的 mm</translation>
+        <translation>必须是两个数：沿面和横向的 mm</translation>
     </message>
     <message>
         <source>must be two numbers, the first of them 0</source>
-        <translation>必须是两个数,第一个为 0</translation>
+        <translation>必须是两个数，第一个为 0</translation>
     </message>
     <message>
         <source>for example [0.0, 0.62]</source>
@@ -5934,7 +5945,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>a depth in mm</source>
-        <translation>深度,单位 mm</translation>
+        <translation>深度，单位 mm</translation>
     </message>
     <message>
         <source>without unit</source>
@@ -5946,11 +5957,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>must be two numbers: a column in px, a step in mm</source>
-        <translation>必须是两个数:以 px 计的列和以 mm 计的步长</translation>
+        <translation>必须是两个数：以 px 计的列和以 mm 计的步长</translation>
     </message>
     <message>
         <source>a sum of offsets in pixels</source>
-        <translation>位移之和,单位像素</translation>
+        <translation>位移之和，单位像素</translation>
     </message>
     <message>
         <source>must hold two numbers for each marker</source>
@@ -5974,7 +5985,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>a newer version of this program, or &apos;{}&apos;</source>
-        <translation>使用更新的程序版本,或“{}”</translation>
+        <translation>使用更新的程序版本，或“{}”</translation>
     </message>
     <message>
         <source>must name a file</source>
@@ -5986,11 +5997,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>leave it out, or calibrate again</source>
-        <translation>去掉它,或重新标定</translation>
+        <translation>去掉它，或重新标定</translation>
     </message>
     <message>
         <source>must be {0} rows of {0} numbers</source>
-        <translation>必须是 {0} 行,每行 {0} 个数</translation>
+        <translation>必须是 {0} 行，每行 {0} 个数</translation>
     </message>
     <message>
         <source>holds values that no covariance has</source>
@@ -6006,7 +6017,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>must hold finite numbers, half_mm above 0, along and across together at most 0.5</source>
-        <translation>必须是有限数,half_mm 大于 0,along 与 across 之和不超过 0.5</translation>
+        <translation>必须是有限数，half_mm 大于 0,along 与 across 之和不超过 0.5</translation>
     </message>
     <message>
         <source>must be a positive number</source>
@@ -6014,7 +6025,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>must be greater than {:.6g}, where the curve has its pole, and at most 1000000</source>
-        <translation>必须大于 {}(曲线的极点处)且不超过 1000000</translation>
+        <translation>必须大于 {}（曲线的极点处）且不超过 1000000</translation>
     </message>
     <message>
         <source>must hold 1 to {} numbers</source>
@@ -6022,31 +6033,31 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>holds a number that is no coefficient in mm</source>
-        <translation>含有不是系数(mm)的数</translation>
+        <translation>含有不是系数（mm）的数</translation>
     </message>
     <message>
         <source>must end above 0 and at 1 or below: it is a relative difference of brightness</source>
-        <translation>终点必须大于 0 且不超过 1:这是相对亮度差</translation>
+        <translation>终点必须大于 0 且不超过 1：这是相对亮度差</translation>
     </message>
     <message>
         <source>the curve does not rise at x = {:.4g} (slope {:.4g} mm)</source>
-        <translation>曲线在 x = {} 处不上升(斜率 {} mm)</translation>
+        <translation>曲线在 x = {} 处不上升（斜率 {} mm）</translation>
     </message>
     <message>
         <source>calibrate with fewer coefficients or as moebius, or with deeper presses</source>
-        <translation>用更少的系数或 moebius 标定,或按得更深</translation>
+        <translation>用更少的系数或 moebius 标定，或按得更深</translation>
     </message>
     <message>
         <source>gives a depth of {:.4g} mm at the end of its domain; it must lie above 0 and below {:g} mm</source>
-        <translation>在定义域终点给出深度 {} mm;必须大于 0 且小于 {} mm</translation>
+        <translation>在定义域终点给出深度 {} mm；必须大于 0 且小于 {} mm</translation>
     </message>
     <message>
         <source>there is a finger already, and it is never overwritten</source>
-        <translation>已有一个手指,不会覆盖它</translation>
+        <translation>已有一个手指，不会覆盖它</translation>
     </message>
     <message>
         <source>another folder, or moving that one away</source>
-        <translation>换一个文件夹,或将其移走</translation>
+        <translation>换一个文件夹，或将其移走</translation>
     </message>
     <message>
         <source>could not write the file</source>
@@ -6062,7 +6073,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>make the folder first, or check the path for typing errors</source>
-        <translation>先建立文件夹,或检查路径是否输错</translation>
+        <translation>先建立文件夹，或检查路径是否输错</translation>
     </message>
     <message>
         <source>could not read the file</source>
@@ -6082,7 +6093,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>a shorter USB cable or another port; if it stays, another format or a lower rate</source>
-        <translation>换短一些的 USB 线或另一接口;若仍如此,换一种格式或降低帧率</translation>
+        <translation>换短一些的 USB 线或另一接口；若仍如此，换一种格式或降低帧率</translation>
     </message>
     <message>
         <source>a picture came with {} of {} bytes</source>
@@ -6094,7 +6105,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>a picture of {}x{} came where {}x{} was agreed</source>
-        <translation>收到 {}x{} 的图像,而约定为 {}x{}</translation>
+        <translation>收到 {}x{} 的图像，而约定为 {}x{}</translation>
     </message>
     <message>
         <source>a JPEG came that is truncated or damaged</source>
@@ -6106,7 +6117,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>somebody else is at work here: {0}</source>
-        <translation>这里已有其他程序在工作:{0}</translation>
+        <translation>这里已有其他程序在工作：{0}</translation>
     </message>
     <message>
         <source>waiting until that is done</source>
@@ -6122,11 +6133,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the picture says it is {} x {} px; a side must have 1 to {}</source>
-        <translation>图片标称 {} x {} px;边长必须为 1 到 {}</translation>
+        <translation>图片标称 {} x {} px；边长必须为 1 到 {}</translation>
     </message>
     <message>
         <source>a smaller picture, or copy it again if that size is wrong</source>
-        <translation>使用更小的图片;若尺寸有误请重新复制</translation>
+        <translation>使用更小的图片；若尺寸有误请重新复制</translation>
     </message>
     <message>
         <source>the picture is damaged or cut short</source>
@@ -6138,11 +6149,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the picture has {} bits per channel (floating point); 8 are needed</source>
-        <translation>图片每通道 {} 位(浮点);需要 8 位</translation>
+        <translation>图片每通道 {} 位（浮点）；需要 8 位</translation>
     </message>
     <message>
         <source>the picture has {} bits per channel; 8 are needed</source>
-        <translation>图片每通道 {} 位;需要 8 位</translation>
+        <translation>图片每通道 {} 位；需要 8 位</translation>
     </message>
     <message>
         <source>the camera&apos;s 8-bit pictures</source>
@@ -6150,15 +6161,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the picture has transparent parts; a camera takes none</source>
-        <translation>图片有透明部分;相机不会拍出这种图片</translation>
+        <translation>图片有透明部分；相机不会拍出这种图片</translation>
     </message>
     <message>
         <source>the picture as the camera took it, without an alpha channel</source>
-        <translation>使用相机原图,不带 alpha 通道</translation>
+        <translation>使用相机原图，不带 alpha 通道</translation>
     </message>
     <message>
         <source>the picture has {} channels; 1 or 3 are needed</source>
-        <translation>图片有 {} 个通道;需要 1 或 3 个</translation>
+        <translation>图片有 {} 个通道；需要 1 或 3 个</translation>
     </message>
     <message>
         <source>the picture as the camera took it</source>
@@ -6170,11 +6181,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>cannot write this kind of picture ({}) under that name</source>
-        <translation>不能用这个名字写出这种图片({})</translation>
+        <translation>不能用这个名字写出这种图片（{}）</translation>
     </message>
     <message>
         <source>&apos;.png&apos; for 8-bit pictures, &apos;.tiff&apos; for floating point</source>
-        <translation>8 位图片用 &apos;.png&apos;,浮点用 &apos;.tiff&apos;</translation>
+        <translation>8 位图片用 &apos;.png&apos;，浮点用 &apos;.tiff&apos;</translation>
     </message>
     <message>
         <source>could not encode the picture</source>
@@ -6186,7 +6197,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the picture is of a kind that cannot be used ({})</source>
-        <translation>图片的种类不可用({})</translation>
+        <translation>图片的种类不可用（{}）</translation>
     </message>
     <message>
         <source>8-bit grey pictures</source>
@@ -6194,7 +6205,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the picture is in colour: its channels differ from grey by {:.0f} %</source>
-        <translation>图片是彩色的:各通道偏离灰色 {} %</translation>
+        <translation>图片是彩色的：各通道偏离灰色 {} %</translation>
     </message>
     <message>
         <source>a picture of the finger under white light</source>
@@ -6206,7 +6217,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>switch on the light, or take off the lens cap</source>
-        <translation>打开灯,或取下镜头盖</translation>
+        <translation>打开灯，或取下镜头盖</translation>
     </message>
     <message>
         <source>the picture is no TIFF of 32-bit floating point with 1 or 3 channels</source>
@@ -6286,7 +6297,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>free some space, or choose a folder on another disk</source>
-        <translation>腾出空间,或选择另一磁盘上的文件夹</translation>
+        <translation>腾出空间，或选择另一磁盘上的文件夹</translation>
     </message>
     <message>
         <source>your share of the disk is used up</source>
@@ -6294,7 +6305,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>free some space, or choose another disk</source>
-        <translation>腾出空间,或选择另一磁盘</translation>
+        <translation>腾出空间，或选择另一磁盘</translation>
     </message>
     <message>
         <source>the file would be larger than this system allows</source>
@@ -6318,7 +6329,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>another folder, or ask its owner for access</source>
-        <translation>换一个文件夹,或向其所有者申请权限</translation>
+        <translation>换一个文件夹，或向其所有者申请权限</translation>
     </message>
     <message>
         <source>it does not exist</source>
@@ -6354,7 +6365,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>another disk, and look after this one</source>
-        <translation>换一个磁盘,并检查这个磁盘</translation>
+        <translation>换一个磁盘，并检查这个磁盘</translation>
     </message>
     <message>
         <source>too many files are open</source>
@@ -6366,7 +6377,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>once more, or another folder</source>
-        <translation>再试一次,或换一个文件夹</translation>
+        <translation>再试一次，或换一个文件夹</translation>
     </message>
     <message>
         <source>could not write the archive</source>
@@ -6418,11 +6429,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>move this file away: the video&apos;s own times count then</source>
-        <translation>移走这个文件:之后使用视频自身的时间</translation>
+        <translation>移走这个文件：之后使用视频自身的时间</translation>
     </message>
     <message>
         <source>play it in a video player; if that fails too, record it again</source>
-        <translation>用视频播放器播放;若也不行,请重新录制</translation>
+        <translation>用视频播放器播放；若也不行，请重新录制</translation>
     </message>
     <message>
         <source>once more</source>
@@ -6490,15 +6501,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>putting the removed recording back: {} of {} MB</source>
-        <translation>正在放回被删除的录像:{} / {} MB</translation>
+        <translation>正在放回被删除的录像：{} / {} MB</translation>
     </message>
     <message>
         <source>the disk is nearly full: {} MB are left, {} MB are kept free</source>
-        <translation>磁盘将满:剩余 {} MB,保留 {} MB</translation>
+        <translation>磁盘将满：剩余 {} MB，保留 {} MB</translation>
     </message>
     <message>
         <source>free some space, or record to another disk</source>
-        <translation>腾出空间,或录制到另一磁盘</translation>
+        <translation>腾出空间，或录制到另一磁盘</translation>
     </message>
     <message>
         <source>there is a file already</source>
@@ -6506,11 +6517,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>another name, or remove the old one</source>
-        <translation>换一个名字,或删除旧文件</translation>
+        <translation>换一个名字，或删除旧文件</translation>
     </message>
     <message>
         <source>could not begin the recording: its folder does not exist</source>
-        <translation>无法开始录制:文件夹不存在</translation>
+        <translation>无法开始录制：文件夹不存在</translation>
     </message>
     <message>
         <source>could not begin the recording</source>
@@ -6518,15 +6529,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>how pictures are stored, all without loss: auto takes the camera&apos;s own packets (mjpeg) where it sends such, else magicyuv; ffv1 is about a tenth smaller and four times slower to read</source>
-        <translation>图片如何存储,均为无损:auto 在相机送出数据包(mjpeg)时直接采用,否则用 magicyuv;ffv1 约小十分之一,但读取慢四倍</translation>
+        <translation>图片如何存储，均为无损：auto 在相机送出数据包（mjpeg）时直接采用，否则用 magicyuv；ffv1 约小十分之一，但读取慢四倍</translation>
     </message>
     <message>
         <source>memory for frames that wait for the disk, in megabytes</source>
-        <translation>等待写盘的帧所用内存,单位 MB</translation>
+        <translation>等待写盘的帧所用内存，单位 MB</translation>
     </message>
     <message>
         <source>space that is left free on the disk, in megabytes; the recording ends before</source>
-        <translation>磁盘上保留的空间,单位 MB;录制会在此之前结束</translation>
+        <translation>磁盘上保留的空间，单位 MB；录制会在此之前结束</translation>
     </message>
     <message>
         <source>the recording was removed while it was being made</source>
@@ -6534,7 +6545,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>no frame came, so nothing was recorded</source>
-        <translation>没有收到帧,因此没有录制</translation>
+        <translation>没有收到帧，因此没有录制</translation>
     </message>
     <message>
         <source>check the source</source>
@@ -6546,11 +6557,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>{}, and it could not be put back ({})</source>
-        <translation>{},而且无法放回({})</translation>
+        <translation>{}，而且无法放回（{}）</translation>
     </message>
     <message>
         <source>record again, and leave the folder alone meanwhile</source>
-        <translation>重新录制,期间不要动该文件夹</translation>
+        <translation>重新录制，期间不要动该文件夹</translation>
     </message>
     <message>
         <source>what was recorded until then was put back</source>
@@ -6570,7 +6581,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the video cannot be opened: no decoder for {}</source>
-        <translation>无法打开视频:没有 {} 的解码器</translation>
+        <translation>无法打开视频：没有 {} 的解码器</translation>
     </message>
     <message>
         <source>frame {} of the video cannot be read</source>
@@ -6586,7 +6597,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>another codec, or Debian&apos;s libavcodec</source>
-        <translation>换一种编码,或使用 Debian 的 libavcodec</translation>
+        <translation>换一种编码，或使用 Debian 的 libavcodec</translation>
     </message>
     <message>
         <source>only 8-bit grey pictures can be recorded</source>
@@ -6598,7 +6609,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the picture is {} x {}, those before were {} x {}</source>
-        <translation>图片为 {} x {},之前的为 {} x {}</translation>
+        <translation>图片为 {} x {}，之前的为 {} x {}</translation>
     </message>
     <message>
         <source>one recording for each size</source>
@@ -6614,7 +6625,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>{}. Try: {}</source>
-        <translation>{}。建议:{}</translation>
+        <translation>{}。建议：{}</translation>
     </message>
     <message>
         <source>the two long edges of the face were not found</source>
@@ -6626,7 +6637,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>light the finger as in its recording, and check that the picture shows the face from base to tip with the finger&apos;s length along the picture&apos;s width</source>
-        <translation>按录制时的方式照亮手指,并检查图片是否显示从根部到指尖的面,手指长度方向沿图片宽度</translation>
+        <translation>按录制时的方式照亮手指，并检查图片是否显示从根部到指尖的面，手指长度方向沿图片宽度</translation>
     </message>
     <message>
         <source>the face&apos;s edges</source>
@@ -6634,19 +6645,19 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>a picture in which both long edges of the bright face are visible and lit evenly; check that the lamps are on and that the lens is clean</source>
-        <translation>能看见明亮面两条长边且光照均匀的图片;检查灯是否打开、镜头是否干净</translation>
+        <translation>能看见明亮面两条长边且光照均匀的图片；检查灯是否打开、镜头是否干净</translation>
     </message>
     <message>
         <source>the shape of a Fin Ray needs a perspective camera, not an orthographic one</source>
-        <translation>Fin Ray 的形状需要透视相机,不能用正交相机</translation>
+        <translation>Fin Ray 的形状需要透视相机，不能用正交相机</translation>
     </message>
     <message>
         <source>no smooth shape fits the outline of the face: it jumps at column {:.0f}</source>
-        <translation>没有平滑的形状与接触面的轮廓相符:轮廓在第 {} 列处跳变</translation>
+        <translation>没有平滑的形状与接触面的轮廓相符：轮廓在第 {} 列处跳变</translation>
     </message>
     <message>
         <source>bending the finger less, until no part of it hides another</source>
-        <translation>让手指弯得少一些,直到没有一部分遮住另一部分</translation>
+        <translation>让手指弯得少一些，直到没有一部分遮住另一部分</translation>
     </message>
     <message>
         <source>upper</source>
@@ -6674,23 +6685,23 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the picture is black: its brightest parts reach {} of 255 grey levels; take the cap off the lens, switch the lamps on, or expose longer</source>
-        <translation>画面全黑:最亮处只有 255 级灰度中的 {};请取下镜头盖、打开灯或延长曝光</translation>
+        <translation>画面全黑：最亮处只有 255 级灰度中的 {}；请取下镜头盖、打开灯或延长曝光</translation>
     </message>
     <message>
         <source>the picture is too bright: {:.0f} % of it is saturated; expose shorter, or dim the lamps</source>
-        <translation>画面过亮:{} % 已饱和;请缩短曝光或调暗灯光</translation>
+        <translation>画面过亮：{} % 已饱和；请缩短曝光或调暗灯光</translation>
     </message>
     <message>
         <source>the picture is blank: all of it has {} of 255 grey levels, without even a camera&apos;s noise; plug the camera in again</source>
-        <translation>画面空白:处处都是 255 级灰度中的 {},连相机噪声都没有;请重新插拔相机</translation>
+        <translation>画面空白：处处都是 255 级灰度中的 {}，连相机噪声都没有；请重新插拔相机</translation>
     </message>
     <message>
         <source>{:.0f} % of the face is too bright to be measured; expose shorter, or dim the lamps</source>
-        <translation>接触面的 {} % 过亮,无法测量;请缩短曝光或调暗灯光</translation>
+        <translation>接触面的 {} % 过亮，无法测量；请缩短曝光或调暗灯光</translation>
     </message>
     <message>
         <source>{:.0f} % of the face was never recorded in a pose like this; record the finger bending further in this direction</source>
-        <translation>接触面的 {} % 在这样的姿态下没有录制过;请录制手指向此方向弯得更多的情形</translation>
+        <translation>接触面的 {} % 在这样的姿态下没有录制过；请录制手指向此方向弯得更多的情形</translation>
     </message>
     <message>
         <source>{:.1f} % of the face, at its end, is hidden in this frame: nothing is told of it, neither that it is touched nor that it is not</source>
@@ -6698,19 +6709,19 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the face is {:.0f} % darker than when its reference was recorded; set exposure, gain and lamps as they were then</source>
-        <translation>接触面比录制参考时暗 {} %;请把曝光、增益和灯光设回当时的值</translation>
+        <translation>接触面比录制参考时暗 {} %；请把曝光、增益和灯光设回当时的值</translation>
     </message>
     <message>
         <source>the face is {:.0f} % brighter than when its reference was recorded; set exposure, gain and lamps as they were then</source>
-        <translation>接触面比录制参考时亮 {} %;请把曝光、增益和灯光设回当时的值</translation>
+        <translation>接触面比录制参考时亮 {} %；请把曝光、增益和灯光设回当时的值</translation>
     </message>
     <message>
         <source>{:.0f} % of the face is brighter than its reference: this is another finger, or its skin has changed; choose the finger that it is, or record the reference again</source>
-        <translation>接触面的 {} % 比其参考更亮:这是另一根手指,或其表皮已改变;请选择对应的手指,或重新录制参考</translation>
+        <translation>接触面的 {} % 比其参考更亮：这是另一根手指，或其表皮已改变；请选择对应的手指，或重新录制参考</translation>
     </message>
     <message>
         <source>only {} recorded pictures show every marker; at least 2 are needed</source>
-        <translation>只有 {} 张录制的图片显示全部标记点;至少需要 2 张</translation>
+        <translation>只有 {} 张录制的图片显示全部标记点；至少需要 2 张</translation>
     </message>
     <message>
         <source>marker model</source>
@@ -6718,11 +6729,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>record the finger bending with both side faces in view and evenly lit</source>
-        <translation>录制手指弯曲的过程,两个侧面都在画面内且光照均匀</translation>
+        <translation>录制手指弯曲的过程，两个侧面都在画面内且光照均匀</translation>
     </message>
     <message>
         <source>{} markers have a position but {} have a size</source>
-        <translation>{} 个标记点有位置,但有 {} 个有大小</translation>
+        <translation>{} 个标记点有位置，但有 {} 个有大小</translation>
     </message>
     <message>
         <source>the markers&apos; positions are not finite numbers</source>
@@ -6730,11 +6741,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>{} dots were found beside the face, but no third of the {} markers among them fits a pose of the reference recording</source>
-        <translation>在面旁找到 {} 个点,但其中没有三分之一的标记点(共 {} 个)与参考录像的任何姿态相符</translation>
+        <translation>在面旁找到 {} 个点，但其中没有三分之一的标记点（共 {} 个）与参考录像的任何姿态相符</translation>
     </message>
     <message>
         <source>this pose was never recorded: the nearest reference frame is {:.1f} px away; record the finger bending further in this direction</source>
-        <translation>这个姿态没有录制过:最近的参考帧相距 {} px;请录制手指向此方向弯得更多的情形</translation>
+        <translation>这个姿态没有录制过：最近的参考帧相距 {} px；请录制手指向此方向弯得更多的情形</translation>
     </message>
     <message>
         <source>a picture at the size that the finger was calibrated with</source>
@@ -6742,7 +6753,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the picture is the same as the one before to the last grey level: the camera stands still; plug it in again</source>
-        <translation>画面与上一帧逐级灰度完全相同:相机已停住;请重新插拔相机</translation>
+        <translation>画面与上一帧逐级灰度完全相同：相机已停住；请重新插拔相机</translation>
     </message>
     <message>
         <source>{}.</source>
@@ -6750,7 +6761,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>too little of the face is seen to tell the pose by its shape</source>
-        <translation>可见的面太少,无法由其形状判断姿态</translation>
+        <translation>可见的面太少，无法由其形状判断姿态</translation>
     </message>
     <message>
         <source>the markers were not found: the face&apos;s shape alone tells this pose, so that depth is less sure and neither twist nor what touches the finger is told; uncover and light the dots on the side faces</source>
@@ -6758,15 +6769,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>few recorded frames are near this pose: its reference is {:.0f} times less sure than usual; record the finger bending slowly through it</source>
-        <translation>此姿态附近录制的帧很少:其参考的不确定度是通常的 {} 倍;请录制手指缓慢弯过此姿态的情形</translation>
+        <translation>此姿态附近录制的帧很少：其参考的不确定度是通常的 {} 倍；请录制手指缓慢弯过此姿态的情形</translation>
     </message>
     <message>
         <source>the finger is not calibrated: calibrate it with ball presses</source>
-        <translation>手指尚未标定:请用球按压标定</translation>
+        <translation>手指尚未标定：请用球按压标定</translation>
     </message>
     <message>
         <source>how the face&apos;s edges are placed: half-way crossing to a fiftieth of a pixel, or the steepest whole pixel</source>
-        <translation>面的边缘如何定位:半高处,精度五十分之一像素,或最陡的整像素</translation>
+        <translation>面的边缘如何定位：半高处，精度五十分之一像素，或最陡的整像素</translation>
     </message>
     <message>
         <source>pixel columns averaged into one place on each edge</source>
@@ -6782,11 +6793,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>standard deviation of the smoothing before depth is read, in pixels; 0: none</source>
-        <translation>读取深度前平滑的标准差,单位像素;0:不平滑</translation>
+        <translation>读取深度前平滑的标准差，单位像素；0：不平滑</translation>
     </message>
     <message>
         <source>depth that counts as touched, in millimetres</source>
-        <translation>算作触碰的深度,单位毫米</translation>
+        <translation>算作触碰的深度，单位毫米</translation>
     </message>
     <message>
         <source>make the reference anew from the recording</source>
@@ -6794,7 +6805,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the finger has no markers, so it has no marker table</source>
-        <translation>手指没有标记点,因此没有标记点表</translation>
+        <translation>手指没有标记点，因此没有标记点表</translation>
     </message>
     <message>
         <source>set markers.per_row</source>
@@ -6802,11 +6813,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>{}, line {}</source>
-        <translation>{},第 {} 行</translation>
+        <translation>{}，第 {} 行</translation>
     </message>
     <message>
         <source>not a marker table; its first line must be &apos;{}&apos;</source>
-        <translation>不是标记点表;第一行必须是“{}”</translation>
+        <translation>不是标记点表；第一行必须是“{}”</translation>
     </message>
     <message>
         <source>the table ends too early</source>
@@ -6822,7 +6833,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>marker {} stands where marker {} of {} must</source>
-        <translation>应为标记点 {1}(共 {2} 个)的位置却是标记点 {0}</translation>
+        <translation>应为标记点 {1}（共 {2} 个）的位置却是标记点 {0}</translation>
     </message>
     <message>
         <source>frame {} comes after frame {}</source>
@@ -6830,7 +6841,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>frame {} has {} markers instead of {}</source>
-        <translation>第 {} 帧有 {} 个标记点,应为 {} 个</translation>
+        <translation>第 {} 帧有 {} 个标记点，应为 {} 个</translation>
     </message>
     <message>
         <source>marker {} has another radius or contrast than before</source>
@@ -6850,15 +6861,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the face was found in {} of {} recorded pictures; 2 are needed</source>
-        <translation>{1} 张录制图片中有 {0} 张找到了面;需要 2 张</translation>
+        <translation>{1} 张录制图片中有 {0} 张找到了面；需要 2 张</translation>
     </message>
     <message>
         <source>the marker table names frame {} but the recording ends after {} frames</source>
-        <translation>标记点表中有第 {} 帧,但录像只有 {} 帧</translation>
+        <translation>标记点表中有第 {} 帧，但录像只有 {} 帧</translation>
     </message>
     <message>
         <source>the recording cannot be read ({})</source>
-        <translation>无法读取录像({})</translation>
+        <translation>无法读取录像（{}）</translation>
     </message>
     <message>
         <source>the sensor has no untouched picture</source>
@@ -6954,7 +6965,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>nothing presses, so nothing bulges</source>
-        <translation>没有按压,因此没有隆起</translation>
+        <translation>没有按压，因此没有隆起</translation>
     </message>
     <message>
         <source>name ball or relief too</source>
@@ -7030,7 +7041,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>leave occlusion out, or 1 and more</source>
-        <translation>去掉 occlusion,或取 1 以上</translation>
+        <translation>去掉 occlusion，或取 1 以上</translation>
     </message>
     <message>
         <source>{:g} is not a marker&apos;s number</source>
@@ -7074,7 +7085,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>nothing presses, so nothing rolls off</source>
-        <translation>没有按压,因此没有过渡</translation>
+        <translation>没有按压，因此没有过渡</translation>
     </message>
     <message>
         <source>kind hertz is for balls only</source>
@@ -7122,7 +7133,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the motion moves &apos;{}&apos;, but no effect of the scene does</source>
-        <translation>运动中有“{}”,但场景中没有相应效果</translation>
+        <translation>运动中有“{}”，但场景中没有相应效果</translation>
     </message>
     <message>
         <source>name `bend` or `sway` among the effects</source>
@@ -7138,11 +7149,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>name `bend` or `sway` among the effects, or leave the motion out</source>
-        <translation>在效果中写上 `bend` 或 `sway`,或去掉运动</translation>
+        <translation>在效果中写上 `bend` 或 `sway`，或去掉运动</translation>
     </message>
     <message>
         <source>scene &apos;{}&apos;: finger.camera</source>
-        <translation>场景“{}”:finger.camera</translation>
+        <translation>场景“{}”：finger.camera</translation>
     </message>
     <message>
         <source>its camera does not give whole grey levels</source>
@@ -7150,7 +7161,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>this is not [width, height]</source>
-        <translation>这不是 [宽, 高]</translation>
+        <translation>这不是 [宽，高]</translation>
     </message>
     <message>
         <source>whole numbers from 16 to 16384</source>
@@ -7222,7 +7233,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>Light comes in grains, which is noise that grows with brightness</source>
-        <translation>光以颗粒形式到来,这种噪声随亮度增长</translation>
+        <translation>光以颗粒形式到来，这种噪声随亮度增长</translation>
     </message>
     <message>
         <source>The side faces of the body are seen</source>
@@ -7234,7 +7245,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>{}, in frames {} to {}</source>
-        <translation>{},在第 {} 到 {} 帧</translation>
+        <translation>{}，在第 {} 到 {} 帧</translation>
     </message>
     <message>
         <source>its camera does not give whole grey levels in frames {} to {}</source>
@@ -7250,15 +7261,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>let one end with &apos;until&apos; before the other begins with &apos;from&apos;</source>
-        <translation>让其中一个用 &apos;until&apos; 结束,再让另一个用 &apos;from&apos; 开始</translation>
+        <translation>让其中一个用 &apos;until&apos; 结束，再让另一个用 &apos;from&apos; 开始</translation>
     </message>
     <message>
         <source>must be a point in time, not &apos;{}&apos;</source>
-        <translation>必须是一个时间点,而不是 &apos;{}&apos;</translation>
+        <translation>必须是一个时间点，而不是 &apos;{}&apos;</translation>
     </message>
     <message>
         <source>a frame such as 60, or seconds such as 2 s</source>
-        <translation>帧号,如 60,或秒数,如 2 s</translation>
+        <translation>帧号，如 60，或秒数，如 2 s</translation>
     </message>
     <message>
         <source>the scene ends before that</source>
@@ -7266,15 +7277,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>one of its frames, 0 to {}</source>
-        <translation>其中一帧,0 到 {}</translation>
+        <translation>其中一帧，0 到 {}</translation>
     </message>
     <message>
         <source>it would never be there, for it begins with frame {}</source>
-        <translation>它永远不会出现,因为它从第 {} 帧开始</translation>
+        <translation>它永远不会出现，因为它从第 {} 帧开始</translation>
     </message>
     <message>
         <source>a later frame, or leave the effect out</source>
-        <translation>更晚的帧,或者去掉该效果</translation>
+        <translation>更晚的帧，或者去掉该效果</translation>
     </message>
     <message>
         <source>the key frame before it stands there too</source>
@@ -7282,7 +7293,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>a later time, or leave one of the two out</source>
-        <translation>更晚的时间,或者去掉其中一个</translation>
+        <translation>更晚的时间，或者去掉其中一个</translation>
     </message>
     <message>
         <source>the key frame before it is a later one</source>
@@ -7314,7 +7325,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the folder cannot be read: {}</source>
-        <translation>无法读取文件夹:{}</translation>
+        <translation>无法读取文件夹：{}</translation>
     </message>
     <message>
         <source>ask its owner for access</source>
@@ -7346,7 +7357,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>{} was {} and is {}</source>
-        <translation>{} 原为 {},现为 {}</translation>
+        <translation>{} 原为 {}，现为 {}</translation>
     </message>
     <message>
         <source>&apos;{}&apos; describes no button</source>
@@ -7362,7 +7373,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>&apos;alltact devices --learn-button&apos;, which says what to write here</source>
-        <translation>运行 &apos;alltact devices --learn-button&apos;,它会说明这里该写什么</translation>
+        <translation>运行 &apos;alltact devices --learn-button&apos;，它会说明这里该写什么</translation>
     </message>
     <message>
         <source>learning the button was stopped</source>
@@ -7382,7 +7393,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>another device; a pedal that only clicks must be set to send a key</source>
-        <translation>换一个设备;只会点击的脚踏开关须设为发送按键</translation>
+        <translation>换一个设备；只会点击的脚踏开关须设为发送按键</translation>
     </message>
     <message>
         <source>the device cannot be opened</source>
@@ -7398,7 +7409,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>install packaging/70-alltact.rules in /etc/udev/rules.d and plug it in again; a device it does not name needs this line in it: KERNEL==&quot;hidraw*&quot;, ATTRS{{idVendor}}==&quot;{:04x}&quot;, ATTRS{{idProduct}}==&quot;{:04x}&quot;, TAG+=&quot;uaccess&quot;</source>
-        <translation>把 packaging/70-alltact.rules 装到 /etc/udev/rules.d 后重新插上;其中没有列出的设备需要加上这一行:KERNEL==&quot;hidraw*&quot;, ATTRS{{idVendor}}==&quot;{}&quot;, ATTRS{{idProduct}}==&quot;{}&quot;, TAG+=&quot;uaccess&quot;</translation>
+        <translation>把 packaging/70-alltact.rules 装到 /etc/udev/rules.d 后重新插上；其中没有列出的设备需要加上这一行：KERNEL==&quot;hidraw*&quot;, ATTRS{{idVendor}}==&quot;{}&quot;, ATTRS{{idProduct}}==&quot;{}&quot;, TAG+=&quot;uaccess&quot;</translation>
     </message>
     <message>
         <source>the device was unplugged</source>
@@ -7414,7 +7425,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>plug it in again, and check its description</source>
-        <translation>重新插上,并检查其描述</translation>
+        <translation>重新插上，并检查其描述</translation>
     </message>
     <message>
         <source>no HID device was found</source>
@@ -7422,11 +7433,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>there is no such HID device; there is {}</source>
-        <translation>没有这样的 HID 设备;现有 {}</translation>
+        <translation>没有这样的 HID 设备；现有 {}</translation>
     </message>
     <message>
         <source>plug it in; &apos;alltact devices&apos; lists what is found</source>
-        <translation>插上设备;&apos;alltact devices&apos; 列出找到的设备</translation>
+        <translation>插上设备；&apos;alltact devices&apos; 列出找到的设备</translation>
     </message>
     <message>
         <source>&apos;{}&apos; describes no dimmer</source>
@@ -7434,7 +7445,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>mcp2221a gp2, mcp2221a gp3, or a report such as &apos;output id=0 bytes=8 at=1 range=0..255&apos;</source>
-        <translation>mcp2221a gp2、mcp2221a gp3,或如 &apos;output id=0 bytes=8 at=1 range=0..255&apos; 的报告</translation>
+        <translation>mcp2221a gp2、mcp2221a gp3，或如 &apos;output id=0 bytes=8 at=1 range=0..255&apos; 的报告</translation>
     </message>
     <message>
         <source>the brightness {} is not from 0 to 1</source>
@@ -7446,7 +7457,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>plug it in again; close other programs that use it</source>
-        <translation>重新插上;关闭使用它的其他程序</translation>
+        <translation>重新插上；关闭使用它的其他程序</translation>
     </message>
     <message>
         <source>this is neither a picture, nor a folder of pictures, nor a video, nor a scene</source>
@@ -7454,7 +7465,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>png, jpg, bmp, tif or pgm pictures, a mkv, avi or mp4 video, or a yaml scene</source>
-        <translation>png、jpg、bmp、tif 或 pgm 图片,mkv、avi 或 mp4 视频,或 yaml 场景</translation>
+        <translation>png、jpg、bmp、tif 或 pgm 图片，mkv、avi 或 mp4 视频，或 yaml 场景</translation>
     </message>
     <message>
         <source>video</source>
@@ -7470,7 +7481,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>it alone, or pictures only</source>
-        <translation>单独使用它,或只用图片</translation>
+        <translation>单独使用它，或只用图片</translation>
     </message>
     <message>
         <source>no input was given</source>
@@ -7498,7 +7509,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>a value within its range; &apos;alltact devices --details&apos; lists them</source>
-        <translation>使用范围内的值;&apos;alltact devices --details&apos; 列出范围</translation>
+        <translation>使用范围内的值；&apos;alltact devices --details&apos; 列出范围</translation>
     </message>
     <message>
         <source>an automatic mode has it in hand</source>
@@ -7514,15 +7525,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>a value within its range and steps; &apos;alltact devices --details&apos; lists them</source>
-        <translation>使用范围和步长之内的值;&apos;alltact devices --details&apos; 列出它们</translation>
+        <translation>使用范围和步长之内的值；&apos;alltact devices --details&apos; 列出它们</translation>
     </message>
     <message>
         <source>&apos;{}&apos; cannot be switched off: brightness may drift</source>
-        <translation>无法关闭“{}”:亮度可能漂移</translation>
+        <translation>无法关闭“{}”：亮度可能漂移</translation>
     </message>
     <message>
         <source>it sends its pictures in several planes, which cannot be read here</source>
-        <translation>它用多个平面传送图像,这里无法读取</translation>
+        <translation>它用多个平面传送图像，这里无法读取</translation>
     </message>
     <message>
         <source>a USB camera</source>
@@ -7554,7 +7565,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>several cameras have this name: {}</source>
-        <translation>有多台相机同名:{}</translation>
+        <translation>有多台相机同名：{}</translation>
     </message>
     <message>
         <source>the name before the brackets</source>
@@ -7566,11 +7577,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>there is no such camera; there is {}</source>
-        <translation>没有这样的相机;现有 {}</translation>
+        <translation>没有这样的相机；现有 {}</translation>
     </message>
     <message>
         <source>plug one in; &apos;alltact devices&apos; lists what is found</source>
-        <translation>插上一台;&apos;alltact devices&apos; 列出找到的设备</translation>
+        <translation>插上一台；&apos;alltact devices&apos; 列出找到的设备</translation>
     </message>
     <message>
         <source>one of these names</source>
@@ -7602,7 +7613,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>look after the cable and the USB port; the stream is being started again</source>
-        <translation>检查线缆和 USB 接口;正在重新启动视频流</translation>
+        <translation>检查线缆和 USB 接口；正在重新启动视频流</translation>
     </message>
     <message>
         <source>a picture cannot be taken</source>
@@ -7614,19 +7625,19 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the camera is back and has not sent a picture yet</source>
-        <translation>相机已接回,尚未送出图像</translation>
+        <translation>相机已接回，尚未送出图像</translation>
     </message>
     <message>
         <source>The camera was plugged in again at {}</source>
-        <translation>相机已重新插上,位于 {}</translation>
+        <translation>相机已重新插上，位于 {}</translation>
     </message>
     <message>
         <source>the camera&apos;s signal changed: it sent {}, and sends {} now</source>
-        <translation>相机信号已改变:原为 {},现为 {}</translation>
+        <translation>相机信号已改变：原为 {}，现为 {}</translation>
     </message>
     <message>
         <source>look after what is plugged into it, if this was not meant</source>
-        <translation>若非有意,请检查它上面接的是什么</translation>
+        <translation>若非有意，请检查它上面接的是什么</translation>
     </message>
     <message>
         <source>the camera was unplugged</source>
@@ -7634,7 +7645,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>plug it in again; it goes on by itself with the same settings</source>
-        <translation>重新插上;会自动以相同设置继续</translation>
+        <translation>重新插上；会自动以相同设置继续</translation>
     </message>
     <message>
         <source>&apos;{}&apos; was changed from {} to {} by something else</source>
@@ -7646,7 +7657,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>sudo usermod -aG video $USER, then log in again; or install packaging/70-alltact.rules in /etc/udev/rules.d and plug the camera in again</source>
-        <translation>运行 sudo usermod -aG video $USER 后重新登录;或把 packaging/70-alltact.rules 装到 /etc/udev/rules.d 后重新插上相机</translation>
+        <translation>运行 sudo usermod -aG video $USER 后重新登录；或把 packaging/70-alltact.rules 装到 /etc/udev/rules.d 后重新插上相机</translation>
     </message>
     <message>
         <source>another program is using it</source>
@@ -7654,7 +7665,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>close that program (fuser -v /dev/video* names it)</source>
-        <translation>关闭该程序(fuser -v /dev/video* 可查出它)</translation>
+        <translation>关闭该程序（fuser -v /dev/video* 可查出它）</translation>
     </message>
     <message>
         <source>it is not there</source>
@@ -7662,7 +7673,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>plug the camera in; &apos;alltact devices&apos; lists what is found</source>
-        <translation>插上相机;&apos;alltact devices&apos; 列出找到的设备</translation>
+        <translation>插上相机；&apos;alltact devices&apos; 列出找到的设备</translation>
     </message>
     <message>
         <source>the USB port has no bandwidth left</source>
@@ -7670,7 +7681,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>another USB port, MJPG instead of YUYV, or smaller pictures</source>
-        <translation>换一个 USB 接口、用 MJPG 代替 YUYV,或用更小的图像</translation>
+        <translation>换一个 USB 接口、用 MJPG 代替 YUYV，或用更小的图像</translation>
     </message>
     <message>
         <source>the USB connection is disturbed</source>
@@ -7686,7 +7697,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>another format or value; &apos;alltact devices --details&apos; lists them</source>
-        <translation>换一种格式或值;&apos;alltact devices --details&apos; 列出它们</translation>
+        <translation>换一种格式或值；&apos;alltact devices --details&apos; 列出它们</translation>
     </message>
     <message>
         <source>there is not enough memory</source>
@@ -7706,11 +7717,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>{} at {:g} frames per second</source>
-        <translation>{},每秒 {} 帧</translation>
+        <translation>{}，每秒 {} 帧</translation>
     </message>
     <message>
         <source>the camera has no such format that can be read; it offers {}</source>
-        <translation>相机没有这种可读取的格式;它提供 {}</translation>
+        <translation>相机没有这种可读取的格式；它提供 {}</translation>
     </message>
     <message>
         <source>one of these in GREY, Y16, YUYV or MJPG</source>
@@ -7730,7 +7741,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the camera was asked for {} and chose {}</source>
-        <translation>向相机要求 {},它选了 {}</translation>
+        <translation>向相机要求 {}，它选了 {}</translation>
     </message>
     <message>
         <source>a format that &apos;alltact devices --details&apos; lists for it</source>
@@ -7778,7 +7789,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>is too large to be read</source>
-        <translation>太大,无法读取</translation>
+        <translation>太大，无法读取</translation>
     </message>
     <message>
         <source>a file of fewer entries</source>
@@ -7790,7 +7801,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>is not known, and too large or too odd to be kept</source>
-        <translation>是未知的,而且太大或太奇怪,无法保留</translation>
+        <translation>是未知的，而且太大或太奇怪，无法保留</translation>
     </message>
     <message>
         <source>remove it</source>
@@ -7798,7 +7809,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>is not known here; it is kept as it is</source>
-        <translation>在这里是未知的;按原样保留</translation>
+        <translation>在这里是未知的；按原样保留</translation>
     </message>
     <message>
         <source>&apos;{}&apos;</source>
@@ -7838,11 +7849,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>a number such as 24.0, with a point and without a unit</source>
-        <translation>如 24.0 的数字,用小数点,不带单位</translation>
+        <translation>如 24.0 的数字，用小数点，不带单位</translation>
     </message>
     <message>
         <source>must be a block of &apos;key: value&apos; lines, not {}</source>
-        <translation>必须是由 &apos;key: value&apos; 行组成的段落,而不是{}</translation>
+        <translation>必须是由 &apos;key: value&apos; 行组成的段落，而不是{}</translation>
     </message>
     <message>
         <source>compare with another file of this kind</source>
@@ -7882,7 +7893,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>must be a text, not {}</source>
-        <translation>必须是文本,而不是{}</translation>
+        <translation>必须是文本，而不是{}</translation>
     </message>
     <message>
         <source>{} is not known here</source>
@@ -7890,31 +7901,31 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>must be a number, {}, not {}</source>
-        <translation>必须是数字,{},而不是{}</translation>
+        <translation>必须是数字，{}，而不是{}</translation>
     </message>
     <message>
         <source>0 would mean that this is absent, and what is absent is not named</source>
-        <translation>0 表示没有,没有的就不要写</translation>
+        <translation>0 表示没有，没有的就不要写</translation>
     </message>
     <message>
         <source>leave it out, or give {}</source>
-        <translation>去掉它,或给出{}</translation>
+        <translation>去掉它，或给出{}</translation>
     </message>
     <message>
         <source>holds {}, which is not {}</source>
-        <translation>含有 {},不是{}</translation>
+        <translation>含有 {}，不是{}</translation>
     </message>
     <message>
         <source>must be {}, not {}</source>
-        <translation>必须是{},而不是{}</translation>
+        <translation>必须是{}，而不是{}</translation>
     </message>
     <message>
         <source>must be a whole number from {} to {}, not {}</source>
-        <translation>必须是 {} 到 {} 的整数,而不是{}</translation>
+        <translation>必须是 {} 到 {} 的整数，而不是{}</translation>
     </message>
     <message>
         <source>must be a list, not {}</source>
-        <translation>必须是列表,而不是{}</translation>
+        <translation>必须是列表，而不是{}</translation>
     </message>
     <message>
         <source>[..., ...]</source>
@@ -7934,11 +7945,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>holds {}, which is not a text</source>
-        <translation>含有 {},不是文本</translation>
+        <translation>含有 {}，不是文本</translation>
     </message>
     <message>
         <source>holds {}, which is not a list</source>
-        <translation>含有 {},不是列表</translation>
+        <translation>含有 {}，不是列表</translation>
     </message>
     <message>
         <source>[[..., ...], ...]</source>
@@ -7946,15 +7957,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>{}:{}: this is no check and is left out.</source>
-        <translation>{}:{}:这不是检查记录,已舍弃。</translation>
+        <translation>{}:{}：这不是检查记录，已舍弃。</translation>
     </message>
     <message>
         <source>no untouched picture; give one to calibrate with --reference</source>
-        <translation>没有未触碰的图片;标定时请用 --reference 给出</translation>
+        <translation>没有未触碰的图片；标定时请用 --reference 给出</translation>
     </message>
     <message>
         <source>no recording of the bending, untouched finger; run alltact reference</source>
-        <translation>没有未触碰手指弯曲的录像;请运行 alltact reference</translation>
+        <translation>没有未触碰手指弯曲的录像；请运行 alltact reference</translation>
     </message>
     <message>
         <source>one untouched picture</source>
@@ -7962,7 +7973,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>only {} frames; poses between them are guessed, record more bending</source>
-        <translation>只有 {} 帧;其间的姿态是推测的,请多录一些弯曲</translation>
+        <translation>只有 {} 帧；其间的姿态是推测的，请多录一些弯曲</translation>
     </message>
     <message numerus="yes">
         <source>{} frames</source>
@@ -7973,27 +7984,27 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>no layout at rest, so touch cannot be told; run alltact reference again</source>
-        <translation>没有静止时的排布,无法判断触碰;请重新运行 alltact reference</translation>
+        <translation>没有静止时的排布，无法判断触碰；请重新运行 alltact reference</translation>
     </message>
     <message>
         <source>none; poses are told by the shape of the face, which cannot tell twist</source>
-        <translation>没有;姿态由面的形状判断,无法判断扭转</translation>
+        <translation>没有；姿态由面的形状判断，无法判断扭转</translation>
     </message>
     <message>
         <source>{} markers; touch is told from {:.1f} px of summed offset</source>
-        <translation>{} 个标记点;位移总和达 {} px 即判为触碰</translation>
+        <translation>{} 个标记点；位移总和达 {} px 即判为触碰</translation>
     </message>
     <message>
         <source>not calibrated; run alltact calibrate with ball presses</source>
-        <translation>未标定;请用球按压运行 alltact calibrate</translation>
+        <translation>未标定；请用球按压运行 alltact calibrate</translation>
     </message>
     <message>
         <source>nothing says how it came about or how good it is; run alltact calibrate again</source>
-        <translation>没有记录它的来源和质量;请重新运行 alltact calibrate</translation>
+        <translation>没有记录它的来源和质量；请重新运行 alltact calibrate</translation>
     </message>
     <message>
         <source>the reference ({}) is newer than the calibration ({}); calibrate again</source>
-        <translation>参考({})比标定({})新;请重新标定</translation>
+        <translation>参考（{}）比标定（{}）新；请重新标定</translation>
     </message>
     <message>
         <source>made at an unknown date</source>
@@ -8005,15 +8016,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the calibration cannot be repeated: {}.</source>
-        <translation>标定无法重复:{}。</translation>
+        <translation>标定无法重复：{}。</translation>
     </message>
     <message>
         <source>{} of {} press pictures are gone, so the calibration cannot be repeated</source>
-        <translation>{1} 张按压图片中有 {0} 张已不在,标定无法重复</translation>
+        <translation>{1} 张按压图片中有 {0} 张已不在，标定无法重复</translation>
     </message>
     <message>
         <source>what is kept is of a calibration that was cut off; complete it with {}</source>
-        <translation>保存的内容来自一次中断的标定;请用 {} 完成</translation>
+        <translation>保存的内容来自一次中断的标定；请用 {} 完成</translation>
     </message>
     <message>
         <source>{} pictures kept</source>
@@ -8029,15 +8040,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>{}: the contact covers too few pixels</source>
-        <translation>{}: 接触覆盖的像素太少</translation>
+        <translation>{}：接触覆盖的像素太少</translation>
     </message>
     <message>
         <source>pressing deeper, or a larger picture</source>
-        <translation>压得更深,或使用更大的图片</translation>
+        <translation>压得更深，或使用更大的图片</translation>
     </message>
     <message>
         <source>{}: no ball fits the contact</source>
-        <translation>{}: 没有球与接触相符</translation>
+        <translation>{}：没有球与接触相符</translation>
     </message>
     <message>
         <source>a clean ball</source>
@@ -8053,7 +8064,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the contacts have no ball&apos;s shape: is ball or face dirty?</source>
-        <translation>接触不是球形:球或面脏了吗?</translation>
+        <translation>接触不是球形：球或面脏了吗？</translation>
     </message>
     <message>
         <source>shallow</source>
@@ -8065,7 +8076,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the mapping reads {:.0f} % too {}: layer, ball or camera are not what they were</source>
-        <translation>映射的读数偏{1} {0} %:层、球或相机与从前不同</translation>
+        <translation>映射的读数偏{1} {0} %：层、球或相机与从前不同</translation>
     </message>
     <message>
         <source>brighter</source>
@@ -8077,7 +8088,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the face is {:.1f} % {} than it was: look at lamps, exposure and layer</source>
-        <translation>面比从前{1} {0} %:请检查灯、曝光和层</translation>
+        <translation>面比从前{1} {0} %：请检查灯、曝光和层</translation>
     </message>
     <message>
         <source>pass</source>
@@ -8095,7 +8106,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>{1:.3f} mm of depth error on {0} presses (passes up to {2:.3f} mm), light {3:+.1f} %</source>
         <comment>{1:.3f} mm of depth error on {0} press (passes up to {2:.3f} mm), light {3:+.1f} %</comment>
         <translation>
-            <numerusform>{} 次按压的深度误差为 {} mm(不超过 {} mm 即通过),光照 {} %</numerusform>
+            <numerusform>{} 次按压的深度误差为 {} mm（不超过 {} mm 即通过），光照 {} %</numerusform>
         </translation>
     </message>
     <message>
@@ -8108,7 +8119,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the finger is not calibrated, so there is nothing to check</source>
-        <translation>手指尚未标定,没有可检查的内容</translation>
+        <translation>手指尚未标定，没有可检查的内容</translation>
     </message>
     <message>
         <source>alltact calibrate</source>
@@ -8132,7 +8143,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>no press can be used: {}</source>
-        <translation>没有可用的按压:{}</translation>
+        <translation>没有可用的按压：{}</translation>
     </message>
     <message>
         <source>pictures of this finger with the ball pressed 0.3 mm or more into its face</source>
@@ -8144,11 +8155,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the face is {:.1f} % {} than when its reference was recorded; false depth {:.3f} mm in the worst twentieth of it ({:.3f} mm if the light were not corrected; up to {:.3f} mm is noise)</source>
-        <translation>面比录制参考时{1} {0} %;最差的二十分之一处虚假深度为 {2} mm(不作光照校正则为 {3} mm;不超过 {4} mm 属于噪声)</translation>
+        <translation>面比录制参考时{1} {0} %；最差的二十分之一处虚假深度为 {2} mm（不作光照校正则为 {3} mm；不超过 {4} mm 属于噪声）</translation>
     </message>
     <message>
         <source>let the lamps warm up, look at exposure and gain, and record the reference again when it goes on</source>
-        <translation>让灯预热,检查曝光和增益,若仍如此请重新录制参考</translation>
+        <translation>让灯预热，检查曝光和增益，若仍如此请重新录制参考</translation>
     </message>
     <message>
         <source>the finger is not calibrated yet</source>
@@ -8184,19 +8195,19 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>{} has no camera matrix, so {} has no form for it</source>
-        <translation>{}没有相机矩阵,因此 {} 没有对应的形式</translation>
+        <translation>{}没有相机矩阵，因此 {} 没有对应的形式</translation>
     </message>
     <message>
         <source>json, or zip for the whole finger</source>
-        <translation>json,或用 zip 导出整个手指</translation>
+        <translation>json，或用 zip 导出整个手指</translation>
     </message>
     <message>
         <source>is a link to another folder, which a zip cannot hold</source>
-        <translation>是指向另一文件夹的链接,zip 无法包含</translation>
+        <translation>是指向另一文件夹的链接，zip 无法包含</translation>
     </message>
     <message>
         <source>is neither a file nor a folder, so a zip cannot hold it</source>
-        <translation>既不是文件也不是文件夹,zip 无法包含</translation>
+        <translation>既不是文件也不是文件夹，zip 无法包含</translation>
     </message>
     <message>
         <source>moving it out of the finger&apos;s folder</source>
@@ -8204,11 +8215,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the finger&apos;s folder could not be read: {}</source>
-        <translation>无法读取手指的文件夹:{}</translation>
+        <translation>无法读取手指的文件夹：{}</translation>
     </message>
     <message>
         <source>its permissions, and that its disk is there</source>
-        <translation>检查其权限,以及磁盘是否在</translation>
+        <translation>检查其权限，以及磁盘是否在</translation>
     </message>
     <message>
         <source>a zip of the finger cannot lie in the finger&apos;s own folder</source>
@@ -8224,15 +8235,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>The finger has another reference than it was calibrated with: this is a new calibration.</source>
-        <translation>手指的参考与标定时不同:这是一次新的标定。</translation>
+        <translation>手指的参考与标定时不同：这是一次新的标定。</translation>
     </message>
     <message>
         <source>The finger&apos;s camera, face or markers are not what they were when it was calibrated: this is a new calibration.</source>
-        <translation>手指的相机、面或标记点与标定时不同:这是一次新的标定。</translation>
+        <translation>手指的相机、面或标记点与标定时不同：这是一次新的标定。</translation>
     </message>
     <message>
         <source>The finger was calibrated by version {}: this is a new calibration, by version {}.</source>
-        <translation>手指是用版本 {} 标定的:这是用版本 {} 进行的新标定。</translation>
+        <translation>手指是用版本 {} 标定的：这是用版本 {} 进行的新标定。</translation>
     </message>
     <message>
         <source>writing the report</source>
@@ -8252,7 +8263,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>leaving --reference out; this finger is compared with its reference recording</source>
-        <translation>去掉 --reference;此手指与其参考录像比较</translation>
+        <translation>去掉 --reference；此手指与其参考录像比较</translation>
     </message>
     <message>
         <source>{} shows what was found</source>
@@ -8272,7 +8283,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>has {} entries for {} presses</source>
-        <translation>有 {} 项,而按压有 {} 次</translation>
+        <translation>有 {} 项，而按压有 {} 次</translation>
     </message>
     <message>
         <source>one for each press</source>
@@ -8292,7 +8303,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>&apos;{}&apos; is not among the presses, and something is said of it</source>
-        <translation>&apos;{}&apos; 不在按压之中,却有关于它的说明</translation>
+        <translation>&apos;{}&apos; 不在按压之中，却有关于它的说明</translation>
     </message>
     <message>
         <source>remove that</source>
@@ -8300,11 +8311,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the version of this program that wrote it, or calibrating again with the pictures in presses/ (this version writes &apos;{}&apos;)</source>
-        <translation>使用写出它的程序版本,或用 presses/ 中的图片重新标定(此版本写出“{}”)</translation>
+        <translation>使用写出它的程序版本，或用 presses/ 中的图片重新标定（此版本写出“{}”）</translation>
     </message>
     <message>
         <source>there is nothing to repeat: this finger was not calibrated, or by a version that did not keep what with</source>
-        <translation>没有可重复的内容:此手指未标定,或标定它的版本没有保存所用的数据</translation>
+        <translation>没有可重复的内容：此手指未标定，或标定它的版本没有保存所用的数据</translation>
     </message>
     <message>
         <source>calibrating it with the pictures in presses/ and --ball-radius-mm</source>
@@ -8312,7 +8323,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>{:.3f} mm, more than three times the others; look at the picture, or leave it out</source>
-        <translation>{} mm,超过其他按压的三倍;请查看图片,或舍弃它</translation>
+        <translation>{} mm，超过其他按压的三倍；请查看图片，或舍弃它</translation>
     </message>
     <message>
         <source>only the joint method uses measured depths and punches with a step</source>
@@ -8320,7 +8331,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>leaving them out, or --method joint</source>
-        <translation>不使用它们,或使用 --method joint</translation>
+        <translation>不使用它们，或使用 --method joint</translation>
     </message>
     <message>
         <source>no press can be used</source>
@@ -8336,7 +8347,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>stopped before the end: this is the best solution until then, without a report; calibrating again from what is kept finishes it</source>
-        <translation>提前停止:这是到那时为止最好的解,没有报告;用已保存的内容重新标定即可完成</translation>
+        <translation>提前停止：这是到那时为止最好的解，没有报告；用已保存的内容重新标定即可完成</translation>
     </message>
     <message>
         <source>comparing with other methods</source>
@@ -8352,7 +8363,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the untouched picture of this sensor, at the size of its presses</source>
-        <translation>此传感器未触碰的图片,尺寸与按压图片相同</translation>
+        <translation>此传感器未触碰的图片，尺寸与按压图片相同</translation>
     </message>
     <message>
         <source>this is not the picture that the finger was calibrated with</source>
@@ -8376,7 +8387,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>giving the pictures different names; they are kept by name with the finger</source>
-        <translation>给图片取不同的名字;它们按名字保存在手指中</translation>
+        <translation>给图片取不同的名字；它们按名字保存在手指中</translation>
     </message>
     <message>
         <source>reading {}</source>
@@ -8396,11 +8407,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>pressing a ball as well, once at least: a step tells how far apart two depths are, not where they begin</source>
-        <translation>至少再用球按压一次:台阶只说明两个深度相差多少,不说明从哪里算起</translation>
+        <translation>至少再用球按压一次：台阶只说明两个深度相差多少，不说明从哪里算起</translation>
     </message>
     <message>
         <source>none of {} presses could be used: {}</source>
-        <translation>{} 次按压都不可用:{}</translation>
+        <translation>{} 次按压都不可用：{}</translation>
     </message>
     <message>
         <source>pictures in which the ball, and nothing else, is pressed 0.3 mm or more into the face</source>
@@ -8412,11 +8423,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the ball lies {:.1f} mm deep in a layer of {:g} mm</source>
-        <translation>球压入 {} mm,而该层只有 {} mm 厚</translation>
+        <translation>球压入 {} mm，而该层只有 {} mm 厚</translation>
     </message>
     <message>
         <source>pressing less deep, and checking the ball&apos;s radius and the camera&apos;s scale in mm per px</source>
-        <translation>压得浅一些,并检查球的半径和相机的比例(mm/px)</translation>
+        <translation>压得浅一些，并检查球的半径和相机的比例（mm/px）</translation>
     </message>
     <message>
         <source>no increasing mapping fits the presses</source>
@@ -8424,11 +8435,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>leaving out presses with the largest residual, a lower degree, or checking the ball&apos;s radius</source>
-        <translation>舍弃残差最大的按压、降低次数,或检查球的半径</translation>
+        <translation>舍弃残差最大的按压、降低次数，或检查球的半径</translation>
     </message>
     <message>
         <source>solving: round {}, unknowns move by {:.1e} mm</source>
-        <translation>正在求解:第 {} 轮,未知量变动 {} mm</translation>
+        <translation>正在求解：第 {} 轮，未知量变动 {} mm</translation>
     </message>
     <message>
         <source>solving all presses together</source>
@@ -8436,23 +8447,23 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>{}, because the {} does not increase on all samples</source>
-        <translation>{},因为{}在全部样本上并非处处递增</translation>
+        <translation>{}，因为{}在全部样本上并非处处递增</translation>
     </message>
     <message>
         <source>the solution is no mapping: {}</source>
-        <translation>解不是有效的映射:{}</translation>
+        <translation>解不是有效的映射：{}</translation>
     </message>
     <message>
         <source>more presses of different depth, or a lower degree</source>
-        <translation>增加不同深度的按压,或降低次数</translation>
+        <translation>增加不同深度的按压，或降低次数</translation>
     </message>
     <message>
         <source>one press cannot separate the ball&apos;s depth from the mapping: add presses of different depth at other places</source>
-        <translation>一次按压无法区分球的深度与映射:请在其他位置增加不同深度的按压</translation>
+        <translation>一次按压无法区分球的深度与映射：请在其他位置增加不同深度的按压</translation>
     </message>
     <message>
         <source>the presses do not determine every unknown: add presses</source>
-        <translation>这些按压不能确定全部未知量:请增加按压</translation>
+        <translation>这些按压不能确定全部未知量：请增加按压</translation>
     </message>
     <message>
         <source>a ball radius of {} mm is impossible</source>
@@ -8460,11 +8471,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the radius in millimetres, as measured with callipers</source>
-        <translation>用卡尺量得的半径,单位毫米</translation>
+        <translation>用卡尺量得的半径，单位毫米</translation>
     </message>
     <message>
         <source>the calibration failed: {}</source>
-        <translation>标定失败:{}</translation>
+        <translation>标定失败：{}</translation>
     </message>
     <message>
         <source>fewer presses</source>
@@ -8472,31 +8483,31 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>how presses become a mapping: all balls and the mapping in one fit; or, to compare with, every ball from its dark border alone: the source paper&apos;s way, a circle on the face, or the cone of the ball&apos;s outline</source>
-        <translation>如何由按压得到映射:所有球与映射一起拟合;或作为比较,每个球只由其暗区边界得出:按原论文、面上的圆,或球轮廓的圆锥</translation>
+        <translation>如何由按压得到映射：所有球与映射一起拟合；或作为比较，每个球只由其暗区边界得出：按原论文、面上的圆，或球轮廓的圆锥</translation>
     </message>
     <message>
         <source>the mapping&apos;s curve; auto: whichever predicts presses left out best</source>
-        <translation>映射的曲线;auto:最能预测留出按压的那种</translation>
+        <translation>映射的曲线；auto：最能预测留出按压的那种</translation>
     </message>
     <message>
         <source>degree of the polynomial; 0: chosen by leaving presses out</source>
-        <translation>多项式的次数;0:通过留出按压来选择</translation>
+        <translation>多项式的次数；0：通过留出按压来选择</translation>
     </message>
     <message>
         <source>which thickness of the layer brightness follows: along z, along its normal, or that along z projected onto the normal; auto: along the normal unless presses left out say otherwise</source>
-        <translation>亮度随层的哪种厚度变化:沿 z、沿法线,或沿 z 再投影到法线;auto:沿法线,除非留出的按压另有结论</translation>
+        <translation>亮度随层的哪种厚度变化：沿 z、沿法线，或沿 z 再投影到法线；auto：沿法线，除非留出的按压另有结论</translation>
     </message>
     <message>
         <source>whether the mapping may vary slowly over the face, for uneven light or an uneven layer; auto: when presses left out agree clearly better then</source>
-        <translation>映射是否可在面上缓慢变化,用于光照或层不均匀的情况;auto:当留出的按压因此明显更吻合时</translation>
+        <translation>映射是否可在面上缓慢变化，用于光照或层不均匀的情况；auto：当留出的按压因此明显更吻合时</translation>
     </message>
     <message>
         <source>the inner {:.0f} % of each contact&apos;s radius was used, where the skin surely touches the ball</source>
-        <translation>使用了每处接触半径的内侧 {} %,那里表皮确实贴着球</translation>
+        <translation>使用了每处接触半径的内侧 {} %，那里表皮确实贴着球</translation>
     </message>
     <message>
         <source>the inner {:.0f} % of each contact&apos;s radius was used; the skin comes back from the ball over {:.2f} mm</source>
-        <translation>使用了每处接触半径的内侧 {} %;表皮在 {} mm 内离开球面</translation>
+        <translation>使用了每处接触半径的内侧 {} %；表皮在 {} mm 内离开球面</translation>
     </message>
     <message>
         <source>polynomial of degree {}</source>
@@ -8516,27 +8527,27 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>its measured depth of {:.3f} +- {:.3f} mm was left out, because the pictures say {:.3f} +- {:.3f} mm; it counts from where the ball first touches, normal to the face</source>
-        <translation>其测得的深度 {} +- {} mm 未被采用,因为图像给出 {} +- {} mm;深度从球刚接触处算起,沿面的法线方向</translation>
+        <translation>其测得的深度 {} +- {} mm 未被采用，因为图像给出 {} +- {} mm；深度从球刚接触处算起，沿面的法线方向</translation>
     </message>
     <message>
         <source>its step of {:.3f} mm was left out, because the balls say {:.3f} +- {:.3f} mm; is the balls&apos; radius right</source>
-        <translation>其台阶 {} mm 未被采用,因为各球给出 {} +- {} mm;球的半径是否正确</translation>
+        <translation>其台阶 {} mm 未被采用，因为各球给出 {} +- {} mm；球的半径是否正确</translation>
     </message>
     <message>
         <source>trying a {}</source>
-        <translation>正在尝试:{}</translation>
+        <translation>正在尝试：{}</translation>
     </message>
     <message>
         <source>least error on presses left out, {:.4f} mm</source>
-        <translation>留出按压的误差最小,{} mm</translation>
+        <translation>留出按压的误差最小，{} mm</translation>
     </message>
     <message>
         <source>{:.4f} mm on presses left out, not distinguishable from the best ({}, {:.4f} mm) and simpler</source>
-        <translation>留出按压误差 {} mm,与最好的({},{} mm)没有区别,而且更简单</translation>
+        <translation>留出按压误差 {} mm，与最好的（{}，{} mm）没有区别，而且更简单</translation>
     </message>
     <message>
         <source>with one press nothing can be held out</source>
-        <translation>只有一次按压,无法留出</translation>
+        <translation>只有一次按压，无法留出</translation>
     </message>
     <message>
         <source>as asked for</source>
@@ -8544,7 +8555,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the mapping varies over the face, as uneven light or an uneven layer make it: by {:+.0f} % from the presses nearest to the base to those nearest to the tip, by {:+.0f} % from side to side; {:.4f} mm on presses left out, against {:.4f} mm with one mapping for all</source>
-        <translation>映射在面上有变化,由光照或层不均匀造成:从最靠近根部到最靠近指尖的按压相差 {} %,两侧之间相差 {} %;留出按压误差 {} mm,全部用同一映射则为 {} mm</translation>
+        <translation>映射在面上有变化，由光照或层不均匀造成：从最靠近根部到最靠近指尖的按压相差 {} %，两侧之间相差 {} %；留出按压误差 {} mm，全部用同一映射则为 {} mm</translation>
     </message>
     <message>
         <source>no circle goes through the dark border</source>
@@ -8564,7 +8575,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>{:.0f} degrees of the ball&apos;s outline are seen, a cone needs {:.0f}; the rest of the dark border is where the skin leaves the ball</source>
-        <translation>看得见球轮廓的 {} 度,圆锥需要 {} 度;其余暗区边界是表皮离开球的地方</translation>
+        <translation>看得见球轮廓的 {} 度，圆锥需要 {} 度；其余暗区边界是表皮离开球的地方</translation>
     </message>
     <message>
         <source>no cone touches the outline</source>
@@ -8576,11 +8587,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>no ball follows from the dark border of any of {} presses ({})</source>
-        <translation>{} 次按压的暗区边界都得不出球({})</translation>
+        <translation>{} 次按压的暗区边界都得不出球（{}）</translation>
     </message>
     <message>
         <source>the joint method, which fits the ball itself</source>
-        <translation>使用联合方法,它直接拟合球本身</translation>
+        <translation>使用联合方法，它直接拟合球本身</translation>
     </message>
     <message>
         <source>the polynomial through the balls&apos; depths does not increase</source>
@@ -8588,11 +8599,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the joint method, or more presses of different depth</source>
-        <translation>使用联合方法,或增加不同深度的按压</translation>
+        <translation>使用联合方法，或增加不同深度的按压</translation>
     </message>
     <message>
         <source>the cubic does not increase; degree {} was used instead</source>
-        <translation>三次曲线不递增;改用 {} 次</translation>
+        <translation>三次曲线不递增；改用 {} 次</translation>
     </message>
     <message>
         <source>the source paper&apos;s</source>
@@ -8600,7 +8611,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>{}, in place of the paper&apos;s cubic</source>
-        <translation>{},代替论文的三次曲线</translation>
+        <translation>{}，代替论文的三次曲线</translation>
     </message>
     <message>
         <source>in the middle of the face</source>
@@ -8616,11 +8627,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>least certain is the scale: all depths may be too large or too small together, by {:.3f} mm at {:.2f} mm (one standard deviation)</source>
-        <translation>最不确定的是比例:所有深度可能一起偏大或偏小,在 {1} mm 处为 {0} mm(一倍标准差)</translation>
+        <translation>最不确定的是比例：所有深度可能一起偏大或偏小，在 {1} mm 处为 {0} mm（一倍标准差）</translation>
     </message>
     <message>
         <source>least certain is how shallow and deep go together: by {:.3f} mm at {:.2f} mm (one standard deviation), the other way at the other end</source>
-        <translation>最不确定的是浅处与深处的关系:在 {1} mm 处为 {0} mm(一倍标准差),另一端相反</translation>
+        <translation>最不确定的是浅处与深处的关系：在 {1} mm 处为 {0} mm（一倍标准差），另一端相反</translation>
     </message>
     <message>
         <source>smaller</source>
@@ -8632,7 +8643,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>a ball 1 % larger than said makes depths {:.1f} % {}; the residual is {:.4f} mm with a radius 1 % smaller, {:.4f} mm as given, {:.4f} mm with one 1 % larger</source>
-        <translation>球若比所给的大 1 %,深度会{1} {0} %;半径小 1 % 时残差为 {2} mm,按所给为 {3} mm,大 1 % 时为 {4} mm</translation>
+        <translation>球若比所给的大 1 %，深度会{1} {0} %；半径小 1 % 时残差为 {2} mm，按所给为 {3} mm，大 1 % 时为 {4} mm</translation>
     </message>
     <message>
         <source>a wrong radius would be noticed</source>
@@ -8640,23 +8651,23 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the presses cannot show a wrong radius, so measure the ball to a hundredth of a millimetre</source>
-        <translation>这些按压显不出半径的错误,请把球量准到百分之一毫米</translation>
+        <translation>这些按压显不出半径的错误，请把球量准到百分之一毫米</translation>
     </message>
     <message>
         <source>press next: at another place, 0.5 to 1 mm deep</source>
-        <translation>下一次按压:换一处,深 0.5 至 1 mm</translation>
+        <translation>下一次按压：换一处，深 0.5 至 1 mm</translation>
     </message>
     <message>
         <source>press next: {}, {:.1f} mm deep; no press tells whether the mapping holds in that third</source>
-        <translation>下一次按压:{},深 {} mm;还没有按压能说明映射在那三分之一是否成立</translation>
+        <translation>下一次按压：{}，深 {} mm；还没有按压能说明映射在那三分之一是否成立</translation>
     </message>
     <message>
         <source>enough: one press more would take the standard deviation of depth from {:.4f} mm to {:.4f} mm at best</source>
-        <translation>已足够:再按一次最多把深度标准差从 {} mm 降到 {} mm</translation>
+        <translation>已足够：再按一次最多把深度标准差从 {} mm 降到 {} mm</translation>
     </message>
     <message>
         <source>press next: {}, {:.1f} mm deep; that would take the standard deviation of depth from {:.4f} mm to {:.4f} mm</source>
-        <translation>下一次按压:{},深 {} mm;这会把深度标准差从 {} mm 降到 {} mm</translation>
+        <translation>下一次按压：{}，深 {} mm；这会把深度标准差从 {} mm 降到 {} mm</translation>
     </message>
     <message>
         <source>looking for the ball in {}</source>
@@ -8664,7 +8675,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the same picture as {}, counted once</source>
-        <translation>与 {} 是同一张图片,只计一次</translation>
+        <translation>与 {} 是同一张图片，只计一次</translation>
     </message>
     <message>
         <source>the contact covers too few pixels</source>
@@ -8672,7 +8683,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>pressing the punch in until the skin lies on both of its levels, each 4 mm wide or more</source>
-        <translation>压入压头,直到表皮贴住它的两个平面,每个平面至少宽 4 mm</translation>
+        <translation>压入压头，直到表皮贴住它的两个平面，每个平面至少宽 4 mm</translation>
     </message>
     <message>
         <source>the punch touches too little of the face</source>
@@ -8696,19 +8707,19 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>brightness follows the layer&apos;s thickness {}: {:.4f} mm on presses left out, against {:.4f} mm along its normal</source>
-        <translation>亮度随层{}的厚度变化:留出按压误差 {} mm,沿法线则为 {} mm</translation>
+        <translation>亮度随层{}的厚度变化：留出按压误差 {} mm，沿法线则为 {} mm</translation>
     </message>
     <message>
         <source>{:.3f} mm of depth error on the very presses it was made from</source>
-        <translation>在用来标定的按压上,深度误差为 {} mm</translation>
+        <translation>在用来标定的按压上，深度误差为 {} mm</translation>
     </message>
     <message>
         <source>{:.3f} mm of depth error to be expected ({:.3f} mm in shape, on presses it had not seen; {:.3f} mm as a whole)</source>
-        <translation>预期深度误差 {} mm(形状 {} mm,在未用过的按压上;整体 {} mm)</translation>
+        <translation>预期深度误差 {} mm（形状 {} mm，在未用过的按压上；整体 {} mm）</translation>
     </message>
     <message>
         <source>{:.3f} mm of depth error to be expected ({:.3f} mm in shape, on presses it had not seen; {:.3f} mm as a whole; {:.3f} mm of a single pixel)</source>
-        <translation>预期深度误差 {} mm(形状 {} mm,在未用过的按压上;整体 {} mm;单个像素 {} mm)</translation>
+        <translation>预期深度误差 {} mm（形状 {} mm，在未用过的按压上；整体 {} mm；单个像素 {} mm）</translation>
     </message>
     <message>
         <source>not fit to measure with</source>
@@ -8716,7 +8727,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>press again with a clean ball of the radius given, whole on the face</source>
-        <translation>请用所给半径的干净球重新按压,使其完全落在面上</translation>
+        <translation>请用所给半径的干净球重新按压，使其完全落在面上</translation>
     </message>
     <message>
         <source>unproven</source>
@@ -8728,7 +8739,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>one press cannot show what happens on others, add presses of different depth</source>
-        <translation>一次按压说明不了对其他按压的效果,请增加不同深度的按压</translation>
+        <translation>一次按压说明不了对其他按压的效果，请增加不同深度的按压</translation>
     </message>
     <message>
         <source>usable for contact and its place</source>
@@ -8736,7 +8747,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>add presses of different depth and place to measure relief</source>
-        <translation>要测量起伏,请在不同位置增加不同深度的按压</translation>
+        <translation>要测量起伏，请在不同位置增加不同深度的按压</translation>
     </message>
     <message>
         <source>good</source>
@@ -8756,7 +8767,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>&apos;{}&apos; is no board; it takes two counts from 3 to 100</source>
-        <translation>“{}”不是标定板;需要两个 3 到 100 的数目</translation>
+        <translation>“{}”不是标定板；需要两个 3 到 100 的数目</translation>
     </message>
     <message>
         <source>9x6 for nine inner corners in a row and six rows</source>
@@ -8764,7 +8775,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the board finder gave up: {}</source>
-        <translation>寻找标定板失败:{}</translation>
+        <translation>寻找标定板失败：{}</translation>
     </message>
     <message>
         <source>another picture</source>
@@ -8772,11 +8783,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>only {} different views of the board are left, {} are needed at least</source>
-        <translation>只剩 {} 张不同的标定板视图,至少需要 {} 张</translation>
+        <translation>只剩 {} 张不同的标定板视图，至少需要 {} 张</translation>
     </message>
     <message>
         <source>{} pictures or more, with the board tilted and in all parts of the picture</source>
-        <translation>{} 张以上的图片,标定板要倾斜并遍及画面各处</translation>
+        <translation>{} 张以上的图片，标定板要倾斜并遍及画面各处</translation>
     </message>
     <message>
         <source>shows the board just where {} shows it</source>
@@ -8792,7 +8803,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>views that reach into the picture&apos;s corners, or another --model</source>
-        <translation>使用到达画面四角的视图,或换一个 --model</translation>
+        <translation>使用到达画面四角的视图，或换一个 --model</translation>
     </message>
     <message>
         <source>leaving views out</source>
@@ -8804,11 +8815,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>with {} coefficients of distortion the lens folds over inside the picture or stays undetermined; {} are used</source>
-        <translation>用 {} 个畸变系数时,镜头在画面内折叠或无法确定;改用 {} 个</translation>
+        <translation>用 {} 个畸变系数时，镜头在画面内折叠或无法确定；改用 {} 个</translation>
     </message>
     <message>
         <source>corners scatter by {:.2f} px; good boards give 0.2 or less: look at focus, motion, and whether the board is flat</source>
-        <translation>角点散布 {} px;好的标定板不超过 0.2:请检查对焦、运动以及板是否平整</translation>
+        <translation>角点散布 {} px；好的标定板不超过 0.2：请检查对焦、运动以及板是否平整</translation>
     </message>
     <message>
         <source>stopped before everything was judged</source>
@@ -8820,19 +8831,19 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>brown up to about 120 degrees of view, fisheye beyond</source>
-        <translation>视角约 120 度以内用 brown,更大用 fisheye</translation>
+        <translation>视角约 120 度以内用 brown，更大用 fisheye</translation>
     </message>
     <message>
         <source>Distance of the finger, at which errors are told in mm</source>
-        <translation>手指的距离,误差按此距离以 mm 表示</translation>
+        <translation>手指的距离，误差按此距离以 mm 表示</translation>
     </message>
     <message>
         <source>ChArUco: the markers&apos; family</source>
-        <translation>ChArUco:标记的种类</translation>
+        <translation>ChArUco：标记的种类</translation>
     </message>
     <message>
         <source>ChArUco: a marker&apos;s side as part of a square&apos;s</source>
-        <translation>ChArUco:标记边长占方格边长的比例</translation>
+        <translation>ChArUco：标记边长占方格边长的比例</translation>
     </message>
     <message>
         <source>all {} views show the board in the same place</source>
@@ -8860,7 +8871,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>more light, and the board in focus</source>
-        <translation>增加光照,并使标定板清晰</translation>
+        <translation>增加光照，并使标定板清晰</translation>
     </message>
     <message>
         <source>a large part of the picture is white without detail</source>
@@ -8872,7 +8883,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the whole board in the picture, with its white border, sharp and evenly lit</source>
-        <translation>整块标定板连同白边都在画面内,清晰且光照均匀</translation>
+        <translation>整块标定板连同白边都在画面内，清晰且光照均匀</translation>
     </message>
     <message>
         <source>chessboard</source>
@@ -8888,11 +8899,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>only {} of the ChArUco board&apos;s corners can be seen, {} are needed</source>
-        <translation>只看到 ChArUco 板的 {} 个角点,需要 {} 个</translation>
+        <translation>只看到 ChArUco 板的 {} 个角点，需要 {} 个</translation>
     </message>
     <message>
         <source>more of the board in the picture, sharp and evenly lit</source>
-        <translation>让更多标定板进入画面,清晰且光照均匀</translation>
+        <translation>让更多标定板进入画面，清晰且光照均匀</translation>
     </message>
     <message>
         <source>only corners in one line of the ChArUco board can be seen</source>
@@ -8912,7 +8923,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the whole board in the picture, evenly lit</source>
-        <translation>整块标定板在画面内,光照均匀</translation>
+        <translation>整块标定板在画面内，光照均匀</translation>
     </message>
     <message>
         <source>top left corner</source>
@@ -8996,11 +9007,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>{} more, tilted {}</source>
-        <translation>再{}张,向{}倾斜</translation>
+        <translation>再{}张，向{}倾斜</translation>
     </message>
     <message>
         <source>{} more, tilted</source>
-        <translation>再{}张,要倾斜</translation>
+        <translation>再{}张，要倾斜</translation>
     </message>
     <message>
         <source>large enough to fill the picture</source>
@@ -9032,7 +9043,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>more views, with the board tilted by 20 to 40 degrees in different directions</source>
-        <translation>增加视图,标定板向不同方向倾斜 20 到 40 度</translation>
+        <translation>增加视图，标定板向不同方向倾斜 20 到 40 度</translation>
     </message>
     <message>
         <source>no lens could be fitted to the corners that were found</source>
@@ -9040,7 +9051,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>a flat board of the size given with --board, and views that show it tilted</source>
-        <translation>使用与 --board 尺寸相符的平板,并有倾斜的视图</translation>
+        <translation>使用与 --board 尺寸相符的平板，并有倾斜的视图</translation>
     </message>
     <message>
         <source>no lens explains the corners that were found</source>
@@ -9048,7 +9059,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>a flat board of the size given with --board; --model fisheye for a lens wider than 120 degrees</source>
-        <translation>使用与 --board 尺寸相符的平板;视角大于 120 度的镜头用 --model fisheye</translation>
+        <translation>使用与 --board 尺寸相符的平板；视角大于 120 度的镜头用 --model fisheye</translation>
     </message>
     <message>
         <source>usable</source>
@@ -9056,7 +9067,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the focal length is known to {:.2g} %, {:.2g} mm at {:g} mm</source>
-        <translation>焦距的不确定度为 {0} %,在 {2} mm 处为 {1} mm</translation>
+        <translation>焦距的不确定度为 {0} %，在 {2} mm 处为 {1} mm</translation>
     </message>
     <message>
         <source>but two halves of the views disagree by {:.2f} px ({:.2g} mm)</source>
@@ -9064,7 +9075,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>but views left out fit worse ({:.2f} px) than those fitted ({:.2f} px)</source>
-        <translation>但留出的视图({} px)不如参与拟合的({} px)吻合</translation>
+        <translation>但留出的视图（{} px）不如参与拟合的（{} px）吻合</translation>
     </message>
     <message>
         <source>but the views do not cover the picture and the tilts it needs</source>
@@ -9072,7 +9083,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>with so few views none could be left out to show what it is worth</source>
-        <translation>视图太少,无法留出任何一张来检验</translation>
+        <translation>视图太少，无法留出任何一张来检验</translation>
     </message>
     <message>
         <source>take {}</source>
@@ -9088,23 +9099,23 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>{} (the first: {})</source>
-        <translation>{}(第一张:{})</translation>
+        <translation>{}（第一张：{}）</translation>
     </message>
     <message>
         <source>no board with {} was found, but one with {}</source>
-        <translation>没有找到{}的标定板,但找到了 {} 的</translation>
+        <translation>没有找到{}的标定板，但找到了 {} 的</translation>
     </message>
     <message>
         <source>--board with {}: inner corners are counted, not squares</source>
-        <translation>--board 用 {}:数的是内角点,不是方格</translation>
+        <translation>--board 用 {}：数的是内角点，不是方格</translation>
     </message>
     <message>
         <source>--board and --pattern as the board is, and the whole board in the picture</source>
-        <translation>--board 和 --pattern 与标定板一致,且整块板在画面内</translation>
+        <translation>--board 和 --pattern 与标定板一致，且整块板在画面内</translation>
     </message>
     <message>
         <source>stopped while looking for boards; nothing was written</source>
-        <translation>寻找标定板时已停止;没有写出任何内容</translation>
+        <translation>寻找标定板时已停止；没有写出任何内容</translation>
     </message>
     <message>
         <source>looking for the board in {}</source>
@@ -9112,11 +9123,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>is {} x {} px, the pictures before it {} x {}</source>
-        <translation>为 {} x {} px,之前的图片为 {} x {}</translation>
+        <translation>为 {} x {} px，之前的图片为 {} x {}</translation>
     </message>
     <message>
         <source>pictures of one camera in one mode; a lens differs with the picture&apos;s size</source>
-        <translation>使用同一相机同一模式的图片;镜头随图片尺寸而不同</translation>
+        <translation>使用同一相机同一模式的图片；镜头随图片尺寸而不同</translation>
     </message>
     <message>
         <source>another picture is called &apos;{}&apos; as well</source>
@@ -9128,23 +9139,23 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>its corners lie {:.2f} px from where the lens sees them, those of the others {:.2f} px</source>
-        <translation>它的角点偏离镜头所见 {} px,其他的为 {} px</translation>
+        <translation>它的角点偏离镜头所见 {} px，其他的为 {} px</translation>
     </message>
     <message>
         <source>blurred, by motion or focus: its edges are {:.1f} px wide, those of the others {:.1f} px</source>
-        <translation>因运动或失焦而模糊:边缘宽 {} px,其他的为 {} px</translation>
+        <translation>因运动或失焦而模糊：边缘宽 {} px，其他的为 {} px</translation>
     </message>
     <message>
         <source>the board is bent in it, glue it to something stiff</source>
-        <translation>图中标定板弯曲了,请把它贴在硬物上</translation>
+        <translation>图中标定板弯曲了，请把它贴在硬物上</translation>
     </message>
     <message>
         <source>{} of its {} corners lie elsewhere: covered, mirrored in something, or blurred</source>
-        <translation>{1} 个角点中有 {0} 个不在应在之处:被遮挡、反光或模糊</translation>
+        <translation>{1} 个角点中有 {0} 个不在应在之处：被遮挡、反光或模糊</translation>
     </message>
     <message>
         <source>moved during the exposure, or not this board</source>
-        <translation>曝光时有移动,或不是这块板</translation>
+        <translation>曝光时有移动，或不是这块板</translation>
     </message>
     <message>
         <source>its squares are {:.2f} % {} than they are high</source>
@@ -9164,11 +9175,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>{}, and {}</source>
-        <translation>{},而且 {}</translation>
+        <translation>{}，而且 {}</translation>
     </message>
     <message>
         <source>the board is not the flat, even one it is taken for: {}; with that allowed for fx would be {:.2f} instead of {:.2f} px; use a board on glass or metal</source>
-        <translation>标定板不像假定的那样平整均匀:{};考虑到这一点,fx 应为 {} 而不是 {} px;请使用玻璃或金属上的标定板</translation>
+        <translation>标定板不像假定的那样平整均匀：{}；考虑到这一点，fx 应为 {} 而不是 {} px；请使用玻璃或金属上的标定板</translation>
     </message>
     <message>
         <source>hardly any pixel of the face could be compared with the reference</source>
@@ -9180,15 +9191,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>nothing on the face is clearly darker than in the reference (the darkest part differs by {:.1f} %, the rest scatters by {:.1f} %)</source>
-        <translation>面上没有明显比参考更暗的地方(最暗处相差 {} %,其余散布 {} %)</translation>
+        <translation>面上没有明显比参考更暗的地方（最暗处相差 {} %，其余散布 {} %）</translation>
     </message>
     <message>
         <source>pressing the ball in deeper, and checking that the reference shows the same finger in the same pose</source>
-        <translation>把球压得更深,并检查参考是否为同一手指的同一姿态</translation>
+        <translation>把球压得更深，并检查参考是否为同一手指的同一姿态</translation>
     </message>
     <message>
         <source>only specks are dark, none larger than {} pixels</source>
-        <translation>只有斑点是暗的,没有一个大于 {} 像素</translation>
+        <translation>只有斑点是暗的，没有一个大于 {} 像素</translation>
     </message>
     <message>
         <source>pressing the ball in deeper</source>
@@ -9196,7 +9207,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>two contacts were found, the second with {:.0f} % of the first</source>
-        <translation>找到两处接触,第二处为第一处的 {} %</translation>
+        <translation>找到两处接触，第二处为第一处的 {} %</translation>
     </message>
     <message>
         <source>a press in which only the ball touches the face</source>
@@ -9220,15 +9231,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the dark part has a radius of {:.2f} mm, more than the ball&apos;s {:g} mm</source>
-        <translation>暗区半径为 {} mm,大于球的 {} mm</translation>
+        <translation>暗区半径为 {} mm，大于球的 {} mm</translation>
     </message>
     <message>
         <source>checking the ball&apos;s radius, or a picture in which only the ball touches</source>
-        <translation>检查球的半径,或使用只有球接触的图片</translation>
+        <translation>检查球的半径，或使用只有球接触的图片</translation>
     </message>
     <message>
         <source>the dark part is no disc: its rim is off a circle by {:.0f} % of the radius, and {:.0f} % of the circle is dark</source>
-        <translation>暗区不是圆盘:边缘偏离圆达半径的 {} %,圆内有 {} % 是暗的</translation>
+        <translation>暗区不是圆盘：边缘偏离圆达半径的 {} %，圆内有 {} % 是暗的</translation>
     </message>
     <message>
         <source>a picture in which a ball, and only the ball, touches the face</source>
@@ -9248,11 +9259,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>OpenCV failed: {}</source>
-        <translation>OpenCV 出错:{}</translation>
+        <translation>OpenCV 出错：{}</translation>
     </message>
     <message>
         <source>the finger moves: no more than {} of {} frames in a row show the same</source>
-        <translation>手指在动:{1} 帧中连续相同的不超过 {0} 帧</translation>
+        <translation>手指在动：{1} 帧中连续相同的不超过 {0} 帧</translation>
     </message>
     <message>
         <source>holding ball and finger still for half a second, at a steady light</source>
@@ -9268,11 +9279,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>moving its outline onto the dark disc, or having the ball found</source>
-        <translation>把轮廓移到暗斑上,或让程序寻找球</translation>
+        <translation>把轮廓移到暗斑上，或让程序寻找球</translation>
     </message>
     <message>
         <source>one for each press, &quot;&quot; where there is nothing to say</source>
-        <translation>每次按压一个,没有内容处写 &quot;&quot;</translation>
+        <translation>每次按压一个，没有内容处写 &quot;&quot;</translation>
     </message>
     <message>
         <source>is not the centre of a ball before the camera</source>
@@ -9280,7 +9291,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>x, y, z in mm</source>
-        <translation>x、y、z,单位 mm</translation>
+        <translation>x、y、z，单位 mm</translation>
     </message>
     <message>
         <source>must hold two numbers for each press</source>
@@ -9288,7 +9299,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>a depth and its standard deviation in mm</source>
-        <translation>一个深度及其标准差,单位 mm</translation>
+        <translation>一个深度及其标准差，单位 mm</translation>
     </message>
     <message>
         <source>frame {}</source>
@@ -9296,7 +9307,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>only {} of {} frames can be used ({})</source>
-        <translation>{1} 帧中只有 {0} 帧可用({2})</translation>
+        <translation>{1} 帧中只有 {0} 帧可用（{2}）</translation>
     </message>
     <message>
         <source>recording</source>
@@ -9304,7 +9315,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>record again with every marker in view and nothing on the contact face</source>
-        <translation>重新录制,所有标记点都在画面内,接触面上没有东西</translation>
+        <translation>重新录制，所有标记点都在画面内，接触面上没有东西</translation>
     </message>
     <message>
         <source>the recording has no such frame</source>
@@ -9312,7 +9323,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>frame {} cannot be the finger&apos;s rest: {}</source>
-        <translation>第 {} 帧不能作为手指的静止姿态:{}</translation>
+        <translation>第 {} 帧不能作为手指的静止姿态：{}</translation>
     </message>
     <message>
         <source>another frame in which the finger rests</source>
@@ -9320,21 +9331,21 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>frame {}: something pressed on the contact face, {:.0f} mm from its base ({:.0f} % darker than untouched)</source>
-        <translation>第 {} 帧:接触面受压,距根部 {} mm(比未触碰时暗 {} %)</translation>
+        <translation>第 {} 帧：接触面受压，距根部 {} mm（比未触碰时暗 {} %）</translation>
     </message>
     <message>
         <source>No markers can be used: {}; poses are told by the shape of the face alone, which cannot tell twist; if the finger has dots, light both side faces so that they stand out, and focus</source>
-        <translation>没有可用的标记点:{}。姿态仅由面的形状判断,无法判断扭转;若手指有标记点,请照亮两个侧面使其突出,并对好焦</translation>
+        <translation>没有可用的标记点：{}。姿态仅由面的形状判断，无法判断扭转；若手指有标记点，请照亮两个侧面使其突出，并对好焦</translation>
     </message>
     <message>
         <source>Markers {} were not found anywhere; the finger works with the other {}</source>
-        <translation>未找到标记点 {};手指使用其余 {} 个</translation>
+        <translation>未找到标记点 {}；手指使用其余 {} 个</translation>
     </message>
     <message numerus="yes">
         <source>the recording holds {} frames; at least 2 are needed</source>
         <comment>the recording holds {} frame; at least 2 are needed</comment>
         <translation>
-            <numerusform>录像只有 {} 帧;至少需要 2 帧</numerusform>
+            <numerusform>录像只有 {} 帧；至少需要 2 帧</numerusform>
         </translation>
     </message>
     <message>
@@ -9383,19 +9394,19 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>bend it while its tip is pushed aside: {:.0f} % of the combinations were seen</source>
-        <translation>把指尖推向一侧的同时弯曲:已看到 {} % 的组合</translation>
+        <translation>把指尖推向一侧的同时弯曲：已看到 {} % 的组合</translation>
     </message>
     <message>
         <source>a frame shows {} dots on the upper and {} on the lower side face (median of {} frames), but no two rows of up to {} that keep their places on the finger</source>
-        <translation>一帧中上侧面有 {} 个点、下侧面有 {} 个点({} 帧的中位数),但没有两排各至多 {} 个在手指上位置不变的点</translation>
+        <translation>一帧中上侧面有 {} 个点、下侧面有 {} 个点（{} 帧的中位数），但没有两排各至多 {} 个在手指上位置不变的点</translation>
     </message>
     <message>
         <source>{} dots were found but they fit no pose of the {} markers</source>
-        <translation>找到 {} 个点,但与 {} 个标记点的任何姿态都不符</translation>
+        <translation>找到 {} 个点，但与 {} 个标记点的任何姿态都不符</translation>
     </message>
     <message>
         <source>only {} of {} markers found</source>
-        <translation>只找到 {} 个标记点(共 {} 个)</translation>
+        <translation>只找到 {} 个标记点（共 {} 个）</translation>
     </message>
     <message>
         <source>the markers lie {:.1f} px from where they can be</source>
@@ -9403,7 +9414,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>of {} markers none may be hidden</source>
-        <translation>仅有 {} 个标记点,一个都不能被遮挡</translation>
+        <translation>仅有 {} 个标记点，一个都不能被遮挡</translation>
     </message>
     <message>
         <source>no frame shows the face</source>
@@ -9423,11 +9434,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>a recording made with this finger&apos;s camera, or the right camera.size and orientation</source>
-        <translation>用此手指的相机录制,或改正 camera.size 和 orientation</translation>
+        <translation>用此手指的相机录制，或改正 camera.size 和 orientation</translation>
     </message>
     <message>
         <source>the recording cannot be renamed: {}</source>
-        <translation>无法重命名录像:{}</translation>
+        <translation>无法重命名录像：{}</translation>
     </message>
     <message>
         <source>stopped before the recording was written</source>
@@ -9447,19 +9458,19 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>{} marker positions in {} frames are estimates, because the markers were covered or not found</source>
-        <translation>{1} 帧中有 {0} 个标记点位置是估计值,因为标记点被遮挡或未找到</translation>
+        <translation>{1} 帧中有 {0} 个标记点位置是估计值，因为标记点被遮挡或未找到</translation>
     </message>
     <message>
         <source>{} frames are few: a recording of a minute (about 1500 frames) over all directions of bending gives closer references</source>
-        <translation>{} 帧偏少:录制一分钟(约 1500 帧)并覆盖所有弯曲方向,可得到更接近的参考</translation>
+        <translation>{} 帧偏少：录制一分钟（约 1500 帧）并覆盖所有弯曲方向，可得到更接近的参考</translation>
     </message>
     <message>
         <source>Not yet seen: {}</source>
-        <translation>尚未看到:{}</translation>
+        <translation>尚未看到：{}</translation>
     </message>
     <message>
         <source>this finger has no markers to record a reference with</source>
-        <translation>此手指没有标记点,无法录制参考</translation>
+        <translation>此手指没有标记点，无法录制参考</translation>
     </message>
     <message>
         <source>a flat sensor takes one untouched picture</source>
@@ -9467,7 +9478,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the recording could not be processed ({})</source>
-        <translation>无法处理录像({})</translation>
+        <translation>无法处理录像（{}）</translation>
     </message>
     <message>
         <source>reference installed</source>
@@ -9495,27 +9506,27 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>The {} was not taken with one setting of camera and light: {}. Lock them, and record it again.</source>
-        <translation>{}不是在同一相机和灯光设置下拍摄的:{}。请锁定设置后重新录制。</translation>
+        <translation>{}不是在同一相机和灯光设置下拍摄的：{}。请锁定设置后重新录制。</translation>
     </message>
     <message>
         <source>The {} and the {} were taken with other settings: {}. Depth comes from comparing their brightness: record one of them again.</source>
-        <translation>{}与{}的拍摄设置不同:{}。深度来自两者亮度的比较:请重新录制其中之一。</translation>
+        <translation>{}与{}的拍摄设置不同：{}。深度来自两者亮度的比较：请重新录制其中之一。</translation>
     </message>
     <message>
         <source>The finger was calibrated with other settings: {}. Set them as they were, or calibrate again.</source>
-        <translation>手指是在不同的设置下标定的:{}。请恢复当时的设置,或重新标定。</translation>
+        <translation>手指是在不同的设置下标定的：{}。请恢复当时的设置，或重新标定。</translation>
     </message>
     <message>
         <source>the brightness of the untouched face changes from press to press (standard deviation {:.1f} %): exposure or gain is automatic, or the room&apos;s light gets in; lock them, shade the finger and press again</source>
-        <translation>未触碰处的亮度随每次按压而变(标准差 {} %):曝光或增益为自动,或有环境光进入;请锁定它们,给手指遮光后重新按压</translation>
+        <translation>未触碰处的亮度随每次按压而变（标准差 {} %）：曝光或增益为自动，或有环境光进入；请锁定它们，给手指遮光后重新按压</translation>
     </message>
     <message>
         <source>the untouched face is {:.1f} % {} in all presses than in the reference: the light, the exposure or the gain has changed between them; depth is corrected for it as far as it is smooth, but let the lamps warm up and record the reference again</source>
-        <translation>所有按压中未触碰处都比参考{1} {0} %:其间光照、曝光或增益有变;深度已对平缓的部分作了校正,但请让灯预热后重新录制参考</translation>
+        <translation>所有按压中未触碰处都比参考{1} {0} %：其间光照、曝光或增益有变；深度已对平缓的部分作了校正，但请让灯预热后重新录制参考</translation>
     </message>
     <message>
         <source>in {} of {} presses the finger is bent in a way that the reference recording does not hold, or it has moved in its mount since: record a reference that bends as far, or press with less bending</source>
-        <translation>{1} 次按压中有 {0} 次手指的弯曲在参考录像中没有,或其后手指在安装座中移动了:请录制弯曲同样大的参考,或按压时少弯曲</translation>
+        <translation>{1} 次按压中有 {0} 次手指的弯曲在参考录像中没有，或其后手指在安装座中移动了：请录制弯曲同样大的参考，或按压时少弯曲</translation>
     </message>
     <message>
         <source>no mapping came of it</source>
@@ -9549,12 +9560,12 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>{1} {2:.3f} mm ({0} presses)</source>
         <comment>{1} {2:.3f} mm ({0} press)</comment>
         <translation>
-            <numerusform>{1} {2} mm({0} 次按压)</numerusform>
+            <numerusform>{1} {2} mm（{0} 次按压）</numerusform>
         </translation>
     </message>
     <message>
         <source>{} unknown: no press there</source>
-        <translation>{}未知:那里没有按压</translation>
+        <translation>{}未知：那里没有按压</translation>
     </message>
     <message>
         <source>stopped</source>
@@ -9566,7 +9577,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>not as `alltact simulate` and `alltact reconstruct` write it ({})</source>
-        <translation>与 `alltact simulate` 和 `alltact reconstruct` 写出的不同({})</translation>
+        <translation>与 `alltact simulate` 和 `alltact reconstruct` 写出的不同（{}）</translation>
     </message>
     <message>
         <source>{} with {}</source>
@@ -9582,11 +9593,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the press could not be removed: {}</source>
-        <translation>无法移除按压:{}</translation>
+        <translation>无法移除按压：{}</translation>
     </message>
     <message>
         <source>no finger is open, so the recording cannot be measured</source>
-        <translation>没有打开手指,无法测量录像</translation>
+        <translation>没有打开手指，无法测量录像</translation>
     </message>
     <message>
         <source>opening a finger</source>
@@ -9614,7 +9625,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the finger that belongs to this camera, or this finger&apos;s camera</source>
-        <translation>打开属于此相机的手指,或使用此手指的相机</translation>
+        <translation>打开属于此相机的手指，或使用此手指的相机</translation>
     </message>
     <message>
         <source>there is no HID device that can be read</source>
@@ -9634,11 +9645,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>this computer cannot draw in 3D: there is no EGL with OpenGL 3.2</source>
-        <translation>本机无法绘制三维图:没有支持 OpenGL 3.2 的 EGL</translation>
+        <translation>本机无法绘制三维图：没有支持 OpenGL 3.2 的 EGL</translation>
     </message>
     <message>
         <source>installing libegl1 and libgl1-mesa-dri, which draw in software</source>
-        <translation>安装 libegl1 和 libgl1-mesa-dri,它们用软件绘制</translation>
+        <translation>安装 libegl1 和 libgl1-mesa-dri，它们用软件绘制</translation>
     </message>
     <message>
         <source>this is not a session of this program</source>
@@ -9854,7 +9865,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>Every row is a little brighter or darker, differently in each frame</source>
-        <translation>每行略亮或略暗,每帧不同</translation>
+        <translation>每行略亮或略暗，每帧不同</translation>
     </message>
     <message>
         <source>A scratch crosses the face</source>

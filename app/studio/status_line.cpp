@@ -8,10 +8,10 @@ StatusLine::StatusLine(const LiveSession& session)
     : session_(session),
       delivered_(new QLabel),
       lost_(new QLabel),
-      age_(new QLabel),
-      time_(new QLabel) {
+      time_(new QLabel),
+      age_(new AgeLabel) {
   setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // a long text must not widen the window
-  for (QLabel* label : {delivered_, lost_, age_, time_}) {
+  for (QLabel* label : labels()) {
     label->setContentsMargins(6, 0, 12, 0);
     addWidget(label);
   }
@@ -19,21 +19,23 @@ StatusLine::StatusLine(const LiveSession& session)
   say([this] {
     delivered_->setAccessibleName(tr("Frames delivered"));
     lost_->setAccessibleName(tr("Frames lost"));
-    age_->setAccessibleName(tr("Age of the picture"));
     time_->setAccessibleName(tr("Time of a frame"));
     follow();
   });
 }
 
+std::array<QLabel*, 4> StatusLine::labels() const {
+  return {delivered_, lost_, age_, time_};
+}
+
 void StatusLine::follow() {
   const bool is_open = session_.view() != nullptr;
-  for (QLabel* label : {delivered_, lost_, age_, time_}) label->setVisible(is_open);
+  for (QLabel* label : labels()) label->setVisible(is_open);
   if (!is_open) return;
   const LiveStatus& status = session_.status();
   const QLocale locale;
   show_source(status.source, status.shown_per_s);
-  age_->setText(status.age_ms ? tr("picture %1 ms old").arg(locale.toString(*status.age_ms, 'f', 0))
-                              : tr("pictures without times"));
+  age_->show_age(status.age_ms);
   time_->setText(tr("%1 ms a frame").arg(locale.toString(session_.times_ms().total, 'f', 1)));
 }
 
