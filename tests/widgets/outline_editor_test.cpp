@@ -124,16 +124,16 @@ class OutlineEditorTest : public testing::Test {
     editor_.show();
     static_cast<void>(QTest::qWaitForWindowExposed(&editor_));
     editor_.show_picture(grey_, {});
-    QObject::connect(&editor_,
-                     &OutlineEditor::ball_moved,
-                     [this](const Eigen::Vector3d& before, const Eigen::Vector3d& after, int grip) {
-                       undo_.push(new ValueChange<Eigen::Vector3d>(
-                           [] { return QStringLiteral("move"); },
-                           before,
-                           after,
-                           [this](const Eigen::Vector3d& c) { put(c); },
-                           grip));
-                     });
+    QObject::connect(
+        &editor_,
+        &OutlineEditor::ball_moved,
+        [this](const Eigen::Vector3d& before, const Eigen::Vector3d& after, int grip) {
+          undo_.push(new ValueChange<Eigen::Vector3d>([] { return QStringLiteral("move"); },
+                                                      before,
+                                                      after,
+                                                      [this](const Eigen::Vector3d& c) { put(c); },
+                                                      grip));
+        });
     put({5, -4, 52});
     undo_.clear();
   }

@@ -42,7 +42,8 @@ class Plot : public QWidget {
   void rebuild();
 
   [[nodiscard]] QCustomPlot& chart() const { return *chart_; }
-  /// Another axis than the chart's own, from draw(): dressed as they are, its title broken as theirs.
+  /// Another axis than the chart's own, from draw(): dressed as they are, its title broken as
+  /// theirs.
   void add_axis(QCPAxis* axis);
   /// Small words inside the plot, on the base colour.
   void add_note(double x, double y, const QString& text, Qt::Alignment anchor);
