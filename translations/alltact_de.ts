@@ -2753,14 +2753,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Diesen Eindruck &amp;zeigen</translation>
     </message>
     <message>
-        <source>&amp;Put back</source>
-        <translation>Zurück&amp;nehmen</translation>
-    </message>
-    <message>
-        <source>Take &amp;out</source>
-        <translation>&amp;Herausnehmen</translation>
-    </message>
-    <message>
         <source>Click a bar or a circle: which points are this press&apos;s, and where.</source>
         <translation>Ein Klick auf einen Balken oder Kreis zeigt, welche Punkte von diesem Eindruck sind und wo er liegt.</translation>
     </message>
@@ -3313,6 +3305,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>change the step of %1</source>
         <translation>Stufe von %1 ändern</translation>
     </message>
+    <message>
+        <source>&amp;Put back</source>
+        <translation>Zurück&amp;nehmen</translation>
+    </message>
+    <message>
+        <source>Take &amp;out</source>
+        <translation>&amp;Herausnehmen</translation>
+    </message>
 </context>
 <context>
     <name>alltact::PressErrorPlot</name>
@@ -3688,14 +3688,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Chosen &amp;press</source>
         <translation>&amp;Gewählter Eindruck</translation>
-    </message>
-    <message>
-        <source>&amp;Put back</source>
-        <translation>Zurück&amp;nehmen</translation>
-    </message>
-    <message>
-        <source>Take &amp;out</source>
-        <translation>&amp;Herausnehmen</translation>
     </message>
     <message>
         <source>A press that is taken out stays with the finger and is not used</source>

@@ -2741,14 +2741,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>显示这次按压(&amp;H)</translation>
     </message>
     <message>
-        <source>&amp;Put back</source>
-        <translation>放回(&amp;P)</translation>
-    </message>
-    <message>
-        <source>Take &amp;out</source>
-        <translation>取出(&amp;O)</translation>
-    </message>
-    <message>
         <source>Click a bar or a circle: which points are this press&apos;s, and where.</source>
         <translation>点击条形或圆圈，可看到哪些点属于该次按压以及它的位置。</translation>
     </message>
@@ -3300,6 +3292,14 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>change the step of %1</source>
         <translation>更改 %1 的台阶</translation>
     </message>
+    <message>
+        <source>&amp;Put back</source>
+        <translation>放回(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Take &amp;out</source>
+        <translation>取出(&amp;O)</translation>
+    </message>
 </context>
 <context>
     <name>alltact::PressErrorPlot</name>
@@ -3673,14 +3673,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Chosen &amp;press</source>
         <translation>所选按压(&amp;P)</translation>
-    </message>
-    <message>
-        <source>&amp;Put back</source>
-        <translation>放回(&amp;P)</translation>
-    </message>
-    <message>
-        <source>Take &amp;out</source>
-        <translation>取出(&amp;O)</translation>
     </message>
     <message>
         <source>A press that is taken out stays with the finger and is not used</source>

@@ -107,13 +107,19 @@ Result<fs::path> unfinished_folder(const fs::path& cache) {
   return fs::path(path);
 }
 
+/// Something stands where a folder was to be put: another program's, or what is left of one.
+bool is_taken(const std::error_code& failed) {
+  return failed == std::errc::directory_not_empty || failed == std::errc::file_exists ||
+         failed == std::errc::not_a_directory;
+}
+
 /// In place of what other programs may put and take there at the same time.
 std::error_code put_in_place(const fs::path& made, const fs::path& cache, const std::string& name) {
   constexpr int kMostTries = 100;  // each that fails is another program's success
   std::error_code failed;
   for (int i = 0; i < kMostTries; ++i) {
     fs::rename(made, cache / name, failed);
-    if (!failed) break;
+    if (!is_taken(failed)) break;
     // Another program was first, or what stands there is damaged; either way ours is whole. The
     // old one goes out of the way by a name of its own, so that nobody sees half of it.
     const auto aside = unfinished_folder(cache);

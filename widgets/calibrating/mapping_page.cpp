@@ -99,14 +99,14 @@ MappingPage::MappingPage(PressDesk& desk,
 /// The same press in all four plots.
 void MappingPage::connect_chosen() {
   errors_->let_choose();
-  connect(errors_, &PressErrorPlot::press_chosen, this, &MappingPage::show_text);
+  connect(errors_, &PressErrorPlot::press_chosen, this, &MappingPage::choose);
   connect(errors_, &PressErrorPlot::press_opened, this, &MappingPage::press_wanted);
   for (FaceMapPlot* map : {residual_, sd_}) {
     map->let_choose();
     connect(map, &FaceMapPlot::contact_chosen, this, [this](std::size_t contact) {
       if (!shown_ || contact >= shown_->residuals.size()) return;
       errors_->choose(shown_->residuals[contact].press);
-      show_text();
+      choose();
     });
   }
   connect(
@@ -114,6 +114,11 @@ void MappingPage::connect_chosen() {
   connect(leave_out_, &QPushButton::clicked, this, [this] {
     desk_.take_out_or_put_back(errors_->chosen());
   });
+}
+
+void MappingPage::choose() {
+  show_plots();
+  show_chosen();
 }
 
 void MappingPage::show_chosen() {
@@ -125,7 +130,7 @@ void MappingPage::show_chosen() {
     button->setVisible(!name.empty());
     button->setEnabled(press != nullptr && desk_.is_ready() && !run_.is_running());
   }
-  leave_out_->setText(is_out ? tr("&Put back") : tr("Take &out"));
+  leave_out_->setText(desk_.words_to_take_out_or_put_back(name));
   chosen_->setText(name.empty()
                        ? tr("Click a bar or a circle: which points are this press's, and where.")
                    : is_out ? tr("%1 is taken out: the next calibration goes without it.")
@@ -239,18 +244,24 @@ void MappingPage::show_text() {
     return;
   }
   const Calibration& calibration = shown_->calibration;
-  const FaceKind kind = shown_->finger.face.kind;
   errors_->set_data(press_errors(calibration));
+  show_plots();
+  const QString mapping = tr("Mapping: %1.").arg(in_window_language(calibration.degree_choice));
+  text_->setText(shown_ == run_.result() ? mapping
+                                         : tr("What these presses would come to; not in use yet.") +
+                                               QLatin1Char(' ') + mapping);
+}
+
+/// Those in which the chosen press stands out.
+void MappingPage::show_plots() {
+  if (!shown_) return;
+  const Calibration& calibration = shown_->calibration;
+  const FaceKind kind = shown_->finger.face.kind;
   const std::string& chosen = errors_->chosen();
   mapping_->set_data(mapping_figure(calibration, shown_->residuals, chosen));
   residual_->set_data(
       face_figure(FaceQuantity::kResidual, calibration, shown_->residuals, kind, chosen));
   sd_->set_data(face_figure(FaceQuantity::kDepthSd, calibration, shown_->residuals, kind, chosen));
-  show_chosen();
-  const QString mapping = tr("Mapping: %1.").arg(in_window_language(calibration.degree_choice));
-  text_->setText(shown_ == run_.result() ? mapping
-                                         : tr("What these presses would come to; not in use yet.") +
-                                               QLatin1Char(' ') + mapping);
 }
 
 }  // namespace alltact

@@ -46,6 +46,8 @@ class MappingPage : public StepPage {
   void show_figures();
   void show_text();
   void connect_chosen();
+  void choose();
+  void show_plots();
   void show_chosen();
   void show_log();
 

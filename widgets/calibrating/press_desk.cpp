@@ -234,6 +234,10 @@ void PressDesk::take_out_or_put_back(const std::string& name) {
     take_out(name, {});
 }
 
+QString PressDesk::words_to_take_out_or_put_back(const std::string& name) const {
+  return said_.of(name).excluded ? tr("&Put back") : tr("Take &out");
+}
+
 bool PressDesk::is_usable(const DeskPress& press) const {
   const PressNote& note = said_.of(press.name);
   if (note.excluded) return false;

@@ -75,6 +75,8 @@ class PressDesk : public QObject {
   void take_out(const std::string& name, const std::string& because);
   void put_back(const std::string& name);
   void take_out_or_put_back(const std::string& name);
+  /// For the button that does it.
+  [[nodiscard]] QString words_to_take_out_or_put_back(const std::string& name) const;
   /// Under the next free names press_1, press_2, ...; gives the first.
   std::string add(std::vector<FramePtr> frames);
   void remove(const std::string& name);

@@ -106,8 +106,8 @@ void PressesPage::show_shown() {
   out_->setEnabled(press != nullptr && desk_.is_ready());
   form_->setEnabled(desk_.is_ready());
   remove_->setEnabled(press != nullptr && press->frame);
-  out_->setText(press != nullptr && desk_.said().of(press->name).excluded ? tr("&Put back")
-                                                                          : tr("Take &out"));
+  out_->setText(
+      desk_.words_to_take_out_or_put_back(press != nullptr ? press->name : std::string()));
   out_->setToolTip(tr("A press that is taken out stays with the finger and is not used"));
   if (press == nullptr) {
     fit_.reset();

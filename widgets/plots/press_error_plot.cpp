@@ -26,8 +26,6 @@ QString short_name(const std::string& name) {
 
 }  // namespace
 
-PressErrorPlot::PressErrorPlot(QWidget* parent) : Plot(parent) {}
-
 void PressErrorPlot::set_data(std::vector<PressError> errors) {
   errors_ = std::move(errors);
   std::stable_sort(errors_.begin(), errors_.end(), [](const PressError& a, const PressError& b) {

@@ -19,7 +19,7 @@ struct PressError {
 class PressErrorPlot : public Plot {
   Q_OBJECT
  public:
-  explicit PressErrorPlot(QWidget* parent = nullptr);
+  using Plot::Plot;
   /// In any order. More than kShown are cut off at the good end, and it says so. What is chosen
   /// stays so while there is a press of this name.
   void set_data(std::vector<PressError> errors);

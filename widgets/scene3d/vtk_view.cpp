@@ -151,6 +151,12 @@ void VtkView::observe() {
                                   QOpenGLContext::currentContext() == view.context() &&
                                   view.context()->surface() == view.state_->surface;
   });
+  on(vtkCommand::StartEvent, [](VtkView& view, void*) {
+    // Opaque, whoever asks for a picture, or what lies behind the window shines through.
+    vtkRendererCollection* renderers = view.state_->window->GetRenderers();
+    renderers->InitTraversal();
+    while (vtkRenderer* renderer = renderers->GetNextItem()) renderer->SetBackgroundAlpha(1);
+  });
   on(vtkCommand::WindowFrameEvent, [](VtkView& view, void*) {
     RenderWindow* window = view.state_->window;
     // Picking renders without swapping, and is no new picture.
@@ -250,13 +256,7 @@ void VtkView::render() {
   gl->Push();
   gl->vtkglDepthFunc(GL_LEQUAL);
   gl->vtkglEnable(GL_DEPTH_TEST);
-  if (state_->is_dirty) {
-    // Opaque, or what lies behind the window shines through.
-    vtkRendererCollection* renderers = state_->window->GetRenderers();
-    renderers->InitTraversal();
-    while (vtkRenderer* renderer = renderers->GetNextItem()) renderer->SetBackgroundAlpha(1);
-    state_->window->Render();
-  }
+  if (state_->is_dirty) state_->window->Render();
   makeCurrent();  // rendering may have run what took the context
   show_picture();
   gl->Pop();
