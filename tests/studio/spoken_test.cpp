@@ -112,7 +112,7 @@ TEST_F(Spoken, TheVerdictTheAdviceAndTheRemarks) {
         QStringLiteral("step_%1").arg(step),
         [&](const std::string& language, const std::string& texts) {
           if (*step == '4') {
-            EXPECT_THAT(texts, HasSubstr(language == "de" ? "Abbildung: " : "映射:"));
+            EXPECT_THAT(texts, HasSubstr(language == "de" ? "Abbildung: " : "映射："));
           }
           if (*step != '5') return;
           EXPECT_THAT(
