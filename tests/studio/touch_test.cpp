@@ -82,6 +82,18 @@ void click_once_it_can_be(Studio& studio, const char* name) {
   button()->click();
 }
 
+TEST(LiveTouch, TellsOfNoForceBeforeTheFingerItComesFrom) {
+  Studio studio(strong(MadeFingers::get().touched()));
+  int told = 0, untold = 0;
+  QObject::connect(&studio.session(), &LiveSession::view_ready, &studio.window(), [&] {
+    if (!studio.session().view()->result.force) return;
+    ++(studio.session().status().finger.finger ? told : untold);
+  });
+  ASSERT_TRUE(wait_for_force(studio));
+  EXPECT_GT(told, 5);
+  EXPECT_EQ(untold, 0) << "what is re-zeroed now would be no finger's";
+}
+
 TEST(LiveTouch, TakesThePresentReadingAsZeroAndGivesItBack) {
   Studio studio(strong(MadeFingers::get().touched()));
   ASSERT_TRUE(wait_for_force(studio));

@@ -107,6 +107,8 @@ void LiveSession::take_view() {
   is_told_ = false;
   auto view = live_finger_->take();
   if (!view) return;
+  // A finger's first view may come before the status that tells of the finger.
+  if (live_finger_->status().state != status_.finger.state) refresh();
   view_ = std::move(view);
   smooth(times_ms_, view_->result.times_ms);
   follow_touch();
