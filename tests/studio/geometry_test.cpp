@@ -245,6 +245,7 @@ TEST_F(Geometry, OfTheFirstSteps) {
   Studio studio;
   studio.click("Simulated finger");
   ASSERT_TRUE(wait_until([&] { return studio.session().status().finger.finger.has_value(); }));
+  ASSERT_TRUE(studio.wait_for_picture());
   studio.window().go_to("calibrate");
   auto& place = *studio.window().findChild<CalibratePlace*>();
   look(studio, "calibrate_lens", place);

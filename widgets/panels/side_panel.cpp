@@ -22,7 +22,9 @@ class SideColumn : public QScrollArea {
   bool eventFilter(QObject* object, QEvent* event) override {
     const bool is_handled = QScrollArea::eventFilter(object, event);
     // Always with room for the scroll bar: else it would come and go with what it makes narrower.
-    if (object == widget() && event->type() == QEvent::LayoutRequest)
+    // A page that was laid out unseen, in other fonts, asks for no new layout when it is shown.
+    if (object == widget() &&
+        (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Show))
       setFixedWidth(
           std::max(least_width_px_,
                    widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width()));
