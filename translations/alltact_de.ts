@@ -166,10 +166,6 @@
         <translation>%1 ms je Bild; Tiefe: Hälfte aller Stellen innerhalb %2 mm, 95 % innerhalb %3 mm</translation>
     </message>
     <message>
-        <source>; place: half within %1 mm</source>
-        <translation>; Ort: Hälfte innerhalb %1 mm</translation>
-    </message>
-    <message>
         <source>In use now.</source>
         <translation>Jetzt verwendet.</translation>
     </message>
@@ -291,6 +287,10 @@
     <message>
         <source>What it loses is not in these pictures, whose light is that of the recording.</source>
         <translation>Was sie verliert, zeigen diese Bilder nicht, deren Licht das der Aufnahme ist.</translation>
+    </message>
+    <message>
+        <source>place: half within %1 mm</source>
+        <translation>Ort: Hälfte innerhalb %1 mm</translation>
     </message>
 </context>
 <context>
@@ -1962,6 +1962,29 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
 </context>
 <context>
+    <name>alltact::JoinedWords</name>
+    <message>
+        <source>, </source>
+        <comment>between things of one kind</comment>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>, </source>
+        <comment>between parts of a sentence</comment>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>; </source>
+        <comment>between clauses</comment>
+        <translation>; </translation>
+    </message>
+    <message>
+        <source>: </source>
+        <comment>after what names the next</comment>
+        <translation>: </translation>
+    </message>
+</context>
+<context>
     <name>alltact::LampPanel</name>
     <message>
         <source>Dimmer</source>
@@ -2166,18 +2189,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>%1, %2 × %3 px</translation>
     </message>
     <message>
-        <source>, %1 mm a pixel</source>
-        <translation>, %1 mm je Pixel</translation>
-    </message>
-    <message>
-        <source>, focal length %1 px</source>
-        <translation>, Brennweite %1 px</translation>
-    </message>
-    <message>
-        <source>, behind a window</source>
-        <translation>, hinter einem Fenster</translation>
-    </message>
-    <message>
         <source>Its calibration: %1.</source>
         <translation>Seine Kalibrierung: %1.</translation>
     </message>
@@ -2356,6 +2367,18 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Still missing: %1.</source>
         <translation>Es fehlt noch: %1.</translation>
+    </message>
+    <message>
+        <source>%1 mm a pixel</source>
+        <translation>%1 mm je Pixel</translation>
+    </message>
+    <message>
+        <source>focal length %1 px</source>
+        <translation>Brennweite %1 px</translation>
+    </message>
+    <message>
+        <source>behind a window</source>
+        <translation>hinter einem Fenster</translation>
     </message>
 </context>
 <context>
@@ -4110,13 +4133,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>Space left: %1 GB</source>
         <translation>Freier Platz: %1 GB</translation>
     </message>
-    <message numerus="yes">
-        <source>, room for about %n minute(s)</source>
-        <translation>
-            <numerusform>, reicht für etwa %n Minute</numerusform>
-            <numerusform>, reicht für etwa %n Minuten</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Open the finger that was recorded first.</source>
         <translation>Öffnen Sie zuerst den Finger, der aufgenommen wurde.</translation>
@@ -4331,6 +4347,13 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>The finger is being read with its new reference.</source>
         <translation>Der Finger wird mit seiner neuen Referenz eingelesen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>room for about %n minute(s)</source>
+        <translation>
+            <numerusform>reicht für etwa %n Minute</numerusform>
+            <numerusform>reicht für etwa %n Minuten</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4794,11 +4817,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Glättung von %1 px</translation>
     </message>
     <message>
-        <source>%1, %2</source>
-        <comment>settings</comment>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
         <source>lens taken as one that bends nothing</source>
         <translation>Objektiv als eines genommen, das nichts verzeichnet</translation>
     </message>
@@ -5125,12 +5143,13 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>zu tun</translation>
     </message>
     <message>
-        <source>%1 %2: %3</source>
-        <translation>%1 %2: %3</translation>
-    </message>
-    <message>
         <source>is being read</source>
         <translation>wird gelesen</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>a step&apos;s number and title</comment>
+        <translation>%1 %2</translation>
     </message>
 </context>
 <context>
@@ -5193,11 +5212,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Distance A to B</source>
         <translation>Abstand A nach B</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <comment>a measured value</comment>
-        <translation>%1: %2</translation>
     </message>
 </context>
 <context>

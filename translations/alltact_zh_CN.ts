@@ -166,10 +166,6 @@
         <translation>每张图像 %1 ms；深度：一半位置在 %2 mm 内，95 % 在 %3 mm 内</translation>
     </message>
     <message>
-        <source>; place: half within %1 mm</source>
-        <translation>；位置：一半在 %1 mm 内</translation>
-    </message>
-    <message>
         <source>In use now.</source>
         <translation>正在使用。</translation>
     </message>
@@ -290,6 +286,10 @@
     <message>
         <source>What it loses is not in these pictures, whose light is that of the recording.</source>
         <translation>它的损失在这些图像中看不出，因为图像的光照就是录像时的光照。</translation>
+    </message>
+    <message>
+        <source>place: half within %1 mm</source>
+        <translation>位置：一半在 %1 mm 内</translation>
     </message>
 </context>
 <context>
@@ -923,7 +923,7 @@
     </message>
     <message>
         <source>&amp;ROS: camera_info.yaml and parameters.yaml</source>
-        <translation>ROS:camera_info.yaml 和 parameters.yaml(&amp;R)</translation>
+        <translation>ROS：camera_info.yaml 和 parameters.yaml(&amp;R)</translation>
     </message>
     <message>
         <source>The camera as drivers and image_pipeline read it; face, markers and mapping as parameters of a ROS 2 node.</source>
@@ -1451,7 +1451,7 @@
     </message>
     <message>
         <source>u %1 px, v %2 px, grey %3</source>
-        <translation>u %1 px,v %2 px，灰度 %3</translation>
+        <translation>u %1 px，v %2 px，灰度 %3</translation>
     </message>
     <message>
         <source>depth %1 mm</source>
@@ -1951,6 +1951,29 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
 </context>
 <context>
+    <name>alltact::JoinedWords</name>
+    <message>
+        <source>, </source>
+        <comment>between things of one kind</comment>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <comment>between parts of a sentence</comment>
+        <translation>，</translation>
+    </message>
+    <message>
+        <source>; </source>
+        <comment>between clauses</comment>
+        <translation>；</translation>
+    </message>
+    <message>
+        <source>: </source>
+        <comment>after what names the next</comment>
+        <translation>：</translation>
+    </message>
+</context>
+<context>
     <name>alltact::LampPanel</name>
     <message>
         <source>Dimmer</source>
@@ -2152,19 +2175,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>%1, %2 × %3 px</source>
-        <translation>%1,%2 × %3 px</translation>
-    </message>
-    <message>
-        <source>, %1 mm a pixel</source>
-        <translation>，每像素 %1 mm</translation>
-    </message>
-    <message>
-        <source>, focal length %1 px</source>
-        <translation>，焦距 %1 px</translation>
-    </message>
-    <message>
-        <source>, behind a window</source>
-        <translation>，隔着窗口</translation>
+        <translation>%1，%2 × %3 px</translation>
     </message>
     <message>
         <source>Its calibration: %1.</source>
@@ -2345,6 +2356,18 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Still missing: %1.</source>
         <translation>还缺少：%1。</translation>
+    </message>
+    <message>
+        <source>%1 mm a pixel</source>
+        <translation>每像素 %1 mm</translation>
+    </message>
+    <message>
+        <source>focal length %1 px</source>
+        <translation>焦距 %1 px</translation>
+    </message>
+    <message>
+        <source>behind a window</source>
+        <translation>隔着窗口</translation>
     </message>
 </context>
 <context>
@@ -2950,7 +2973,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>Centre u %1 px, v %2 px, radius %3 px; ball at x %4, y %5, z %6 mm</source>
-        <translation>中心 u %1 px,v %2 px，半径 %3 px；球在 x %4,y %5,z %6 mm</translation>
+        <translation>中心 u %1 px，v %2 px，半径 %3 px；球在 x %4、y %5、z %6 mm</translation>
     </message>
 </context>
 <context>
@@ -3310,7 +3333,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message numerus="yes">
         <source>The worst of %n press(es) is %1 with %2 mm.</source>
         <translation>
-            <numerusform>%n 次按压中最差的是 %1,%2 mm。</numerusform>
+            <numerusform>%n 次按压中最差的是 %1，%2 mm。</numerusform>
         </translation>
     </message>
     <message>
@@ -3684,7 +3707,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>Centre u %1 px, v %2 px, radius %3 px, %4 mm before the camera</source>
-        <translation>中心 u %1 px,v %2 px，半径 %3 px，距相机 %4 mm</translation>
+        <translation>中心 u %1 px，v %2 px，半径 %3 px，距相机 %4 mm</translation>
     </message>
     <message>
         <source>No ball is drawn here.</source>
@@ -3926,7 +3949,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>&lt;b&gt;%1&lt;/b&gt;: x %2, y %3, z %4 mm</source>
-        <translation>&lt;b&gt;%1&lt;/b&gt;:x %2,y %3,z %4 mm</translation>
+        <translation>&lt;b&gt;%1&lt;/b&gt;:x %2、y %3、z %4 mm</translation>
     </message>
     <message>
         <source>&lt;b&gt;A to B&lt;/b&gt;: %1 mm straight, %2 mm over the face</source>
@@ -3934,11 +3957,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>by x %1, y %2, z %3 mm</source>
-        <translation>x %1,y %2,z %3 mm</translation>
+        <translation>x %1、y %2、z %3 mm</translation>
     </message>
     <message>
         <source>Deepest %1 mm; contact at x %2, y %3, z %4 mm.</source>
-        <translation>最深 %1 mm；接触位置 x %2,y %3,z %4 mm。</translation>
+        <translation>最深 %1 mm；接触位置 x %2、y %3、z %4 mm。</translation>
     </message>
     <message>
         <source>Nothing presses on the face.</source>
@@ -4069,7 +4092,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>&lt;b&gt;Recording&lt;/b&gt; %1 min&lt;br&gt;%2, %3, %4 GB</source>
-        <translation>&lt;b&gt;正在录制&lt;/b&gt; %1 分钟&lt;br&gt;%2,%3,%4 GB</translation>
+        <translation>&lt;b&gt;正在录制&lt;/b&gt; %1 分钟&lt;br&gt;%2，%3，%4 GB</translation>
     </message>
     <message numerus="yes">
         <source>%n frame(s)</source>
@@ -4087,12 +4110,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>Space left: %1 GB</source>
         <translation>剩余空间：%1 GB</translation>
     </message>
-    <message numerus="yes">
-        <source>, room for about %n minute(s)</source>
-        <translation>
-            <numerusform>，约可录 %n 分钟</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Open the finger that was recorded first.</source>
         <translation>请先打开被录制的手指。</translation>
@@ -4107,7 +4124,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>%1: %2, %3 min</source>
-        <translation>%1:%2,%3 分钟</translation>
+        <translation>%1：%2，%3 分钟</translation>
     </message>
     <message numerus="yes">
         <source>%n frame(s) were lost because this computer or its disk was too slow.</source>
@@ -4298,6 +4315,12 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>The finger is being read with its new reference.</source>
         <translation>正在用新参考读取手指。</translation>
+    </message>
+    <message numerus="yes">
+        <source>room for about %n minute(s)</source>
+        <translation>
+            <numerusform>约可录 %n 分钟</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4757,11 +4780,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>平滑 %1 px</translation>
     </message>
     <message>
-        <source>%1, %2</source>
-        <comment>settings</comment>
-        <translation>%1、%2</translation>
-    </message>
-    <message>
         <source>lens taken as one that bends nothing</source>
         <translation>将镜头视为无畸变</translation>
     </message>
@@ -5085,12 +5103,13 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>待办</translation>
     </message>
     <message>
-        <source>%1 %2: %3</source>
-        <translation>%1 %2:%3</translation>
-    </message>
-    <message>
         <source>is being read</source>
         <translation>正在读取</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>a step&apos;s number and title</comment>
+        <translation>%1 %2</translation>
     </message>
 </context>
 <context>
@@ -5153,11 +5172,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Distance A to B</source>
         <translation>A 到 B 的距离</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <comment>a measured value</comment>
-        <translation>%1：%2</translation>
     </message>
 </context>
 <context>
@@ -5657,7 +5671,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>brown: k1 k2 p1 p2 k3, fisheye: k1 k2 k3 k4, others: []</source>
-        <translation>brown:k1 k2 p1 p2 k3,fisheye:k1 k2 k3 k4，其他：[]</translation>
+        <translation>brown：k1 k2 p1 p2 k3，fisheye：k1 k2 k3 k4，其他：[]</translation>
     </message>
     <message>
         <source>holds a number that no lens has</source>
@@ -6009,7 +6023,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>must hold finite numbers, half_mm above 0, along and across together at most 0.5</source>
-        <translation>必须是有限数，half_mm 大于 0,along 与 across 之和不超过 0.5</translation>
+        <translation>必须是有限数，half_mm 大于 0，along 与 across 之和不超过 0.5</translation>
     </message>
     <message>
         <source>must be a positive number</source>
@@ -6389,7 +6403,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>{}, {}</source>
-        <translation>{},{}</translation>
+        <translation>{}，{}</translation>
     </message>
     <message>
         <source>{}; {}</source>
@@ -7773,7 +7787,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>this is not YAML: {}</source>
-        <translation>这不是 YAML:{}</translation>
+        <translation>这不是 YAML：{}</translation>
     </message>
     <message>
         <source>look at the brackets, quotes and the space before each key</source>
@@ -8024,7 +8038,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>{}, {} x {} px</source>
-        <translation>{},{} x {} px</translation>
+        <translation>{}，{} x {} px</translation>
     </message>
     <message>
         <source>stopped before the check was done</source>
@@ -8611,11 +8625,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>{:.0f} mm from the middle on the {} side</source>
-        <translation>距中线 {} mm,{}侧</translation>
+        <translation>距中线 {} mm，{}侧</translation>
     </message>
     <message>
         <source>{:.0f} mm from the base, {}</source>
-        <translation>距根部 {} mm,{}</translation>
+        <translation>距根部 {} mm，{}</translation>
     </message>
     <message>
         <source>least certain is the scale: all depths may be too large or too small together, by {:.3f} mm at {:.2f} mm (one standard deviation)</source>

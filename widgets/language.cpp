@@ -51,6 +51,10 @@ QString window_sentence(const Message& message) {
   return in_window_language(en::say("{}.", Message::typed(line.toStdString())));
 }
 
+QString as_sentence(const QString& words) {
+  return in_window_language(en::say("{}.", Message::typed(words.toStdString())));
+}
+
 QString WindowTranslator::translate(const char* context,
                                     const char* source,
                                     const char* of,

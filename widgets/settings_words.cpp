@@ -1,5 +1,7 @@
 #include "widgets/settings_words.h"
 
+#include "widgets/joined_words.h"
+
 #include <QCoreApplication>
 #include <QLocale>
 
@@ -48,21 +50,17 @@ class SettingsWords {
     }
     return QString::fromStdString(name + ' ' + value);
   }
-  static QString joined(const QString& before, const QString& next) {
-    return before.isEmpty() ? next : tr("%1, %2", "settings").arg(before, next);
-  }
 };
 
 }  // namespace
 
 QString difference_words(const PipelineSettings& choice, const PipelineSettings& base) {
-  QString words;
+  QStringList differences;
   for (const auto& setting : pipeline_settings()) {
     const std::string value = setting.get(choice);
-    if (value != setting.get(base))
-      words = SettingsWords::joined(words, SettingsWords::of(setting.name, value));
+    if (value != setting.get(base)) differences << SettingsWords::of(setting.name, value);
   }
-  return words;
+  return joined(differences);
 }
 
 }  // namespace alltact

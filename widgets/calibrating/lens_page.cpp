@@ -3,6 +3,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/message_json.h"
 #include "widgets/calibrating/space_key.h"
+#include "widgets/joined_words.h"
 #include "widgets/language.h"
 #include "widgets/panels/side_panel.h"
 
@@ -57,16 +58,16 @@ Message verdict_in(const LensRecord& record) {
 
 QString camera_text(const CameraParameters& camera, const LensRecord& record) {
   const QLocale locale;
-  QString text = LensPage::tr("%1, %2 × %3 px")
-                     .arg(model_text(camera.model))
-                     .arg(camera.width_px)
-                     .arg(camera.height_px);
+  QStringList parts{LensPage::tr("%1, %2 × %3 px")
+                        .arg(model_text(camera.model))
+                        .arg(camera.width_px)
+                        .arg(camera.height_px)};
   if (camera.model == CameraModel::kOrthographic)
-    text += LensPage::tr(", %1 mm a pixel").arg(locale.toString(camera.mm_per_px, 'g', 4));
+    parts << LensPage::tr("%1 mm a pixel").arg(locale.toString(camera.mm_per_px, 'g', 4));
   else
-    text += LensPage::tr(", focal length %1 px").arg(locale.toString(camera.fx_px, 'f', 1));
-  if (camera.port) text += LensPage::tr(", behind a window");
-  text += QLatin1Char('.');
+    parts << LensPage::tr("focal length %1 px").arg(locale.toString(camera.fx_px, 'f', 1));
+  if (camera.port) parts << LensPage::tr("behind a window");
+  QString text = as_sentence(joined(parts));
   if (const Message verdict = verdict_in(record); !verdict.empty())
     text +=
         QLatin1Char('\n') + LensPage::tr("Its calibration: %1.").arg(in_window_language(verdict));

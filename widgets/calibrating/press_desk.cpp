@@ -4,6 +4,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/picture.h"
 #include "core/sources/open/open_source.h"
+#include "widgets/joined_words.h"
 #include "widgets/report/report_words.h"
 
 #include <algorithm>
@@ -361,7 +362,7 @@ void PressDesk::add_files(const std::vector<fs::path>& inputs) {
             true));
       if (!twice.isEmpty())
         Q_EMIT refused({Meaning::kDoubtful,
-                        tr("There are presses of these names already: %1.").arg(twice.join(", ")),
+                        tr("There are presses of these names already: %1.").arg(listed(twice)),
                         {},
                         {},
                         {}});

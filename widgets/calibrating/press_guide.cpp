@@ -3,6 +3,8 @@
 #include "calibration/presses/placed_ball.h"
 #include "core/geometry/disc_depth.h"
 #include "widgets/calibrating/press_model.h"
+#include "widgets/joined_words.h"
+#include "widgets/language.h"
 #include "widgets/picture/overlays.h"
 
 #include <QCoreApplication>
@@ -188,9 +190,8 @@ GuidedFrame guided_frame(const FrameResult& result,
 
 QString guide_words(const GuidedFrame& frame) {
   if (!frame.target) return GuideWords::enough_presses();
-  QString words = GuideWords::press_here(frame.target->depth_mm);
-  if (frame.depth_mm) words += QStringLiteral(", ") + words_of(frame);
-  return words + QLatin1Char('.');
+  return as_sentence(joined({GuideWords::press_here(frame.target->depth_mm),
+                             frame.depth_mm ? words_of(frame) : QString()}));
 }
 
 QString waiting_words(PressTaker::State state) {

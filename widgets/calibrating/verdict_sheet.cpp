@@ -3,6 +3,7 @@
 #include "calibration/checks/check_history.h"
 #include "widgets/calibrating/press_model.h"
 #include "widgets/calibrating/verdict_words.h"
+#include "widgets/joined_words.h"
 #include "widgets/language.h"
 #include "widgets/report/calibration_figures.h"
 #include "widgets/report/report_words.h"
@@ -53,13 +54,13 @@ class Sheet {
                                      QLocale::ShortFormat)
                 : as_text(done_.inputs.date);
     const QString person = as_text(done_.inputs.said.operator_name);
-    document_.paragraph(SheetWords::tr("%1, ball of radius %2 mm, %n press(es), AllTact %3",
-                                       nullptr,
-                                       static_cast<int>(done_.calibration.balls.size()))
-                            .arg(date,
-                                 local_mm(done_.inputs.said.ball_radius_mm, 3),
-                                 as_text(done_.inputs.program_version)) +
-                        (person.isEmpty() ? QString() : QStringLiteral(", ") + person));
+    document_.paragraph(joined({SheetWords::tr("%1, ball of radius %2 mm, %n press(es), AllTact %3",
+                                               nullptr,
+                                               static_cast<int>(done_.calibration.balls.size()))
+                                    .arg(date,
+                                         local_mm(done_.inputs.said.ball_radius_mm, 3),
+                                         as_text(done_.inputs.program_version)),
+                                person}));
     if (!done_.zones.empty())
       document_.paragraph(SheetWords::tr("By zone of the face: %1.")
                               .arg(in_window_language(zone_sentence(done_.zones))));

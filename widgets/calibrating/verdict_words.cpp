@@ -67,7 +67,7 @@ QString forecast_text(const PressForecast& forecast, const CalibrationRun& run) 
           .arg(local_mm(then->verdict.error_mm, 3), grade_text(then->verdict.grade));
   const auto used = verdict_of(run);
   return used ? VerdictPage::tr("%1 (in use: %2 mm).").arg(now, local_mm(used->error_mm, 3))
-              : now + QLatin1Char('.');
+              : as_sentence(now);
 }
 
 }  // namespace alltact

@@ -2,6 +2,7 @@
 
 #include "core/numerics/round_step.h"
 #include "widgets/accessible.h"
+#include "widgets/joined_words.h"
 #include "widgets/language.h"
 #include "widgets/theme.h"
 
@@ -81,15 +82,15 @@ QString EventStrip::description() const {
         (deepest == nullptr || *frames_[i]->deepest_mm > *deepest->deepest_mm))
       deepest = &*frames_[i];
   }
-  QString text = tr("%n contact(s)", nullptr, contacts) + QStringLiteral(", ") +
-                 tr("%n frame(s) with problems", nullptr, problems);
+  QStringList parts{tr("%n contact(s)", nullptr, contacts),
+                    tr("%n frame(s) with problems", nullptr, problems)};
   if (deepest != nullptr)
-    text += QStringLiteral(", ") + tr("deepest %1 mm in frame %2")
-                                       .arg(QLocale().toString(*deepest->deepest_mm, 'f', 2))
-                                       .arg(deepest->number + 1);
+    parts << tr("deepest %1 mm in frame %2")
+                 .arg(QLocale().toString(*deepest->deepest_mm, 'f', 2))
+                 .arg(deepest->number + 1);
   if (known_ < frames_.size())
-    text += QStringLiteral(", ") + tr("%1 of %2 frames measured").arg(known_).arg(frames_.size());
-  return text;
+    parts << tr("%1 of %2 frames measured").arg(known_).arg(frames_.size());
+  return joined(parts);
 }
 
 void EventStrip::describe() {
@@ -274,7 +275,7 @@ bool EventStrip::event(QEvent* event) {
   if (const auto& frame = frames_[number]) {
     for (const Lane& lane : lanes())
       if (const auto value = (*frame).*lane.member)
-        lines << lane.name() + QStringLiteral(": ") + QLocale().toString(*value, 'f', 2);
+        lines << labelled(lane.name(), QLocale().toString(*value, 'f', 2));
     if (!frame->problem.empty()) lines << window_sentence(frame->problem);
   }
   QToolTip::showText(help->globalPos(), lines.join(QLatin1Char('\n')), this);

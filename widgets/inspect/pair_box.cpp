@@ -1,5 +1,7 @@
 #include "widgets/inspect/pair_box.h"
 
+#include "widgets/joined_words.h"
+
 #include <QGridLayout>
 #include <QLocale>
 #include <cmath>
@@ -52,8 +54,9 @@ void PairBox::show_pair(bool is_recording) {
   setVisible(is_open);
   if (!is_open) return;
   place_first_->setEnabled(!pair_.folder(false).empty());
-  names_->setText(QStringLiteral("1: %1<br>2: %2")
-                      .arg(pair_.name(false).toHtmlEscaped(), pair_.name(true).toHtmlEscaped()));
+  names_->setText(labelled(QStringLiteral("1"), pair_.name(false).toHtmlEscaped()) +
+                  QStringLiteral("<br>") +
+                  labelled(QStringLiteral("2"), pair_.name(true).toHtmlEscaped()));
   joined_->setText(joined_text());
   gap_->setText(gap_text());
 }

@@ -2,6 +2,7 @@
 
 #include "core/sensing/surface/point_distance.h"
 #include "core/sensing/surface/read_patch.h"
+#include "widgets/joined_words.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -19,9 +20,6 @@ struct SurfaceWords {
   Q_DECLARE_TR_FUNCTIONS(alltact::SurfaceWords)
  public:
   static QString distance() { return tr("Distance A to B"); }
-  static QString line(const QString& name, const QString& value) {
-    return tr("%1: %2", "a measured value").arg(name, value);
-  }
   static QString radius() { return tr("Ball's radius"); }
   static QString area() { return tr("Pressed area"); }
   static QString volume() { return tr("Volume"); }
@@ -110,8 +108,7 @@ QString value_text(const SurfaceReading& reading) {
 QString text_of(const std::vector<SurfaceReading>& readings) {
   QString text;
   for (const SurfaceReading& reading : readings)
-    if (reading.measured)
-      text += SurfaceWords::line(reading.name, value_text(reading)) + QLatin1Char('\n');
+    if (reading.measured) text += labelled(reading.name, value_text(reading)) + QLatin1Char('\n');
   return text;
 }
 

@@ -1,5 +1,6 @@
 #include "widgets/pair/live_pair_box.h"
 
+#include "widgets/joined_words.h"
 #include "widgets/language.h"
 #include "widgets/touch/contact_words.h"
 
@@ -85,8 +86,8 @@ QString LivePairBox::names_text() const {
   QStringList lines;
   for (const std::size_t i : {0U, 1U}) {
     const LiveSession& session = i == 0 ? first_ : *pair_.second();
-    QString line = QStringLiteral("%1: %2").arg(
-        QString::number(i + 1), finger_name(session.status().finger).toHtmlEscaped());
+    QString line =
+        labelled(QString::number(i + 1), finger_name(session.status().finger).toHtmlEscaped());
     const QString felt = pair ? brief_touch_words(pair->views[i]->result) : QString();
     if (!felt.isEmpty()) line += QStringLiteral("<br>&nbsp;&nbsp;&nbsp;") + felt;
     lines << line;

@@ -1,5 +1,6 @@
 #include "widgets/panels/view_options.h"
 
+#include "widgets/joined_words.h"
 #include "widgets/picture/overlays.h"
 
 #include <QCoreApplication>
@@ -27,13 +28,13 @@ struct FrameWords {
     const FrameResult& result = view.result;
     const QLocale locale;
     const int grey = result.grey.at<std::uint8_t>(pixel.y(), pixel.x());
-    QString text = tr("u %1 px, v %2 px, grey %3").arg(pixel.x()).arg(pixel.y()).arg(grey);
+    const QString text = tr("u %1 px, v %2 px, grey %3").arg(pixel.x()).arg(pixel.y()).arg(grey);
     if (!result.depth) return text;
     const float depth = result.depth->depth_mm.at<float>(pixel.y(), pixel.x());
-    text += QStringLiteral(", ");
-    if (!std::isfinite(depth))
-      return text + no_depth(result.depth->flags.at<std::uint8_t>(pixel.y(), pixel.x()));
-    return text + tr("depth %1 mm").arg(locale.toString(depth, 'f', 2));
+    return joined({text,
+                   std::isfinite(depth)
+                       ? tr("depth %1 mm").arg(locale.toString(depth, 'f', 2))
+                       : no_depth(result.depth->flags.at<std::uint8_t>(pixel.y(), pixel.x()))});
   }
 
   static QString colour_bar() { return tr("Depth, mm"); }

@@ -1,6 +1,8 @@
 // What the place Accuracy shows and says.
 #include "calibration/finger/calibration_inputs.h"
 #include "calibration/study/study_front.h"
+#include "widgets/joined_words.h"
+#include "widgets/language.h"
 #include "widgets/places/accuracy_place.h"
 #include "widgets/settings_words.h"
 
@@ -35,13 +37,13 @@ QString AccuracyPlace::row_words(const StudyRow& row) const {
 }
 
 QString AccuracyPlace::figures_of(const StudyRow& row) const {
-  QString words =
+  QStringList clauses{
       tr("%1 ms a picture; depth: half of all points within %2 mm, 95 % within %3 mm")
           .arg(milliseconds(frame_ms(shown_->study, row)),
                millimetres(row.depth->median_mm),
-               millimetres(kept_error_mm(shown_->study, row).value_or(row.depth->p95_mm)));
-  if (row.place_mm) words += tr("; place: half within %1 mm").arg(millimetres(*row.place_mm));
-  return words;
+               millimetres(kept_error_mm(shown_->study, row).value_or(row.depth->p95_mm)))};
+  if (row.place_mm) clauses << tr("place: half within %1 mm").arg(millimetres(*row.place_mm));
+  return set_apart(clauses);
 }
 
 QString AccuracyPlace::hint_of(const StudyRow& row) const {
@@ -185,7 +187,7 @@ void AccuracyPlace::show_answer() {
   const auto in_use = run_.row_in_use();
   if (row) {
     answer_->setText(with_capital(row_words(shown_->study.rows[*row])));
-    figures_->setText(with_capital(figures_of(shown_->study.rows[*row])) + QLatin1Char('.'));
+    figures_->setText(as_sentence(with_capital(figures_of(shown_->study.rows[*row]))));
     note_->setText(answer_note());
   } else {
     answer_->setText(shown_ ? tr("No setting measures this finger's pictures.") : QString());

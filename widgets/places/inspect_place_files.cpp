@@ -1,5 +1,6 @@
 // What the place Inspect opens from files and saves into them.
 #include "core/io/atomic_file.h"
+#include "widgets/joined_words.h"
 #include "widgets/language.h"
 #include "widgets/places/inspect_place.h"
 #include "widgets/theme.h"
@@ -181,7 +182,7 @@ void InspectPlace::end_saving(const Status& status,
                               const std::vector<std::filesystem::path>& files) {
   QStringList names;
   for (const auto& file : files) names << text_of(file);
-  saved_->setText(status ? tr("Saved: %1").arg(names.join(QStringLiteral(", ")))
+  saved_->setText(status ? tr("Saved: %1").arg(listed(names))
                          : window_sentence(status.error().message()));
   saved_->setToolTip(saved_->text());
 }

@@ -1,6 +1,7 @@
 // What the place Inspect shows of a frame, and what it says where there is none.
 #include "widgets/inspect/face_places.h"
 #include "widgets/inspect/reading_text.h"
+#include "widgets/joined_words.h"
 #include "widgets/language.h"
 #include "widgets/places/inspect_place.h"
 #include "widgets/shell/one_line.h"
@@ -126,7 +127,7 @@ void InspectPlace::show_probe() {
                         ? probe_text(*frame, whole_pixel({pointed_at_->x(), pointed_at_->y()}))
                         : std::nullopt;
   static_cast<OneLine*>(probe_)->set_text(
-      text ? text->depth + QStringLiteral("; ") + text->place
+      text ? set_apart({text->depth, text->place})
            : tr("Point at the face: what lies there is told here."));
   for (InspectPane* pane : {first_, second_})
     pane->show_beside_pointer(

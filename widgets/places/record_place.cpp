@@ -1,6 +1,7 @@
 #include "widgets/places/record_place.h"
 
 #include "widgets/calibrating/space_key.h"
+#include "widgets/joined_words.h"
 #include "widgets/panels/side_panel.h"
 
 #include <QDateTime>
@@ -235,7 +236,7 @@ void RecordPlace::show_coverage() {
   for (const BendDirection direction : picture.missing()) missing << bend_direction_text(direction);
   missing_->setText(picture.poses == 0  ? tr("The markers have to be seen to tell how it bends.")
                     : missing.isEmpty() ? enough_text(picture)
-                                        : tr("Still missing: %1.").arg(missing.join(", ")));
+                                        : tr("Still missing: %1.").arg(listed(missing)));
   rest_->setEnabled(picture.now.has_value());
   rest_note_->setText(coverage_.rest_is_set()
                           ? tr("Bending is told from the rest pose that was set.")

@@ -1,4 +1,5 @@
 // What the place Record says while it works: what is needed, how far it is, what came of it.
+#include "widgets/joined_words.h"
 #include "widgets/places/record_place.h"
 #include "widgets/shell/icons.h"
 #include "widgets/shell/primary_button.h"
@@ -56,17 +57,17 @@ void RecordPlace::show_progress(const RecordingStatus& recording) {
   std::optional<double> free_gb = free_gb_;
   if (is_recording && recording.counts.free_bytes > 0)
     free_gb = static_cast<double>(recording.counts.free_bytes) / kGigabyte;
-  QString text;
-  if (free_gb) text = tr("Space left: %1 GB").arg(locale.toString(*free_gb, 'f', 1));
+  QStringList parts;
+  if (free_gb) parts << tr("Space left: %1 GB").arg(locale.toString(*free_gb, 'f', 1));
   if (free_gb && is_recording && recording.seconds > 2 && recording.counts.bytes > 0) {
     const double gb_per_s =
         static_cast<double>(recording.counts.bytes) / kGigabyte / recording.seconds;
-    text += tr(", room for about %n minute(s)",
-               nullptr,
-               static_cast<int>(std::min(*free_gb / gb_per_s / 60, 99999.0)));
+    parts << tr("room for about %n minute(s)",
+                nullptr,
+                static_cast<int>(std::min(*free_gb / gb_per_s / 60, 99999.0)));
   }
-  space_->setText(text);
-  space_->setVisible(!text.isEmpty());
+  space_->setText(joined(parts));
+  space_->setVisible(!parts.isEmpty());
 }
 
 QString RecordPlace::why_not_install(const LiveStatus& status) const {

@@ -1,5 +1,6 @@
 #include "widgets/plots/presses_plot.h"
 
+#include "widgets/joined_words.h"
 #include "widgets/plots/custom_plot.h"
 #include "widgets/theme.h"
 
@@ -17,7 +18,7 @@ void PressesPlot::set_points(std::vector<PressesPoint> points) {
   for (const PressesPoint& point : points_)
     words << tr("%n press(es): %1 µm", nullptr, point.presses)
                  .arg(QLocale().toString(1000 * point.median_mm, 'f', 1));
-  setAccessibleDescription(words.join(QStringLiteral("; ")));
+  setAccessibleDescription(set_apart(words));
   rebuild();
 }
 

@@ -1,6 +1,7 @@
 #include "widgets/recording/coverage_view.h"
 
 #include "widgets/accessible.h"
+#include "widgets/joined_words.h"
 #include "widgets/theme.h"
 
 #include <QPainter>
@@ -59,7 +60,7 @@ void CoverageView::describe() {
   set_accessible_description(*this,
                              picture_.poses == 0 ? tr("No pose has been seen yet.")
                              : missing.isEmpty() ? tr("Enough: all directions are reached.")
-                                                 : tr("Missing: %1.").arg(missing.join(", ")));
+                                                 : tr("Missing: %1.").arg(listed(missing)));
 }
 
 void CoverageView::changeEvent(QEvent* event) {

@@ -1,6 +1,7 @@
 #include "widgets/recording/rig_check_box.h"
 
 #include "widgets/controls/control_names.h"
+#include "widgets/joined_words.h"
 #include "widgets/language.h"
 #include "widgets/shell/icons.h"
 
@@ -82,7 +83,7 @@ void RigCheckBox::show_findings(const std::vector<RigFinding>& findings,
              ? tr("Camera: nothing sets itself.")
              : tr("Camera: %1 is on and changes the brightness that is measured. Lock brightness "
                   "in Live, or switch it off there.")
-                   .arg(names.join(QStringLiteral(", ")))});
+                   .arg(listed(names))});
   }
   const bool is_other_count = lines.size() != shown_.size();
   if (lines == lines_ && !is_other_count) return show_fold();

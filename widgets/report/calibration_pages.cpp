@@ -1,6 +1,7 @@
 #include "widgets/report/calibration_pages.h"
 
 #include "calibration/checks/check_history.h"
+#include "widgets/joined_words.h"
 #include "widgets/plots/history_plot.h"
 #include "widgets/report/report_pages.h"
 
@@ -66,7 +67,7 @@ void ReportPages::add_zones() {
   if (!unknown.isEmpty())
     document_.paragraph(text("Nothing was pressed here, so nothing is known of it: %1. Add a press "
                              "there, or do not rely on depth there.")
-                            .arg(unknown.join(", ")));
+                            .arg(listed(unknown)));
 }
 
 void ReportPages::add_facts() {
@@ -102,13 +103,13 @@ void ReportPages::add_facts() {
   QStringList settings;
   for (const auto& setting : calibration_settings())
     settings << as_text(setting.name + " " + setting.get(inputs.calibration));
-  add(text("Settings"), settings.join(", "));
+  add(text("Settings"), listed(settings));
   QStringList frames;
   const PipelineSettings usual;
   for (const auto& setting : pipeline_settings())
     if (setting.get(inputs.pipeline) != setting.get(usual))
       frames << as_text(setting.name + " " + setting.get(inputs.pipeline));
-  add(text("Other settings"), frames.join(", "));
+  add(text("Other settings"), listed(frames));
   add(text("Program"), text("AllTact %1").arg(as_text(inputs.program_version)));
   document_.heading(text("What it was made with"));
   document_.table({}, rows, {});

@@ -1,5 +1,6 @@
 #include "widgets/report/experiment_pages.h"
 
+#include "widgets/joined_words.h"
 #include "widgets/plots/experiment_figure.h"
 #include "widgets/report/document.h"
 #include "widgets/report/relief_picture.h"
@@ -52,7 +53,7 @@ void add_overview(Document& document, const ExperimentReport& report) {
     for (const ExperimentFigure& figure : done.outcome.figures) {
       if (!figure.paper && !figure.aim) continue;
       rows.push_back(row_of(figure));
-      rows.back()[0].text = as_text(done.experiment->name) + ": " + what_of(figure);
+      rows.back()[0].text = labelled(as_text(done.experiment->name), what_of(figure));
     }
   document.heading(text("All figures that the paper tells, or that have an aim"));
   add_table(document, rows);
@@ -111,7 +112,7 @@ void add_origin(Document& document, const ExperimentDone& done, std::uint64_t se
   for (const std::string& scene : done.experiment->scenes) scenes << as_text(scene);
   document.paragraph(text("%1 frames of %2 in %3 s; alltact experiments %4 --seed %5")
                          .arg(done.outcome.frames)
-                         .arg(scenes.join(", "))
+                         .arg(listed(scenes))
                          .arg(done.seconds, 0, 'f', 1)
                          .arg(as_text(done.experiment->name))
                          .arg(seed));
@@ -126,7 +127,7 @@ Result<std::vector<ReportFile>> make_experiment_pages(const ExperimentReport& re
   add_summary(document, report);
   add_overview(document, report);
   for (const ExperimentDone& done : report.done) {
-    document.heading(as_text(done.experiment->name) + ": " + as_text(done.experiment->measures));
+    document.heading(labelled(as_text(done.experiment->name), as_text(done.experiment->measures)));
     add_figures(document, done.outcome);
     add_plots(document, done.outcome);
     for (const Message& remark : done.outcome.remarks) document.paragraph(sentence(remark));

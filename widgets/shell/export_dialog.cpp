@@ -1,6 +1,7 @@
 #include "widgets/shell/export_dialog.h"
 
 #include "core/finger/finger.h"
+#include "widgets/joined_words.h"
 
 #include <QClipboard>
 #include <QDesktopServices>
@@ -240,7 +241,7 @@ void ExportDialog::tell(const Status& status,
     for (const fs::path& file : written) names << text_of(file.filename());
     const fs::path folder = written.front().parent_path();
     rows.push_back({Meaning::kGood,
-                    tr("Written: %1.").arg(names.join(QStringLiteral(", "))),
+                    tr("Written: %1.").arg(listed(names)),
                     {},
                     tr("Open the folder"),
                     [folder] { QDesktopServices::openUrl(QUrl::fromLocalFile(text_of(folder))); }});

@@ -2,6 +2,7 @@
 
 #include "core/live/source_runner.h"
 #include "widgets/accessible.h"
+#include "widgets/joined_words.h"
 #include "widgets/language.h"
 #include "widgets/shell/icons.h"
 
@@ -144,8 +145,7 @@ QWidget* ProblemList::make_row(const Noted& noted, bool is_first) {
   const QString word = problem.meaning == Meaning::kBad        ? tr("Problem")
                        : problem.meaning == Meaning::kDoubtful ? tr("Note")
                                                                : tr("Good");
-  row->setAccessibleName(word + QStringLiteral(": ") + problem.what + QLatin1Char(' ') +
-                         problem.advice);
+  row->setAccessibleName(labelled(word, problem.what) + QLatin1Char(' ') + problem.advice);
   const QColor colour = meaning_colour(problem.meaning, palette());
   row->setStyleSheet(QStringLiteral("#problem { border: 1px solid %1; border-left: 5px solid %1; "
                                     "background: %2; } #problem:focus { border: 2px solid %3; }")
@@ -159,7 +159,7 @@ QWidget* ProblemList::make_row(const Noted& noted, bool is_first) {
       symbol(meaning_symbol(problem.meaning), colour, kProblemSymbol, devicePixelRatioF()));
   picture->setAccessibleName(word);
   layout->addWidget(picture, 0, Qt::AlignVCenter);
-  const QString head = word + QLatin1Char(':');
+  const QString head = labelled(word, {}).trimmed();
   const QString sentences = problem.what + QLatin1Char(' ') + problem.advice;
   if (is_unfolded_) {
     auto* text = new QLabel(

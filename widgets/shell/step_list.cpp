@@ -1,5 +1,6 @@
 #include "widgets/shell/step_list.h"
 
+#include "widgets/joined_words.h"
 #include "widgets/shell/icons.h"
 #include "widgets/theme.h"
 
@@ -26,13 +27,6 @@ QString state_word(StepState state) {
       break;
   }
   return StepList::tr("to do");
-}
-
-/// What it is, and below how it stands.
-QString broken(QString text) {
-  const qsizetype colon = text.lastIndexOf(QLatin1String(": "));
-  if (colon >= 0) text[colon + 1] = QLatin1Char('\n');
-  return text;
 }
 
 }  // namespace
@@ -78,8 +72,7 @@ void StepList::dress() {
     QToolButton* button = buttons_[i];
     button->setEnabled(step.is_open);
     button->setToolTip(step.is_open ? QString() : step.why_not);
-    const QString text = tr("%1 %2: %3").arg(i + 1).arg(step.title, state_word(step.state));
-    button->setAccessibleName(text);
+    button->setAccessibleName(labelled(title(i), state_word(step.state)));
     const bool is_done = step.state == StepState::kDone;
     const bool is_known = is_done || step.state == StepState::kLookAgain;
     button->setIcon(
@@ -93,20 +86,25 @@ void StepList::dress() {
   fit();
 }
 
+QString StepList::title(std::size_t step) const {
+  return tr("%1 %2", "a step's number and title").arg(step + 1).arg(steps_[step].title);
+}
+
 void StepList::fit() {
+  const QFontMetrics metrics = fontMetrics();
   int widest = 0, widest_part = 0;
-  for (const QToolButton* button : buttons_) {
-    const QString text = button->accessibleName();
-    widest = std::max(widest, fontMetrics().horizontalAdvance(text));
-    for (const QString& part : broken(text).split(QLatin1Char('\n')))
-      widest_part = std::max(widest_part, fontMetrics().horizontalAdvance(part));
+  for (std::size_t i = 0; i < steps_.size(); ++i) {
+    widest = std::max(widest, metrics.horizontalAdvance(buttons_[i]->accessibleName()));
+    for (const QString& part : {title(i), state_word(steps_[i].state)})
+      widest_part = std::max(widest_part, metrics.horizontalAdvance(part));
   }
   const int count = static_cast<int>(buttons_.size());
   const int gaps = layout()->spacing() * (count - 1);
   const bool is_one_line = count * (widest + kBesideText) + gaps <= width();
-  for (QToolButton* button : buttons_) {
-    const QString text = button->accessibleName();
-    button->setText(is_one_line ? text : broken(text));
+  for (std::size_t i = 0; i < steps_.size(); ++i) {
+    QToolButton* button = buttons_[i];
+    button->setText(is_one_line ? button->accessibleName()
+                                : title(i) + QLatin1Char('\n') + state_word(steps_[i].state));
     button->setFixedHeight(is_one_line ? kHeight : kHighHeight);
     button->setMinimumWidth(widest_part + kBesideText);
   }

@@ -42,6 +42,7 @@ class StepList : public Translated<QWidget> {
  private:
   void make_buttons(std::size_t count);
   void dress();
+  [[nodiscard]] QString title(std::size_t step) const;
   /// In one line where all have the room, else in two.
   void fit();
   std::vector<Step> steps_;

@@ -1,5 +1,6 @@
 #include "widgets/touch/contact_words.h"
 
+#include "widgets/joined_words.h"
 #include "widgets/language.h"
 
 #include <QCoreApplication>
@@ -114,7 +115,7 @@ struct ContactWords {
         parts << names[static_cast<std::size_t>(axis)].arg(
             tr("%1 N").arg(number_and_sd(force.force_N[axis], force.half_95_N[axis], 2)));
     }
-    return parts.join(QStringLiteral(", "));
+    return joined(parts);
   }
 
   static QString help() {
