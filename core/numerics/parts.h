@@ -9,6 +9,11 @@
 
 namespace alltact {
 
+/// Threads for what is done before anything live is measured beside it.
+[[nodiscard]] inline int all_cores() {
+  return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 8U));
+}
+
 /// Calls work(first, last) for all of [0, count), cut into as many parts as there are `threads` (at
 /// least 1), the first in this thread. What the parts write must not depend on where the cuts are.
 /// What a part throws is thrown here, when all have ended.

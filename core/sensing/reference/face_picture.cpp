@@ -1,9 +1,9 @@
 #include "core/sensing/reference/face_picture.h"
 
+#include "core/sensing/reference/cubic_picture.h"
+
 #include <algorithm>
 #include <cmath>
-
-#include <opencv2/imgproc.hpp>
 
 namespace alltact {
 namespace {
@@ -50,25 +50,19 @@ FaceGrid face_grid(const FaceChart& rest, double part) {
 }
 
 FacePicture keep_face(const cv::Mat& grey, const FaceChart& chart, const FaceGrid& grid) {
-  CV_Assert(grey.type() == CV_8UC1);
   const ChartWarp warp(grid.chart, chart);
   FacePicture picture;
   picture.first = warp.inner_first() - grid.origin.x;
   picture.end = warp.inner_end() - grid.origin.x;
   picture.grey.assign(grid.runs.pixels(), 0);
-  std::vector<float> at(2 * static_cast<std::size_t>(grid.size.width));
+  const CubicPicture seen(grey);
+  std::vector<float> u(static_cast<std::size_t>(grid.size.width)), v(u.size());
   for (const FaceRun& run : grid.runs.runs) {
     const int first = std::max(run.first, picture.first), end = std::min(run.end, picture.end);
     if (first >= end) continue;
-    const cv::Size size(end - first, 1);
-    const cv::Mat u(size, CV_32FC1, at.data()), v(size, CV_32FC1, at.data() + grid.size.width);
-    warp.places(run.row + grid.origin.y,
-                first + grid.origin.x,
-                size.width,
-                at.data(),
-                at.data() + grid.size.width);
-    cv::Mat laid(size, CV_8UC1, picture.grey.data() + run.before + (first - run.first));
-    cv::remap(grey, laid, u, v, cv::INTER_CUBIC, cv::BORDER_REPLICATE);
+    warp.places(run.row + grid.origin.y, first + grid.origin.x, end - first, u.data(), v.data());
+    seen.look_up(
+        u.data(), v.data(), end - first, picture.grey.data() + run.before + (first - run.first));
   }
   return picture;
 }

@@ -30,7 +30,7 @@ struct FacePicture {
   [[nodiscard]] std::size_t bytes() const { return grey.size(); }
 };
 
-/// Samples a frame (CV_8UC1) at the skin of each of the grid's pixels, bicubic.
+/// Samples a frame (CV_8UC1) at the skin of each of the grid's pixels (CubicPicture).
 [[nodiscard]] FacePicture keep_face(const cv::Mat& grey,
                                     const FaceChart& chart,
                                     const FaceGrid& grid);

@@ -8,7 +8,6 @@
 #include <future>
 #include <numeric>
 #include <queue>
-#include <thread>
 
 namespace alltact {
 namespace {
@@ -103,7 +102,7 @@ class Reader {
       auto rows = next.get();
       if (!rows) return rows.error();
       next = begin_reading(first + kAtOnce, job);  // while these are looked at
-      over_parts(static_cast<int>(rows->size()), threads(), [&](int from, int to) {
+      over_parts(static_cast<int>(rows->size()), all_cores(), [&](int from, int to) {
         for (int i = from; i < to; ++i) look_at(read, (*rows)[static_cast<std::size_t>(i)]);
       });
       for (Row& row : *rows)
@@ -213,10 +212,6 @@ class Reader {
     read.charts.push_back(std::move(row.looked->chart));
     if (row.number % (frames_.table.frames.size() / kMostPoses + 1) == 0)
       read.poses.push_back({markers(row.number), std::move(row.looked->shape)});
-  }
-  /// Frames are looked at side by side only while they are read, before anything live is measured.
-  [[nodiscard]] static int threads() {
-    return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 8U));
   }
 
   const RecordingToRead& frames_;

@@ -3,9 +3,11 @@
 #include "core/grey_range.h"
 #include "core/numerics/dispatch.h"
 #include "core/numerics/median.h"
+#include "core/numerics/parts.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <Eigen/Dense>
 #include <opencv2/imgproc.hpp>
@@ -22,6 +24,14 @@ constexpr int kMostStudied = 48;            // frames computed from their neighb
 constexpr double kMedianOfSquare = 0.4549;  // of a normal distribution
 constexpr double kStays = 0.5;  // part of the variance that does not fall with the reach
 
+/// Faces side by side: this is done while a recording is read, before anything live is measured.
+template <class Work>
+void over_all(int count, const Work& work) {
+  over_parts(count, all_cores(), [&](int from, int to) {
+    for (int i = from; i < to; ++i) work(static_cast<std::size_t>(i));
+  });
+}
+
 using Terms = Eigen::Matrix<double, kTerms, 1>;
 using Square = Eigen::Matrix<double, kTerms, kTerms>;
 
@@ -33,25 +43,36 @@ Terms basis_at(const cv::Size& size, double u, double v) {
 /// Means over cells of the grid, 0 where not all of a cell shows the face.
 cv::Mat cells_of(const FaceGrid& grid, const FacePicture& face) {
   const cv::Size size(grid.size.width / kCell, grid.size.height / kCell);
-  cv::Mat sum(size, CV_32FC1, cv::Scalar(0)), count(size, CV_32FC1, cv::Scalar(0));
+  cv::Mat sum(size, CV_32SC1, cv::Scalar(0)), count = sum.clone();
   for (const FaceRun& run : grid.runs.runs) {
     const int row = run.row / kCell;
     if (row >= size.height) continue;
+    const std::uint8_t* grey = face.grey.data() + run.before;
     const int end = std::min({run.end, face.end, size.width * kCell});
-    for (int u = std::max(run.first, face.first); u < end; ++u) {
-      sum.at<float>(row, u / kCell) +=
-          face.grey[run.before + static_cast<std::size_t>(u - run.first)];
-      count.at<float>(row, u / kCell) += 1.0F;
+    for (int u = std::max(run.first, face.first), next = 0; u < end; u = next) {
+      const int cell = u / kCell;
+      next = std::min(end, (cell + 1) * kCell);
+      sum.at<int>(row, cell) = std::accumulate(
+          grey + (u - run.first), grey + (next - run.first), sum.at<int>(row, cell));
+      count.at<int>(row, cell) += next - u;
     }
   }
+  constexpr int kPixels = kCell * kCell;
+  cv::Mat mean(size, CV_32FC1, cv::Scalar(0));
   for (int y = 0; y < size.height; ++y)
     for (int x = 0; x < size.width; ++x) {
-      float& mean = sum.at<float>(y, x);
-      mean = count.at<float>(y, x) == kCell * kCell && mean > kLeastLevel * kCell * kCell
-                 ? mean / (kCell * kCell)
-                 : 0.0F;
+      const auto level = static_cast<float>(sum.at<int>(y, x));
+      if (count.at<int>(y, x) == kPixels && level > kLeastLevel * kPixels)
+        mean.at<float>(y, x) = level / kPixels;
     }
-  return sum;
+  return mean;
+}
+
+std::vector<cv::Mat> cells_of(const FaceGrid& grid, const std::vector<FacePicture>& faces) {
+  std::vector<cv::Mat> cells(faces.size());
+  over_all(static_cast<int>(faces.size()),
+           [&](std::size_t i) { cells[i] = cells_of(grid, faces[i]); });
+  return cells;
 }
 
 /// c so that (1 + basis c) own is like `other`, over cells that both have; robust.
@@ -185,9 +206,10 @@ cv::Mat computed_from(const std::vector<cv::Mat>& cells, const Neighbours& neigh
 /// frame did not show it.
 struct Studied {
   std::vector<cv::Mat> square, noise;
-  void add(const cv::Mat& residual, const cv::Mat& level, double noise_square) {
-    square.push_back(residual.mul(residual));
-    noise.push_back(noise_square / level.mul(level));
+  explicit Studied(std::size_t count) : square(count), noise(count) {}
+  void set(std::size_t k, const cv::Mat& residual, const cv::Mat& level) {
+    square[k] = residual.mul(residual);
+    noise[k] = noise_square(residual, level) / level.mul(level);
   }
 };
 
@@ -238,38 +260,37 @@ void take_out_drift(const FaceGrid& grid,
                     const Eigen::MatrixXd& modes,
                     std::vector<FacePicture>& faces) {
   if (static_cast<int>(faces.size()) < kLeastFrames) return;
-  std::vector<cv::Mat> cells;
-  for (const FacePicture& face : faces) cells.push_back(cells_of(grid, face));
+  const auto count = static_cast<int>(faces.size());
+  const std::vector<cv::Mat> cells = cells_of(grid, faces);
   const cv::Mat mean = mean_cells(cells);
-  Eigen::MatrixXd light(static_cast<Eigen::Index>(faces.size()), kTerms);
-  for (std::size_t i = 0; i < faces.size(); ++i)
+  Eigen::MatrixXd light(count, kTerms);
+  over_all(count, [&](std::size_t i) {
     light.row(static_cast<Eigen::Index>(i)) = light_between(cells[i], mean).transpose();
+  });
   const Eigen::MatrixXd terms = pose_terms(modes);
   const Eigen::MatrixXd by_pose = terms * terms.colPivHouseholderQr().solve(light);
   const Eigen::MatrixXd drift = light - by_pose;
   constexpr double kNothing = 5e-4;
-  for (std::size_t i = 0; i < faces.size(); ++i) {
+  over_all(count, [&](std::size_t i) {
     const Terms off = drift.row(static_cast<Eigen::Index>(i)).transpose();
     if (off.cwiseAbs().maxCoeff() > kNothing) multiply(grid, off, faces[i]);
-  }
+  });
 }
 
 ReferenceError reference_error(const FaceGrid& grid,
                                const std::vector<FacePicture>& faces,
                                const std::function<Neighbours(int)>& neighbours_of) {
-  std::vector<cv::Mat> cells;
-  for (const FacePicture& face : faces) cells.push_back(cells_of(grid, face));
-  Studied frames;
-  const int count = static_cast<int>(faces.size()), studied = std::min(count, kMostStudied);
-  std::vector<double> reaches;
-  for (int k = 0; k < studied; ++k) {
-    const int i = k * count / studied;
-    const Neighbours neighbours = neighbours_of(i);
+  const std::vector<cv::Mat> cells = cells_of(grid, faces);
+  const std::size_t studied = std::min(faces.size(), std::size_t{kMostStudied});
+  Studied frames(studied);
+  std::vector<double> reaches(studied);
+  over_all(static_cast<int>(studied), [&](std::size_t k) {
+    const std::size_t i = k * faces.size() / studied;
+    const Neighbours neighbours = neighbours_of(static_cast<int>(i));
     const cv::Mat computed = computed_from(cells, neighbours);
-    const cv::Mat residual = residual_of(cells[static_cast<std::size_t>(i)], computed);
-    frames.add(residual, computed, noise_square(residual, computed));
-    reaches.push_back(neighbours.reach_px2);
-  }
+    frames.set(k, residual_of(cells[i], computed), computed);
+    reaches[k] = neighbours.reach_px2;
+  });
   ReferenceError error;
   error.typical_reach_px2 = upper_median(reaches);
   // Averaged over a cell and those around it: few frames tell of each.

@@ -42,12 +42,13 @@ void take_out_drift(const FaceGrid& grid,
                     const Eigen::MatrixXd& modes,
                     std::vector<FacePicture>& faces);
 
-/// weights_of: rows and weights that frame `i` is computed from, itself left out.
+/// Rows and weights that a frame is computed from, itself left out.
 struct Neighbours {
   std::vector<int> rows;
   Eigen::VectorXd weights;
   double reach_px2 = 0;
 };
+/// `neighbours_of` frame i, asked by several threads at once.
 [[nodiscard]] ReferenceError reference_error(const FaceGrid& grid,
                                              const std::vector<FacePicture>& faces,
                                              const std::function<Neighbours(int)>& neighbours_of);
