@@ -51,11 +51,17 @@ struct LiveFinger::Loading {
   Job job;
 };
 
+/// A finger's pipeline and which opened finger it is of.
+struct LiveFinger::Measuring {
+  Pipeline pipeline = Pipeline::of_unknown_finger();
+  std::uint64_t opened = 0;
+};
+
 struct LiveFinger::State {
   mutable std::mutex mutex;
   FingerStatus status;
   std::shared_ptr<Loading> loading;  // the one that counts
-  std::optional<Pipeline> next;      // loaded, for the measuring thread to take
+  std::optional<Measuring> next;     // loaded, for the measuring thread to take
   std::shared_ptr<const LiveView> view;
   WantedLayers layers;
   double depth_top_mm = 1.0;
@@ -83,37 +89,41 @@ void LiveFinger::open_scene(const std::filesystem::path& scene) {
 void LiveFinger::load(const std::filesystem::path& folder, const std::filesystem::path& scene) {
   const auto state = state_;
   auto loading = std::make_shared<Loading>();
-  std::optional<Pipeline> unused;
+  std::optional<Measuring> unused;
+  std::uint64_t opened = 0;
   {
     const std::lock_guard lock(state->mutex);
     if (state->loading) state->loading->job.request_stop();
     state->loading = loading;
+    opened = state->status.opened + 1;
     state->status = {};
+    state->status.opened = opened;
     state->status.folder = folder;
     if (folder.empty() && scene.empty()) {
-      unused = std::exchange(state->next, Pipeline::of_unknown_finger());
+      unused = std::exchange(state->next, Measuring{.opened = opened});
       return;
     }
     state->status.state = FingerState::kLoading;
   }
-  std::thread([state, loading, folder, scene] {
+  std::thread([state, loading, opened, folder, scene] {
     FingerStatus status;
+    status.opened = opened;
     status.folder = folder;
     const auto finger = folder.empty() ? finger_of_scene(scene) : open_finger(folder);
-    Pipeline ready = Pipeline::of_unknown_finger();
+    Measuring ready{.opened = opened};
     if (finger) {
       status.finger = (*finger)->finger;
       status.warnings = (*finger)->warnings;
       status.force_problem = force_problem_of(**finger);
       auto pipeline = pipeline_of(**finger, loading->job);
-      if (pipeline) ready = std::move(*pipeline);
+      if (pipeline) ready.pipeline = std::move(*pipeline);
       if (!pipeline) status.problem = pipeline.error();
-      status.has_reference = ready.has_reference();
+      status.has_reference = ready.pipeline.has_reference();
     } else {
       status.problem = finger.error();
     }
     status.state = status.problem ? FingerState::kFailed : FingerState::kReady;
-    std::optional<Pipeline> unused;
+    std::optional<Measuring> unused;
     const std::lock_guard lock(state->mutex);
     if (state->loading != loading) return;
     status.skipped = state->status.skipped;
@@ -123,7 +133,7 @@ void LiveFinger::load(const std::filesystem::path& folder, const std::filesystem
 }
 
 void LiveFinger::measure(const std::stop_token& stop) {
-  Pipeline pipeline = Pipeline::of_unknown_finger();
+  Measuring now;
   FramePtr last;
   while (!stop.stop_requested()) {
     FramePtr frame = reader_.next(std::chrono::milliseconds(50));
@@ -132,11 +142,11 @@ void LiveFinger::measure(const std::stop_token& stop) {
     if (!frame) continue;
     WantedLayers layers;
     auto view = std::make_shared<LiveView>();
-    std::optional<Pipeline> before;  // freed outside the lock: it may hold a whole recording
+    std::optional<Measuring> before;  // freed outside the lock: it may hold a whole recording
     {
       const std::lock_guard lock(state_->mutex);
       if (state_->next) {
-        before = std::exchange(pipeline, std::move(*state_->next));
+        before = std::exchange(now, std::move(*state_->next));
         state_->next.reset();
       }
       layers = state_->layers;
@@ -144,8 +154,9 @@ void LiveFinger::measure(const std::stop_token& stop) {
     }
     const bool is_next = last && last->origin == frame->origin && frame->sequence > last->sequence;
     last = frame;
-    if (!is_next) pipeline.forget();
-    measure_into(*view, pipeline, frame);
+    if (!is_next) now.pipeline.forget();
+    measure_into(*view, now.pipeline, frame);
+    view->opened = now.opened;
     const FrameResult& result = view->result;
     if (layers.depth && result.depth)
       view->depth_layer = depth_layer(*result.depth, view->depth_top_mm);

@@ -29,13 +29,16 @@ struct LiveView {
   FrameResult result;
   std::optional<Error> problem;  ///< why it could not
   cv::Mat depth_layer, faults_layer;
-  double depth_top_mm = 0;  ///< end of the depth layer's scale
+  double depth_top_mm = 0;   ///< end of the depth layer's scale
+  std::uint64_t opened = 0;  ///< of the finger that measured it, FingerStatus::opened
 };
 
 enum class FingerState { kNone = 1, kLoading, kReady, kFailed };
 
 struct FingerStatus {
   FingerState state = FingerState::kNone;
+  std::uint64_t opened =
+      0;  ///< counts what was opened; until it is loaded, the one before measures
   std::filesystem::path folder;  ///< empty for a finger that a scene describes
   std::optional<Finger> finger;
   bool has_reference = false;  ///< loaded, so that frames are compared with it
@@ -67,6 +70,7 @@ class LiveFinger {
 
  private:
   struct Loading;
+  struct Measuring;
   struct State;
   void load(const std::filesystem::path& folder, const std::filesystem::path& scene);
   /// A finger has been loaded since the last frame was measured.

@@ -107,7 +107,7 @@ void LiveSession::take_view() {
   is_told_ = false;
   auto view = live_finger_->take();
   if (!view) return;
-  // A finger's first view may come before the status that tells of the finger.
+  // A finger's first view may come before the status that tells of it.
   if (live_finger_->status().state != status_.finger.state) refresh();
   view_ = std::move(view);
   smooth(times_ms_, view_->result.times_ms);
@@ -130,10 +130,9 @@ void LiveSession::refresh() {
   status_.source = runner_->status();
   status_.recording = runner_->recording();
   if (status_.recording.state == RecordingState::kNone) status_.recording = last_recording_;
-  const FingerState before = status_.finger.state;
+  const std::uint64_t before = status_.finger.opened;
   status_.finger = live_finger_->status();
-  if (status_.finger.state != before)
-    touch_history_.forget();  // another finger's, or its older self
+  if (status_.finger.opened != before) touch_history_.forget();  // another's, or its older self's
   controller_.attach(runner_->camera(), wanted_controls_);
   status_.controller = controller_.status();
   follow_remarks();
@@ -147,6 +146,8 @@ void LiveSession::refresh() {
 }
 
 void LiveSession::follow_touch() {
+  // Until a finger is loaded, and for a view or so after, the one before it is what measures.
+  if (view_->opened != status_.finger.opened) return;
   const FramePtr& frame = view_->result.frame;
   const std::int64_t time_ns = frame && frame->time_ns != 0 ? frame->time_ns : monotonic_ns();
   touch_history_.add(view_->result, 1e-9 * static_cast<double>(time_ns));

@@ -103,6 +103,20 @@ TEST_F(LiveFingerTest, ShowsAPictureOfAnotherSizeAsItCameAndSaysWhy) {
   EXPECT_FALSE(shown(frame(1))->problem);
 }
 
+TEST_F(LiveFingerTest, TellsWhichFingerMeasuredAViewWhileTheNextIsLoaded) {
+  EXPECT_EQ(shown(frame(0))->opened, 0U);
+  finger_.open_scene(kScene);
+  EXPECT_EQ(finger_.status().opened, 1U) << "from the moment it is asked for";
+  const auto meanwhile = shown(frame(1));
+  EXPECT_EQ(meanwhile->opened, meanwhile->result.shape ? 1U : 0U);
+  ASSERT_TRUE(wait_for(FingerState::kReady));
+  EXPECT_EQ(finger_.status().opened, 1U);
+  EXPECT_TRUE(wait_until([&] { return shown(frame(2))->opened == 1; }));
+  finger_.open({});
+  EXPECT_EQ(finger_.status().opened, 2U);
+  EXPECT_TRUE(wait_until([&] { return shown(frame(3))->opened == 2; }));
+}
+
 TEST_F(LiveFingerTest, GoesOnWithTheEdgesWhereTheFingerCannotBeRead) {
   const test::TemporaryFolder folder;
   finger_.open(folder.path());
