@@ -1,6 +1,7 @@
 #include "core/io/mesh_file.h"
 
 #include "core/either.h"
+#include "core/io/scene_triangles.h"
 
 #include <algorithm>
 #include <map>
@@ -74,9 +75,8 @@ Result<TriangleMesh> read_mesh(const std::filesystem::path& file) {
   if (size > kLargestFile)
     return refuse(en::say("the mesh's file is larger than 512 MB"), en::say("export it coarser"));
   Assimp::Importer importer;
-  const aiScene* scene = importer.ReadFile(
-      file.string(),
-      aiProcess_ValidateDataStructure | aiProcess_Triangulate | aiProcess_PreTransformVertices);
+  importer.ReadFile(file.string(), aiProcess_ValidateDataStructure);
+  const aiScene* scene = scene_triangles(importer);
   if (!scene)
     return refuse(en::say("the mesh cannot be read"),
                   en::say("export it again, e.g. as binary STL"));

@@ -1,6 +1,7 @@
 #include "core/thumbnail/read_triangles.h"
 
 #include "core/io/atomic_file.h"
+#include "core/io/scene_triangles.h"
 
 #include <algorithm>
 #include <array>
@@ -212,13 +213,19 @@ bool is_ply(std::string_view bytes) {
   return has_property && elements <= bytes.size() - end;
 }
 
+/// The first part lies within the file: assimp makes room for whatever size is told.
+bool is_glb(std::string_view bytes) {
+  constexpr std::size_t kSizesAt = 8;  // of the file, and of its first part
+  const auto sizes = values_at<std::uint32_t>(bytes, kSizesAt, 2);
+  return sizes && sizes->front() <= bytes.size() && sizes->back() <= bytes.size();
+}
+
 /// Validated, since its steps follow corners that are not there.
 std::optional<Triangles> by_assimp(const std::string& bytes, const std::string& kind) {
-  constexpr unsigned kSteps =
-      aiProcess_ValidateDataStructure | aiProcess_Triangulate | aiProcess_PreTransformVertices;
   Assimp::Importer importer;
-  const aiScene* scene =
-      importer.ReadFileFromMemory(bytes.data(), bytes.size(), kSteps, kind.c_str());
+  importer.ReadFileFromMemory(
+      bytes.data(), bytes.size(), aiProcess_ValidateDataStructure, kind.c_str());
+  const aiScene* scene = scene_triangles(importer);
   if (scene == nullptr) return std::nullopt;
   Triangles triangles;
   for (unsigned i = 0; i < scene->mNumMeshes; ++i) {
@@ -275,8 +282,9 @@ Result<Triangles> read_triangles(const std::filesystem::path& file) {
                                     : std::nullopt;
   // assimp takes one of ours that ends among its faces for a whole one.
   const bool is_cut =
-      kind == ".ply" &&
-      (!is_ply(*bytes) || bytes->find("property float depth_mm") != std::string::npos);
+      (kind == ".glb" && !is_glb(*bytes)) ||
+      (kind == ".ply" &&
+       (!is_ply(*bytes) || bytes->find("property float depth_mm") != std::string::npos));
   if (!triangles && kind != ".vtp" && !is_cut) triangles = by_assimp(*bytes, kind.substr(1));
   if (!triangles) return refuse(en::say("the mesh cannot be read"));
   if (triangles->corners.empty()) return refuse(en::say("the mesh has no triangles"));

@@ -59,6 +59,17 @@ TEST_F(ReadTriangles, RefusesAPlyWhoseHeaderIsNone) {
   EXPECT_FALSE(is_read(head + points + "property soft w\n" + faces + body));
   EXPECT_FALSE(is_read(head + "element vertex 4000000000\nproperty float x\n" + faces + body));
   EXPECT_FALSE(is_read(head + points + faces));
+  // assimp ends the program where it cuts such a face into triangles.
+  const std::string two = "element face 2\nproperty list uchar int vertex_indices\nend_header\n";
+  EXPECT_TRUE(is_read(head + points + two + body + "3 0 2 1\n"));
+  EXPECT_FALSE(is_read(head + points + two + body + "0\n"));
+}
+
+TEST_F(ReadTriangles, RefusesAGlbWhosePartsAreLargerThanIt) {
+  std::string bytes = text_of(write("a.glb"));
+  bytes.replace(12, 4, "\xfe\xff\xff\xef");
+  write_text(folder_ / "large.glb", bytes);
+  EXPECT_FALSE(read_triangles(folder_ / "large.glb").ok());
 }
 
 TEST_F(ReadTriangles, ReadsThoseOfOtherProgramsWithoutDepth) {
