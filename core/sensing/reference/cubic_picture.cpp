@@ -2,6 +2,7 @@
 
 #include "core/numerics/dispatch.h"
 #include "core/sensing/reference/grey_steps.h"
+#include "core/sensing/reference/place_steps.h"
 
 #include <algorithm>
 #include <array>
@@ -11,10 +12,8 @@ namespace alltact {
 namespace {
 
 constexpr int kPiece = 32;  // places at a time; fewer the compiler unrolls instead of widening
-constexpr int kSubpixelBits = 11;  // of a place's fraction
-constexpr int kSubpixelMask = (1 << kSubpixelBits) - 1;
-constexpr int kTaps = 4;   // pixels that a level is made of, each way
-constexpr int kReach = 2;  // px beyond the picture, from where on all taps are its border
+constexpr int kTaps = 4;    // pixels that a level is made of, each way
+constexpr int kReach = 2;   // px beyond the picture, from where on all taps are its border
 // Beside the picture: what the places of a piece, of which the last may lie at the picture's first
 // column, are looked for in.
 constexpr int kBesidePx = kPiece + kTaps + kReach;
@@ -26,16 +25,15 @@ using Lanes = std::array<std::int16_t, kPiece>;
 
 /// Along one axis, of each place: the first of its four pixels, and their weights.
 struct Taps {
+  PlaceSteps<kPiece> first;
   alignas(64) std::array<Lanes, kTaps> weights;  // of 2^14
-  alignas(64) Lanes steps;                       // from `least` on, whole pixels
-  int least, most;
 };
 
 /// Keys' kernel by the place's part of a pixel, a polynomial in it of whole numbers. All may wrap
 /// around on the way.
-[[gnu::always_inline]] inline void find_weights(const Lanes& part, Taps& taps) {
+[[gnu::always_inline]] inline void find_weights(Taps& taps) {
   for (std::size_t k = 0; k < kPiece; ++k) {
-    const std::int16_t t = part[k], t2 = times(t, t), t3 = times(t2, t);
+    const std::int16_t t = taps.first.part[k], t2 = times(t, t), t3 = times(t2, t);
     const auto before = static_cast<std::int16_t>((t2 - (t >> 1) - (t3 >> 1)) >> 1);
     const auto next = static_cast<std::int16_t>((t >> 2) + t2 - t3 + (t3 >> 2));
     const auto beyond = static_cast<std::int16_t>((t3 - t2) >> 2);
@@ -51,7 +49,7 @@ struct Taps {
 /// first.
 [[gnu::always_inline]] inline Taps find_taps(
     const float* __restrict places, int n, int count, int border, int per_place) {
-  constexpr float kOne = 1 << kSubpixelBits;
+  constexpr float kOne = 1 << kPlaceBits;
   const float most = static_cast<float>(count - 1 + kReach);
   std::array<int, kPiece> fixed;
   for (int k = 0; k < kPiece; ++k) {
@@ -59,26 +57,13 @@ struct Taps {
     const float within = above < most ? above : most;
     fixed[static_cast<std::size_t>(k)] =
         static_cast<int>((within + static_cast<float>(border)) * kOne + 0.5F) -
-        ((1 + k * per_place) << kSubpixelBits);
+        ((1 + k * per_place) << kPlaceBits);
   }
   for (int k = n; k < kPiece; ++k)
     fixed[static_cast<std::size_t>(k)] = fixed[static_cast<std::size_t>(n - 1)];
-  int least = fixed[0], greatest = fixed[0];
-  for (const int first : fixed) {
-    least = first < least ? first : least;
-    greatest = first > greatest ? first : greatest;
-  }
   Taps taps;
-  taps.least = least >> kSubpixelBits;
-  taps.most = greatest >> kSubpixelBits;
-  const int base = taps.least * (1 << kSubpixelBits);
-  for (std::size_t k = 0; k < kPiece; ++k) fixed[k] -= base;
-  for (std::size_t k = 0; k < kPiece; ++k)
-    taps.steps[k] = static_cast<std::int16_t>(fixed[k] >> kSubpixelBits);
-  Lanes part;
-  for (std::size_t k = 0; k < kPiece; ++k)
-    part[k] = static_cast<std::int16_t>((fixed[k] & kSubpixelMask) << (15 - kSubpixelBits));
-  find_weights(part, taps);
+  find_steps(fixed, taps.first);
+  find_weights(taps);
   return taps;
 }
 
@@ -89,7 +74,7 @@ struct Taps {
   for (std::size_t j = 0; j < kTaps; ++j) {
     const auto step = static_cast<std::int16_t>(at - static_cast<int>(j));
     for (std::size_t k = 0; k < kPiece; ++k) {
-      const std::int16_t mask = taps.steps[k] == step ? std::int16_t{-1} : std::int16_t{0};
+      const std::int16_t mask = taps.first.steps[k] == step ? std::int16_t{-1} : std::int16_t{0};
       weights[k] = static_cast<std::int16_t>(weights[k] | (taps.weights[j][k] & mask));
     }
   }
@@ -108,14 +93,14 @@ ALLTACT_WIDE bool look_up_piece(const std::uint8_t* pixels,
                                 std::uint8_t* __restrict out) {
   constexpr int kFactor = 1 << 7;
   const Taps u = find_taps(at_u, n, size.width, kBesidePx, 1);
-  const int columns = u.most - u.least + kTaps;
+  const int columns = u.first.most - u.first.least + kTaps;
   if (columns > kMostSteps + kTaps) return false;
   std::array<Lanes, kMostSteps + kTaps> along;
   for (int m = 0; m < columns; ++m) along[static_cast<std::size_t>(m)] = weights_at(u, m);
   const Taps v = find_taps(at_v, n, size.height, kAbovePx, 0);
-  const std::uint8_t* row = pixels + v.least * stride + u.least;
+  const std::uint8_t* row = pixels + v.first.least * stride + u.first.least;
   Lanes sum{};  // grey levels of 2^5
-  for (int r = 0; r < v.most - v.least + kTaps; ++r, row += stride) {
+  for (int r = 0; r < v.first.most - v.first.least + kTaps; ++r, row += stride) {
     Lanes level{};  // of 2^6
     for (int m = 0; m < columns; ++m) {
       const Lanes& weights = along[static_cast<std::size_t>(m)];

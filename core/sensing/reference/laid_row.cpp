@@ -2,6 +2,7 @@
 
 #include "core/numerics/dispatch.h"
 #include "core/sensing/reference/grey_steps.h"
+#include "core/sensing/reference/place_steps.h"
 
 #include <algorithm>
 #include <array>
@@ -9,18 +10,10 @@
 namespace alltact {
 namespace {
 
-constexpr int kPlaceBits = 11;  // of a place's fraction
 constexpr int kRowsAhead =
     5;  // fetched before they are needed: a picture is larger than the caches
-constexpr int kFractionMask = (1 << kPlaceBits) - 1;
 
-/// What lies side by side in one picture nearly does so in the other. So the places of a piece are
-/// but a few steps apart: instead of fetching each from its own place, whole pieces are read at
-/// each of these steps, and every place keeps what it finds at its own.
-struct PieceSteps {
-  alignas(64) std::array<std::int16_t, kLaidPiece> steps, part;  // part: of 2^15
-  int least, most;                                               // whole steps
-};
+using PieceSteps = PlaceSteps<kLaidPiece>;
 
 /// `per_place`: steps that the picture itself advances from one place to the next.
 [[gnu::always_inline]] inline PieceSteps find_piece(const float* __restrict constant,
@@ -39,20 +32,8 @@ struct PieceSteps {
     const int above = exact > 0 ? exact : 0;
     fixed[k] = (above < last ? above : last) - ((i * per_place) << kPlaceBits);
   }
-  int least = fixed[0], most = fixed[0];
-  for (const int place : fixed) {
-    least = place < least ? place : least;
-    most = place > most ? place : most;
-  }
   PieceSteps piece;
-  piece.least = least >> kPlaceBits;
-  piece.most = most >> kPlaceBits;
-  const int base = piece.least * (1 << kPlaceBits);
-  for (std::size_t k = 0; k < kLaidPiece; ++k) fixed[k] -= base;
-  for (std::size_t k = 0; k < kLaidPiece; ++k)
-    piece.steps[k] = static_cast<std::int16_t>(fixed[k] >> kPlaceBits);
-  for (std::size_t k = 0; k < kLaidPiece; ++k)
-    piece.part[k] = static_cast<std::int16_t>((fixed[k] & kFractionMask) << (15 - kPlaceBits));
+  find_steps(fixed, piece);
   return piece;
 }
 
