@@ -3,6 +3,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/picture.h"
 #include "core/io/picture_format.h"
+#include "core/io/png_check_sum.h"
 
 #include <bit>
 #include <cassert>
@@ -48,7 +49,7 @@ void put_chunk(std::string& out, std::string_view type, std::string_view data) {
   put_u32(out, static_cast<std::uint32_t>(data.size()));
   const std::size_t begin = out.size();
   out.append(type).append(data);
-  put_u32(out, libdeflate_crc32(0, out.data() + begin, out.size() - begin));
+  put_u32(out, png_check_sum(std::string_view(out).substr(begin)));
 }
 
 /// Rows behind the filter `sub`, each sample less the one before it byte by byte.
