@@ -110,6 +110,18 @@ void put(double constant, double slope, double bow, std::size_t i, PlacesByColum
 
 }  // namespace
 
+void PlacesByColumn::finish() {
+  columns = static_cast<int>(constant.size());
+  for (std::vector<float> PlacesByRow::*of :
+       {&PlacesByRow::constant, &PlacesByRow::slope, &PlacesByRow::bow}) {
+    std::vector<float>&all = this->*of, &some = nodes.*of;
+    some.clear();
+    for (std::size_t i = 0; i < all.size(); i += kNodeStep) some.push_back(all[i]);
+    for (std::vector<float>* values : {&all, &some})
+      values->insert(values->end(), kBeyond, values->empty() ? 0.0F : values->back());
+  }
+}
+
 std::optional<FaceChart> chart_of(const FaceShape& shape) {
   const auto& columns = shape.columns();
   const auto usable = [](const FaceColumn& column) {
@@ -265,9 +277,7 @@ ChartWarp::ChartWarp(const FaceChart& from, const FaceChart& to)
   const std::size_t size = from.along_mm.size();
   if (size ==
       0) {  // a face without a valid column, as a stiff curve may leave it: nothing is shown
-    for (PlacesByColumn* places : {&rows_, &columns_})
-      for (auto* values : {&places->constant, &places->slope, &places->bow})
-        values->assign(PlacesByColumn::kBeyond, 0.0F);
+    for (PlacesByColumn* places : {&rows_, &columns_}) places->finish();
     return;
   }
   for (auto* values : {&t_at_0_, &t_per_v_, &u0_, &tilt_}) values->resize(size);
@@ -314,9 +324,7 @@ ChartWarp::ChartWarp(const FaceChart& from, const FaceChart& to)
     if (u0 + reach >= to.first && u0 - reach <= last) take(u, &first_, &end_);
     if (u0 - reach >= to.first && u0 + reach <= last) take(u, &inner_first_, &inner_end_);
   }
-  for (PlacesByColumn* places : {&rows_, &columns_})
-    for (auto* values : {&places->constant, &places->slope, &places->bow})
-      values->insert(values->end(), PlacesByColumn::kBeyond, values->back());
+  for (PlacesByColumn* places : {&rows_, &columns_}) places->finish();
 }
 
 void ChartWarp::places(int v, int begin, int count, float* to_u, float* to_v) const {

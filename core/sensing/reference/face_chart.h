@@ -64,10 +64,21 @@ void lay_on(const SkinPlaces& places,
 /// meet: other frames may show more of the skin.
 [[nodiscard]] FaceChart widened(const FaceChart& chart, double part);
 
-/// Of every column a place that changes with the row: constant + row (slope + row bow).
-struct PlacesByColumn {
-  static constexpr int kBeyond = 32;  ///< copies of the last, for loops over whole pieces
+/// A place that changes with the row: constant + row (slope + row bow), of many side by side.
+struct PlacesByRow {
   std::vector<float> constant, slope, bow;
+};
+
+/// Of every column such a place.
+struct PlacesByColumn : PlacesByRow {
+  static constexpr int kBeyond = 32;  ///< copies of the last, for loops over whole pieces
+  static constexpr int kNodeStep = 16;
+
+  /// Once all columns stand there: the copies, and every 16th column apart (with kBeyond copies).
+  void finish();
+
+  int columns = 0;  ///< without the copies
+  PlacesByRow nodes;
 };
 
 /// From pixels of one frame to the pixels of another that show the same skin. By column of the

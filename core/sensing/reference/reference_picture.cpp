@@ -33,13 +33,18 @@ ALLTACT_WIDE void mix_rows(const std::uint8_t* const* rows,
       n, [=](int first, auto size) __attribute__((always_inline)) {
         // Widened in a loop of its own: inside the sum the compiler would carry 32-bit numbers.
         std::array<std::int16_t, kBlock> sum, wide;
-        for (int i = 0; i < size; ++i) sum[static_cast<std::size_t>(i)] = 0;
-        for (int k = 0; k < count; ++k) {
+        const auto widen = [&](int k) __attribute__((always_inline)) {
           const std::uint8_t* grey = rows[k] + first;
-          const std::int16_t weight = weights[k];
           __builtin_prefetch(grey + kAhead);
           for (int i = 0; i < size; ++i)
             wide[static_cast<std::size_t>(i)] = static_cast<std::int16_t>(grey[i] * kFactor);
+        };
+        widen(0);
+        for (int i = 0; i < size; ++i)
+          sum[static_cast<std::size_t>(i)] = times(wide[static_cast<std::size_t>(i)], weights[0]);
+        for (int k = 1; k < count; ++k) {
+          const std::int16_t weight = weights[k];
+          widen(k);
           for (int i = 0; i < size; ++i) {
             std::int16_t& here = sum[static_cast<std::size_t>(i)];
             here =

@@ -31,13 +31,15 @@ std::vector<std::int16_t> random_greys(std::mt19937& random, int step) {
 /// Smooth places that advance by `slope` from one to the next, and change with the row.
 PlacesByColumn random_places(std::mt19937& random, int columns, double slope) {
   std::uniform_real_distribution<double> part(-1.0, 1.0);
-  const double first = 20.0 * part(random), bow = 1e-4 * part(random), turn = 0.02 * part(random);
+  const double first = 20.0 * part(random), bow = 1e-4 * part(random), turn = 0.02 * part(random),
+               by_row = 1e-5 * part(random);
   PlacesByColumn places;
-  for (int i = 0; i < columns + PlacesByColumn::kBeyond; ++i) {
+  for (int i = 0; i < columns; ++i) {
     places.constant.push_back(static_cast<float>(first + i * (slope + bow * i)));
     places.slope.push_back(static_cast<float>(turn * i / columns));
-    places.bow.push_back(static_cast<float>(1e-5 * part(random)));
+    places.bow.push_back(static_cast<float>(by_row * i / columns));
   }
+  places.finish();
   return places;
 }
 
