@@ -89,9 +89,9 @@ int last_place(int count) {
 
 /// Places of one row at nodes, of 2^-kPlaceBits px.
 constexpr int kNodeStep = PlacesByColumn::kNodeStep;
-constexpr int kGroup = 64;  // nodes at a time, and one more
+constexpr int kGroup = 64;  // nodes at a time, and two more
 static_assert(kLaidPiece == 2 * kNodeStep && kGroup % 2 == 0);
-using Nodes = std::array<int, kGroup + 1>;
+using Nodes = std::array<int, kGroup + 2>;
 
 [[gnu::always_inline]] inline void find_nodes(const PlacesByRow& places,
                                               std::size_t first,
@@ -126,15 +126,17 @@ constexpr PieceShares kShares = [] {
   return shares;
 }();
 
-/// A piece's places by three nodes, in 16-bit numbers; false where these cannot hold them, or some
-/// would have to be clamped. Off the exact ones by what a parabola leaves: below 1/1000 px on a
-/// face's smooth chart.
+/// A piece's places by three nodes, in 16-bit numbers. false where these cannot hold them, where
+/// some would have to be clamped, and where the node behind them tells that a parabola is off by
+/// more than 1/500 px: at most a 15th of the nodes' third difference.
 [[gnu::always_inline]] inline bool find_smooth_piece(const int* nodes,
                                                      int last,
                                                      int per_place,
                                                      PieceSteps& piece) {
   constexpr int kMostSpread = INT16_MAX - (1 << kPlaceBits);
-  const int begin = nodes[0], end = nodes[2];
+  constexpr int kMostThird = 15 * (1 << kPlaceBits) / 500;
+  const int begin = nodes[0], end = nodes[2], third = nodes[3] - begin + 3 * (nodes[1] - end);
+  if (third > kMostThird || -third > kMostThird) return false;
   const int bend = nodes[1] - (begin + end) / 2, most_bend = bend < 0 ? -bend : bend;
   const int way = end - begin - ((kLaidPiece * per_place) << kPlaceBits);
   if (way > kMostSpread - most_bend || -way > kMostSpread - most_bend) return false;
@@ -197,7 +199,7 @@ constexpr PieceShares kShares = [] {
     const auto node = static_cast<std::size_t>(laid.first + group) / kNodeStep;
     const int end = std::min(n, group + kGroup * kNodeStep);
     const int pieces = (end - group + kLaidPiece - 1) / kLaidPiece;
-    find_nodes(places.nodes, node, 2 * pieces + 1, laid.row, laid.origin, nodes);
+    find_nodes(places.nodes, node, 2 * pieces + 2, laid.row, laid.origin, nodes);
     for (int i = group; i < end; i += kLaidPiece) {
       const bool is_whole = laid.first + i + kLaidPiece < places.columns;
       const int* at = nodes.data() + (i - group) / kNodeStep;

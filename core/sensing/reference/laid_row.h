@@ -20,7 +20,7 @@ struct LaidPlaces {
 };
 
 /// out[i] = the row `picture` of grey levels in steps (grey_steps.h) at place i, linear between
-/// its pixels to 1/2048 px, as `times` rounds. `picture` must be readable, whatever it holds,
+/// its pixels to 1/400 px, as `times` rounds. `picture` must be readable, whatever it holds,
 /// kLaidPiece pixels beyond both ends; n + kLaidPiece numbers are written.
 void lay_along(const std::int16_t* picture, const LaidPlaces& places, int n, std::int16_t* out);
 

@@ -13,8 +13,8 @@ namespace alltact {
 namespace {
 
 constexpr int kColumns = 300, kRows = 200, kStride = kColumns + 2 * kLaidPiece;
-// A place is rounded to 1/2048 px and a product to a step.
-constexpr double kPlaceError = 1.0 / 2048;
+// A place is off by up to 1/500 px and its rounding to 1/2048 px, and a product by a step.
+constexpr double kPlaceError = 1.0 / 500 + 1.0 / 2048;
 
 /// Grey levels that differ by up to `step` from one pixel to the next, with room on both sides.
 std::vector<std::int16_t> random_greys(std::mt19937& random, int step) {
