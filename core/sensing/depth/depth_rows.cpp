@@ -122,22 +122,31 @@ ALLTACT_WIDE void divide_row(const SmoothRow& row,
   in_blocks(
       count, [=](int first, auto size) __attribute__((always_inline)) {
         const auto begin = static_cast<float>(first_column + first);
+        // In three loops: in one the compiler would branch for each pixel.
+        std::array<float, kBlock> reason, told;
         for (int k = 0; k < size; ++k) {
-          const int u = first + k;
-          const auto before = static_cast<float>(static_cast<std::int32_t>(flags[u]));
+          const auto before = static_cast<float>(static_cast<std::int32_t>(flags[first + k]));
           const float flag = before == extrapolated ? measured : before;  // of a place done twice
+          const auto here = static_cast<float>(from.raw[first + k]);
+          const auto smooth = static_cast<float>(from.reference[first + k]);
+          const float thin = here > kMiddle ? clipped : dark;
+          const float left = smooth > kLeastPart * here ? measured : thin;
+          reason[static_cast<std::size_t>(k)] = flag == measured ? left : flag;
+        }
+        for (int k = 0; k < size; ++k) {
           const float column = begin + kPlaces[static_cast<std::size_t>(k)];
           const float correction = constant + column * (slope + column * bow);
-          const auto here = static_cast<float>(from.raw[u]);
-          const auto smooth = static_cast<float>(from.reference[u]);
-          const float thin = here > kMiddle ? clipped : dark;
-          const float reason = flag == measured && !(smooth > kLeastPart * here) ? thin : flag;
-          const float below = reason == measured ? smooth : 1.0F;
-          const float value = (below - correction * static_cast<float>(from.live[u])) / below;
-          const float told = reason == measured ? value : kNaN;
-          x[u] = told;
-          const float final = told > x_max ? extrapolated : reason;
-          flags[u] = static_cast<std::uint8_t>(static_cast<std::int32_t>(final));
+          const auto live = static_cast<float>(from.live[first + k]);
+          const auto smooth = static_cast<float>(from.reference[first + k]);
+          const float value = (smooth - correction * live) / smooth;
+          told[static_cast<std::size_t>(k)] =
+              reason[static_cast<std::size_t>(k)] == measured ? value : kNaN;
+        }
+        for (int k = 0; k < size; ++k) {
+          const float value = told[static_cast<std::size_t>(k)];
+          const float final = value > x_max ? extrapolated : reason[static_cast<std::size_t>(k)];
+          x[first + k] = value;
+          flags[first + k] = static_cast<std::uint8_t>(static_cast<std::int32_t>(final));
         }
       });
 }
