@@ -53,15 +53,17 @@ ALLTACT_WIDE void mark_row(std::int16_t darkest,
   constexpr std::int16_t measured = kMeasured, unknown = kNoReference, dark = kTooDark,
                          clipped = kSaturated;
   for (int u = 0; u < count; ++u) {
-    const std::int16_t ref = reference[u];
+    const std::int16_t ref = reference[u], now = live[u];
     // The last reason wins; each pixel takes the same steps, so that the loop runs in vectors.
-    std::int16_t flag = live[u] >= kCeiling ? clipped : measured;
+    std::int16_t flag = now >= kCeiling ? clipped : measured;
     flag = ref >= kCeiling ? clipped : flag;
     flag = ref < darkest ? dark : flag;
     flag = ref == kNoGrey ? unknown : flag;
+    // A mask: a choice would become a branch.
+    const auto kept = static_cast<std::int16_t>(-static_cast<std::int16_t>(flag == measured));
     flags[u] = static_cast<std::uint8_t>(flag);
-    live[u] = flag == measured ? live[u] : std::int16_t{0};
-    reference[u] = flag == measured ? ref : std::int16_t{0};
+    live[u] = static_cast<std::int16_t>(now & kept);
+    reference[u] = static_cast<std::int16_t>(ref & kept);
   }
 }
 
