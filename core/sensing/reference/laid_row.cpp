@@ -43,7 +43,8 @@ using HalfAt = std::int16_t __attribute__((vector_size(32), aligned(2), may_alia
 constexpr std::size_t kHalf = sizeof(Half) / sizeof(std::int16_t);
 static_assert(kLaidPiece == 2 * kHalf);
 
-/// Half of a piece's grey levels at its places: out[k] of those between from[k] and the next step.
+/// Of half a piece, `here`: the grey levels at its places' steps, `further`: by how much those of
+/// the steps behind them are brighter.
 [[gnu::always_inline]] inline void take_half(const std::int16_t* from,
                                              std::ptrdiff_t step,
                                              int steps_apart,
@@ -135,6 +136,8 @@ constexpr PieceShares kShares = [] {
                                                      PieceSteps& piece) {
   constexpr int kMostSpread = INT16_MAX - (1 << kPlaceBits);
   constexpr int kMostThird = 15 * (1 << kPlaceBits) / 500;
+  for (int k = 0; k < 4; ++k)
+    if (nodes[k] < 0 || nodes[k] > last) return false;
   const int begin = nodes[0], end = nodes[2], third = nodes[3] - begin + 3 * (nodes[1] - end);
   if (third > kMostThird || -third > kMostThird) return false;
   const int bend = nodes[1] - (begin + end) / 2, most_bend = bend < 0 ? -bend : bend;
