@@ -29,17 +29,16 @@ ALLTACT_WIDE void add_eights(const Eight& first,
                              double tukey2,
                              double widening2,
                              double* __restrict sums) {
-  const Eight at = first;
   for (std::size_t g = 0; g < count; g += kLanes)
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       const std::size_t i = g + lane;
-      const double s = at.s[i], t = at.t[i], ratio = at.ratio[i];
+      const double s = first.s[i], t = first.t[i], ratio = first.ratio[i];
       const double change = c[0] + s * (c[1] + s * c[3] + t * c[4]) + t * (c[2] + t * c[5]);
       const double off = 1.0 - ratio * (1.0 + change);
-      const double variance = at.sd[i] * at.sd[i] + widening2;
+      const double variance = first.sd[i] * first.sd[i] + widening2;
       const double square = off * off / (tukey2 * variance);
       const double inside = square < 1.0 ? 1.0 - square : 0.0;
-      const double share = at.counts[lane] * (inside * inside);
+      const double share = first.counts[lane] * (inside * inside);
       const double weight = share / variance * ratio;
       const double pull = weight * (1.0 - ratio), own = weight * ratio;
       const double ss = s * s, st = s * t, tt = t * t;

@@ -15,6 +15,13 @@ constexpr int kRowsAhead =
 
 using PieceSteps = PlaceSteps<kLaidPiece>;
 
+/// A place in a row, of 2^-kPlaceBits px.
+[[gnu::always_inline]] inline int place_in(
+    float constant, float slope, float bow, float row, float origin) {
+  constexpr float kOne = 1 << kPlaceBits;
+  return static_cast<int>((constant + row * (slope + row * bow) - origin) * kOne + 0.5F);
+}
+
 /// `per_place`: steps that the picture itself advances from one place to the next.
 [[gnu::always_inline]] inline PieceSteps find_piece(const float* __restrict constant,
                                                     const float* __restrict slope,
@@ -23,12 +30,10 @@ using PieceSteps = PlaceSteps<kLaidPiece>;
                                                     float origin,
                                                     int last,
                                                     int per_place) {
-  constexpr float kOne = 1 << kPlaceBits;
   std::array<int, kLaidPiece> fixed;
   for (int i = 0; i < kLaidPiece; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    const float place = constant[i] + row * (slope[i] + row * bow[i]) - origin;
-    const int exact = static_cast<int>(place * kOne + 0.5F);
+    const int exact = place_in(constant[i], slope[i], bow[i], row, origin);
     const int above = exact > 0 ? exact : 0;
     fixed[k] = (above < last ? above : last) - ((i * per_place) << kPlaceBits);
   }
@@ -90,9 +95,9 @@ int last_place(int count) {
 
 /// Places of one row at nodes, of 2^-kPlaceBits px.
 constexpr int kNodeStep = PlacesByColumn::kNodeStep;
-constexpr int kGroup = 64;  // nodes at a time, and two more
+constexpr int kGroup = 64;  // nodes at a time, and one before and two behind them
 static_assert(kLaidPiece == 2 * kNodeStep && kGroup % 2 == 0);
-using Nodes = std::array<int, kGroup + 2>;
+using Nodes = std::array<int, kGroup + 3>;
 
 [[gnu::always_inline]] inline void find_nodes(const PlacesByRow& places,
                                               std::size_t first,
@@ -100,14 +105,11 @@ using Nodes = std::array<int, kGroup + 2>;
                                               float row,
                                               float origin,
                                               Nodes& nodes) {
-  constexpr float kOne = 1 << kPlaceBits;
   const float* constant = places.constant.data() + first;
   const float* slope = places.slope.data() + first;
   const float* bow = places.bow.data() + first;
-  for (int i = 0; i < count; ++i) {
-    const float place = constant[i] + row * (slope[i] + row * bow[i]) - origin;
-    nodes[static_cast<std::size_t>(i)] = static_cast<int>(place * kOne + 0.5F);
-  }
+  for (int i = 0; i < count; ++i)
+    nodes[static_cast<std::size_t>(i)] = place_in(constant[i], slope[i], bow[i], row, origin);
 }
 
 /// The parabola through a piece's first place and that behind its last, by its place k: of their
@@ -128,18 +130,20 @@ constexpr PieceShares kShares = [] {
 }();
 
 /// A piece's places by three nodes, in 16-bit numbers. false where these cannot hold them, where
-/// some would have to be clamped, and where the node behind them tells that a parabola is off by
-/// more than 1/500 px: at most a 15th of the nodes' third difference.
+/// some would have to be clamped, and where the nodes before and behind them tell that a parabola
+/// is off by more than 1/500 px: at most a 15th of the nodes' third differences.
 [[gnu::always_inline]] inline bool find_smooth_piece(const int* nodes,
                                                      int last,
                                                      int per_place,
                                                      PieceSteps& piece) {
   constexpr int kMostSpread = INT16_MAX - (1 << kPlaceBits);
   constexpr int kMostThird = 15 * (1 << kPlaceBits) / 500;
-  for (int k = 0; k < 4; ++k)
+  for (int k = -1; k < 4; ++k)
     if (nodes[k] < 0 || nodes[k] > last) return false;
-  const int begin = nodes[0], end = nodes[2], third = nodes[3] - begin + 3 * (nodes[1] - end);
-  if (third > kMostThird || -third > kMostThird) return false;
+  const int begin = nodes[0], end = nodes[2];
+  for (const int third :
+       {end - nodes[-1] + 3 * (begin - nodes[1]), nodes[3] - begin + 3 * (nodes[1] - end)})
+    if (third > kMostThird || -third > kMostThird) return false;
   const int bend = nodes[1] - (begin + end) / 2, most_bend = bend < 0 ? -bend : bend;
   const int way = end - begin - ((kLaidPiece * per_place) << kPlaceBits);
   if (way > kMostSpread - most_bend || -way > kMostSpread - most_bend) return false;
@@ -200,13 +204,20 @@ constexpr PieceShares kShares = [] {
   Nodes nodes;
   for (int group = ahead; group < n; group += kGroup * kNodeStep) {
     const auto node = static_cast<std::size_t>(laid.first + group) / kNodeStep;
+    const std::size_t before = node > 0 ? 1 : 0;
     const int end = std::min(n, group + kGroup * kNodeStep);
     const int pieces = (end - group + kLaidPiece - 1) / kLaidPiece;
-    find_nodes(places.nodes, node, 2 * pieces + 2, laid.row, laid.origin, nodes);
+    find_nodes(places.nodes,
+               node - before,
+               2 * pieces + 2 + static_cast<int>(before),
+               laid.row,
+               laid.origin,
+               nodes);
     for (int i = group; i < end; i += kLaidPiece) {
-      const bool is_whole = laid.first + i + kLaidPiece < places.columns;
-      const int* at = nodes.data() + (i - group) / kNodeStep;
-      if (!is_whole || !find_smooth_piece(at, last, per_place, piece)) exactly(i, piece);
+      const std::ptrdiff_t column = laid.first + i;
+      const bool is_inside = column > 0 && column + kLaidPiece < places.columns;
+      const int* at = nodes.data() + before + (i - group) / kNodeStep;
+      if (!is_inside || !find_smooth_piece(at, last, per_place, piece)) exactly(i, piece);
       take(i, piece);
     }
   }

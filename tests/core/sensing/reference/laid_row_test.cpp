@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -13,8 +14,10 @@ namespace alltact {
 namespace {
 
 constexpr int kColumns = 300, kRows = 200, kStride = kColumns + 2 * kLaidPiece;
-// A place is off by up to 1/500 px and its rounding to 1/2048 px, and a product by a step.
-constexpr double kPlaceError = 1.0 / 500 + 1.0 / 2048;
+// A place is rounded to 1/2048 px and a product to a step.
+constexpr double kPlaceError = 1.0 / 2048;
+// Places that are no parabola may be off by so much besides.
+constexpr double kOffParabola = 1.0 / 500;
 
 /// Grey levels that differ by up to `step` from one pixel to the next, with room on both sides.
 std::vector<std::int16_t> random_greys(std::mt19937& random, int step) {
@@ -56,14 +59,14 @@ struct PlainLinear {
   double grey, bound;
 };
 template <class At>
-PlainLinear between(double place, int count, At at) {
+PlainLinear between(double place, int count, At at, double place_error = kPlaceError) {
   const int left = std::min(static_cast<int>(place), count - 2);
   const double here = at(left), next = at(left + 1), part = place - left;
   // At a whole pixel the rounding may lead to either side.
   const double before = at(std::max(left - 1, 0)), after = at(std::min(left + 2, count - 1));
   const double steepest =
       std::max({std::abs(next - here), std::abs(here - before), std::abs(after - next)});
-  return {here + part * (next - here), 1.0 + 1.5 * kPlaceError * steepest};
+  return {here + part * (next - here), 1.0 + 1.5 * place_error * steepest};
 }
 
 class LaidRow : public ::testing::TestWithParam<double> {};
@@ -100,6 +103,32 @@ TEST_P(LaidRow, IsThePlainFormulaAlongAndAcross) {
 // From one place to the next: still, as in a recording, stretched and pressed together, backwards,
 // and so far that each is clamped at an end.
 INSTANTIATE_TEST_SUITE_P(Slopes, LaidRow, ::testing::Values(0.0, 0.03, 0.97, 1.2, 3.0, -0.5, 40.0));
+
+TEST(LaidRowOfWaves, IsExactEnoughWherePlacesWave) {
+  std::mt19937 random(12);
+  const auto picture = random_greys(random, 400);
+  const std::int16_t* first = picture.data() + 7 * kStride + kLaidPiece;
+  constexpr int kPlaces = 250;
+  for (const double wave_px : {40.0, 100.0, 250.0, 600.0})
+    for (const double high_px : {0.02, 0.5, 3.0}) {
+      PlacesByColumn places;
+      for (int i = 0; i < kPlaces; ++i)
+        places.constant.push_back(static_cast<float>(
+            10.0 + i + high_px * std::sin(2.0 * std::numbers::pi * i / wave_px)));
+      places.slope.resize(kPlaces), places.bow.resize(kPlaces);
+      places.finish();
+      std::vector<std::int16_t> out(static_cast<std::size_t>(kPlaces + kLaidPiece));
+      lay_along(first, {places, 0, 40.0F, 0.0F, kColumns}, kPlaces, out.data());
+      for (std::size_t i = 0; i < kPlaces; ++i) {
+        const PlainLinear truth = between(
+            place_of(places, i, 40.0, kColumns),
+            kColumns,
+            [&](int u) { return static_cast<double>(first[u]); },
+            kPlaceError + kOffParabola);
+        ASSERT_NEAR(out[i], truth.grey, truth.bound) << wave_px << " " << high_px << ", " << i;
+      }
+    }
+}
 
 }  // namespace
 }  // namespace alltact
