@@ -5,8 +5,8 @@
 #include "app/console/flags.h"
 #include "app/console/passing_folder.h"
 #include "app/pictures/pictures.h"
-#include "calibration/experiments/kept_finger.h"
 #include "core/io/atomic_file.h"
+#include "core/io/cache_folder.h"
 #include "core/program.h"
 #include "core/sensing/stop_watch.h"
 #include "core/utc_time.h"
@@ -204,7 +204,7 @@ Status run_experiments(const ExperimentsOptions& options, Console& console) {
   BenchOptions bench;
   bench.seed = options.seed;
   bench.threads = options.threads;
-  if (!options.fresh) bench.cache = kept_fingers_folder();
+  if (!options.fresh) bench.cache = cache_folder("fingers");
   if (!options.folder) {
     const auto passing =
         PassingFolder::make(en::say("a folder for the simulated fingers cannot be made"));

@@ -1,13 +1,13 @@
 #include "calibration/experiments/kept_finger.h"
 
 #include "core/io/atomic_file.h"
+#include "core/io/cache_folder.h"
 #include "core/io/system_error.h"
 #include "core/numerics/checksum.h"
 #include "core/program.h"
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdlib>
 
 #include <dlfcn.h>
 #include <fmt/format.h>
@@ -76,24 +76,6 @@ void remove_quietly(const fs::path& folder) {
   fs::remove_all(folder, failed);
 }
 
-/// What was kept first goes; what a run that ended in the middle left, when it is old.
-void remove_oldest(const fs::path& cache) {
-  std::error_code failed;
-  std::vector<std::pair<fs::file_time_type, fs::path>> kept;
-  for (fs::directory_iterator entry(cache, failed), end; !failed && entry != end;
-       entry.increment(failed)) {
-    std::error_code gone;  // by another program
-    const auto time = fs::last_write_time(entry->path(), gone);
-    if (gone) continue;
-    if (!entry->path().filename().string().starts_with(kUnfinished))
-      kept.emplace_back(time, entry->path());
-    else if (fs::file_time_type::clock::now() - time > std::chrono::hours(24))
-      remove_quietly(entry->path());
-  }
-  std::sort(kept.begin(), kept.end(), std::greater<>());
-  for (std::size_t i = kMostKept; i < kept.size(); ++i) remove_quietly(kept[i].second);
-}
-
 Error cannot_be_kept(const fs::path& where, int code) {
   return system_error(
       en::say("could not keep the simulated finger for the next time"), where, code);
@@ -132,17 +114,6 @@ std::error_code put_in_place(const fs::path& made, const fs::path& cache, const 
 }
 
 }  // namespace
-
-std::optional<fs::path> kept_fingers_folder() {
-  const auto told = [](const char* variable) {
-    const char* text = std::getenv(variable);
-    return text != nullptr ? fs::path(text) : fs::path();
-  };
-  const fs::path cache = told("XDG_CACHE_HOME"), home = told("HOME");
-  if (cache.is_absolute()) return cache / "alltact" / "fingers";
-  if (home.is_absolute()) return home / ".cache" / "alltact" / "fingers";
-  return std::nullopt;
-}
 
 std::string kept_finger_name(const std::vector<std::string_view>& made_by) {
   Checksum sum;
@@ -193,7 +164,7 @@ Status keep_finger(const fs::path& cache,
     remove_quietly(*made);
     return cannot_be_kept(cache, failed.value());
   }
-  remove_oldest(cache);
+  remove_oldest(cache, kMostKept);
   return {};
 }
 

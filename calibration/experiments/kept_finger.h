@@ -18,10 +18,6 @@
 
 namespace alltact {
 
-/// alltact/fingers below $XDG_CACHE_HOME, or below .cache of $HOME; nullopt: neither is told as an
-/// absolute path.
-[[nodiscard]] std::optional<std::filesystem::path> kept_fingers_folder();
-
 /// The name for a finger made by this program (its version and its very bytes) from these words, in
 /// this order.
 [[nodiscard]] std::string kept_finger_name(const std::vector<std::string_view>& made_by);

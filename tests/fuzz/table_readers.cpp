@@ -6,10 +6,13 @@
 #include "core/gripper/motor_log.h"
 #include "core/io/atomic_file.h"
 #include "core/recording/journal.h"
+#include "core/sensing/reference/kept_faces.h"
 #include "core/sensing/reference/marker_table.h"
 #include "core/sources/gauge/gauge_line.h"
 #include "core/stream/stream_format.h"
 #include "tests/fuzz/readers.h"
+
+#include <sstream>
 
 namespace alltact::test {
 namespace {
@@ -167,10 +170,39 @@ std::vector<std::string> part_seeds() {
   })};
 }
 
+constexpr const char* kFacesOf = "a recording";
+
+std::vector<std::string> faces_seeds() {
+  KeptFaces faces;
+  for (const std::size_t row : {0U, 2U}) {
+    FoundFace& face = faces.found.emplace_back();
+    face.row = row;
+    face.edges.u = {3.5, 11.5, 19.5};
+    face.edges.upper = face.edges.lower = {{10, 11, 12}, {0.1, 0.1, 0.2}, {1, 1, 0}};
+    face.edges.ends.first = FaceEnd{1, 2, 0, 0, 0.5};
+  }
+  faces.kept = {2};
+  faces.faces = {{0, 4, {1, 2, 3, 4}}};
+  faces.error.relative_sd = cv::Mat(2, 3, CV_32FC1, cv::Scalar(0.25));
+  return {packed_faces(faces, kFacesOf)};
+}
+
+Reading read_kept_faces(const std::string& bytes) {
+  std::istringstream file(bytes);
+  const auto faces = unpacked_faces(file, bytes.size(), kFacesOf);
+  if (!faces)
+    return {
+        Error{en::say("not what was kept"), en::say("the cache"), en::say("read the recording")}};
+  for (const FoundFace& face : faces->found)
+    if (face.edges.upper.v.size() != face.edges.u.size()) return {{}, "an edge of another length"};
+  return {{}, faces->kept.size() == faces->faces.size() ? "" : "faces of no row"};
+}
+
 }  // namespace
 
 std::vector<Reader> table_readers() {
   return {
+      {"kept_faces", faces_seeds, read_kept_faces},
       {"marker_table", marker_seeds, read_markers},
       {"frame_log", journal_seeds, read_frame_log},
       {"checks", check_seeds, read_checks},

@@ -1,5 +1,6 @@
 // A power cut while presses are taken.
 #include "tests/studio/calibrate_rig.h"
+#include "tests/support/child_tests.h"
 
 #include <QProcess>
 #include <QToolButton>
@@ -40,7 +41,7 @@ TEST(Calibrate, AKillInTheMiddleOfPressesLosesNothingButTheLastSecond) {
   CalibrateStudio rig;
   fs::copy(rig.folder() / "pressing.yaml", rig.finger() / "pressing.yaml");
   QProcess child;
-  QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+  QProcessEnvironment environment = environment_of_child_tests();
   environment.insert("ALLTACT_KILLED_FINGER", QString::fromStdString(rig.finger().string()));
   child.setProcessEnvironment(environment);
   child.start("/proc/self/exe",
@@ -48,18 +49,22 @@ TEST(Calibrate, AKillInTheMiddleOfPressesLosesNothingButTheLastSecond) {
   int taken = 0, a_second_before = 0;
   QElapsedTimer clock;
   std::deque<std::pair<qint64, int>> history;
+  QByteArray said;
   ASSERT_TRUE(wait_until(
       [&] {
         while (child.canReadLine()) {
           const QByteArray line = child.readLine();
+          said += line;
           if (!line.startsWith("taken ")) continue;
           if (taken == 0) clock.start();
           taken = line.mid(6).trimmed().toInt();
           history.emplace_back(clock.elapsed(), taken);
         }
-        return taken >= 14;
+        return taken >= 14 || child.state() == QProcess::NotRunning;
       },
-      60000));
+      60000))
+      << said.toStdString();
+  ASSERT_GE(taken, 14) << said.toStdString();
   child.kill();  // SIGKILL
   child.waitForFinished();
   for (const auto& [when, number] : history)

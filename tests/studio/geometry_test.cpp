@@ -9,6 +9,7 @@
 #include "tests/studio/calibrate_rig.h"
 #include "tests/studio/layout_rig.h"
 #include "tests/studio/measured_finger.h"
+#include "tests/support/child_tests.h"
 #include "tests/support/same_everywhere.h"
 #include "widgets/inspect/gripper_dialog.h"
 #include "widgets/inspect/second_finger_dialog.h"
@@ -297,9 +298,8 @@ TEST_F(Geometry, AtOtherScales) {
   if (qEnvironmentVariableIsSet("QT_SCALE_FACTOR")) GTEST_SKIP() << "is at another scale";
   for (const char* scale : {"1.5", "2"}) {
     QProcess child;
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    QProcessEnvironment environment = environment_of_child_tests();
     environment.insert("QT_SCALE_FACTOR", scale);
-    environment.remove("GTEST_OUTPUT");
     child.setProcessEnvironment(environment);
     child.setProcessChannelMode(QProcess::MergedChannels);
     child.start("/proc/self/exe", {"--gtest_filter=Geometry.*"});

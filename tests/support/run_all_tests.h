@@ -1,7 +1,11 @@
-// Every test starts from the same random state, whatever ran before it.
+// Every test starts from the same random state, whatever ran before it, and keeps nothing in the
+// user's cache.
 #pragma once
 
+#include "tests/support/temporary_folder.h"
+
 #include <cstdlib>
+#include <optional>
 
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
@@ -18,6 +22,14 @@ class Reseed : public testing::EmptyTestEventListener {
 inline int run_all_tests(int argc, char** argv) {
   // Properties draw the same cases in every run; RC_PARAMS from outside still wins.
   setenv("RC_PARAMS", "seed=20240611", 0);
+  // What a test starts keeps its things where the test does, even when it is killed.
+  constexpr const char* kOwnCache = "ALLTACT_CACHE_OF_TESTS";
+  std::optional<TemporaryFolder> cache;
+  if (std::getenv(kOwnCache) == nullptr) {
+    cache.emplace();
+    setenv(kOwnCache, "1", 1);
+    setenv("XDG_CACHE_HOME", cache->path().c_str(), 1);
+  }
   testing::InitGoogleTest(&argc, argv);
   testing::UnitTest::GetInstance()->listeners().Append(new Reseed);
   return RUN_ALL_TESTS();

@@ -5,6 +5,8 @@
 #include "core/sensing/face/face_edges.h"
 #include "core/sensing/face/profile_degree.h"
 
+#include <array>
+#include <functional>
 #include <future>
 #include <numeric>
 #include <queue>
@@ -73,8 +75,77 @@ class Keeper {
 };
 
 struct Looked {
+  FaceEdges edges;
   FaceShape shape;
   FaceChart chart;
+};
+
+/// What is made of a recorded face's edges, whether they were found now or kept.
+class FaceLayer {
+ public:
+  FaceLayer(const MarkerTable& table, const Finger& finger, const Camera& camera)
+      : table_(table), finger_(finger), camera_(camera) {}
+
+  [[nodiscard]] std::optional<Looked> look_at(const FaceEdges& edges) const {
+    auto shape = FaceShape::fit(edges, camera_, finger_.face, kUsualProfileDegree);
+    if (!shape) return std::nullopt;
+    auto chart = chart_of(*shape);
+    if (!chart) return std::nullopt;
+    return Looked{edges, std::move(*shape), std::move(*chart)};
+  }
+  /// The grid of the first face in a row from the middle of all poses outwards: `face_of` gives a
+  /// row's, nullopt where there is none. Whether one was found; errors: those of `face_of`.
+  template <class FaceOf>
+  Result<bool> find_rest(const FaceOf& face_of, RecordedFaces& read) const {
+    constexpr std::size_t kTries = 16;
+    std::vector<std::size_t> rows = from_the_middle();
+    rows.resize(std::min(rows.size(), kTries));
+    for (const std::size_t row : rows) {
+      const Result<std::optional<Looked>> looked = face_of(row);
+      if (!looked) return looked.error();
+      if (!*looked) continue;
+      read.grid = face_grid((*looked)->chart, kBeyondRest);
+      read.places = skin_places((*looked)->chart, (*looked)->shape, markers(row));
+      return true;
+    }
+    return false;
+  }
+  /// Lays a row's chart on the rest frame's. False: it shows the finger the other way round.
+  bool lay(const RecordedFaces& read, std::size_t row, Looked& looked) const {
+    if (looked.chart.base_at_low_u != read.grid.chart.base_at_low_u) return false;
+    lay_on(read.places, looked.shape, markers(row), &looked.chart);
+    return true;
+  }
+  void add(std::size_t row, Looked looked, RecordedFaces& read) const {
+    read.seen.push_back(static_cast<Eigen::Index>(row));
+    read.edges.push_back(edge_curves(looked.shape));
+    read.charts.push_back(std::move(looked.chart));
+    if (row % (table_.frames.size() / kMostPoses + 1) == 0)
+      read.poses.push_back({markers(row), std::move(looked.shape)});
+    if (table_.frames.size() <= kMostFramesKept)
+      read.found.push_back({row, std::move(looked.edges)});
+  }
+
+ private:
+  [[nodiscard]] Markers markers(std::size_t row) const {
+    return markers_of(table_.layouts, static_cast<Eigen::Index>(row), table_.seen[row]);
+  }
+  /// Rows from the middle of all poses outwards.
+  [[nodiscard]] std::vector<std::size_t> from_the_middle() const {
+    const Eigen::MatrixXd& layouts = table_.layouts;
+    const Eigen::VectorXd off =
+        (layouts.rowwise() - layouts.colwise().mean()).rowwise().squaredNorm();
+    std::vector<std::size_t> rows(static_cast<std::size_t>(layouts.rows()));
+    std::iota(rows.begin(), rows.end(), 0);
+    std::stable_sort(rows.begin(), rows.end(), [&](std::size_t a, std::size_t b) {
+      return off[static_cast<Eigen::Index>(a)] < off[static_cast<Eigen::Index>(b)];
+    });
+    return rows;
+  }
+
+  const MarkerTable& table_;
+  const Finger& finger_;
+  const Camera& camera_;
 };
 
 /// A recorded frame, and what is kept of it where its face was found.
@@ -88,11 +159,20 @@ struct Row {
 class Reader {
  public:
   Reader(const RecordingToRead& frames, const Finger& finger, const Camera& camera)
-      : frames_(frames), finger_(finger), camera_(camera) {}
+      : frames_(frames),
+        layer_(frames.table, finger, camera),
+        finder_({.view = FaceView{camera, finger.face.width_mm}}) {}
 
   Result<RecordedFaces> operator()(std::size_t limit_bytes, const Job& job) const {
     RecordedFaces read;
-    if (const Status status = find_rest(read); !status) return status.error();
+    const auto face_of = [&](std::size_t row) -> Result<std::optional<Looked>> {
+      const auto grey = picture(row);
+      if (!grey) return grey.error();
+      return look_at(*grey);
+    };
+    const auto has_rest = layer_.find_rest(face_of, read);
+    if (!has_rest) return has_rest.error();
+    if (!*has_rest) return too_few(0);
     Keeper keeper(frames_.table, limit_bytes);
     const std::size_t count = frames_.table.frames.size();
     auto next = begin_reading(0, job);
@@ -105,8 +185,11 @@ class Reader {
       over_parts(static_cast<int>(rows->size()), all_cores(), [&](int from, int to) {
         for (int i = from; i < to; ++i) look_at(read, (*rows)[static_cast<std::size_t>(i)]);
       });
-      for (Row& row : *rows)
-        if (row.looked) add(std::move(row), keeper, read);
+      for (Row& row : *rows) {
+        if (!row.looked) continue;
+        keeper.add(row.number, std::move(row.face));
+        layer_.add(row.number, std::move(*row.looked), read);
+      }
     }
     read.bytes = keeper.bytes();
     read.kept = keeper.rows();
@@ -156,69 +239,36 @@ class Reader {
   }
   [[nodiscard]] std::optional<Looked> look_at(const cv::Mat& grey) const {
     const auto edges = finder_(grey);
-    if (!edges) return std::nullopt;
-    const auto shape = FaceShape::fit(*edges, camera_, finger_.face, kUsualProfileDegree);
-    if (!shape) return std::nullopt;
-    auto chart = chart_of(*shape);
-    if (!chart) return std::nullopt;
-    return Looked{*shape, std::move(*chart)};
+    return edges ? layer_.look_at(*edges) : std::nullopt;
   }
-  [[nodiscard]] Markers markers(std::size_t row) const {
-    return markers_of(
-        frames_.table.layouts, static_cast<Eigen::Index>(row), frames_.table.seen[row]);
-  }
-
-  /// Rows from the middle of all poses outwards.
-  [[nodiscard]] std::vector<std::size_t> from_the_middle() const {
-    const Eigen::MatrixXd& layouts = frames_.table.layouts;
-    const Eigen::VectorXd off =
-        (layouts.rowwise() - layouts.colwise().mean()).rowwise().squaredNorm();
-    std::vector<std::size_t> rows(static_cast<std::size_t>(layouts.rows()));
-    std::iota(rows.begin(), rows.end(), 0);
-    std::stable_sort(rows.begin(), rows.end(), [&](std::size_t a, std::size_t b) {
-      return off[static_cast<Eigen::Index>(a)] < off[static_cast<Eigen::Index>(b)];
-    });
-    return rows;
-  }
-  Status find_rest(RecordedFaces& read) const {
-    constexpr std::size_t kTries = 16;
-    std::vector<std::size_t> rows = from_the_middle();
-    rows.resize(std::min(rows.size(), kTries));
-    for (const std::size_t row : rows) {
-      const auto grey = picture(row);
-      if (!grey) return grey.error();
-      const auto looked = look_at(*grey);
-      if (!looked) continue;
-      read.grid = face_grid(looked->chart, kBeyondRest);
-      read.places = skin_places(looked->chart, looked->shape, markers(row));
-      return {};
-    }
-    return too_few(0);
-  }
-
   /// A row's face laid on the grid; without `looked` where none is found.
   void look_at(const RecordedFaces& read, Row& row) const {
     row.looked = look_at(row.grey);
-    if (row.looked && row.looked->chart.base_at_low_u != read.grid.chart.base_at_low_u)
-      row.looked.reset();
-    if (!row.looked) return;
-    lay_on(read.places, row.looked->shape, markers(row.number), &row.looked->chart);
-    row.face = keep_face(row.grey, row.looked->chart, read.grid);
-  }
-  void add(Row row, Keeper& keeper, RecordedFaces& read) const {
-    keeper.add(row.number, std::move(row.face));
-    read.seen.push_back(static_cast<Eigen::Index>(row.number));
-    read.edges.push_back(edge_curves(row.looked->shape));
-    read.charts.push_back(std::move(row.looked->chart));
-    if (row.number % (frames_.table.frames.size() / kMostPoses + 1) == 0)
-      read.poses.push_back({markers(row.number), std::move(row.looked->shape)});
+    if (row.looked && !layer_.lay(read, row.number, *row.looked)) row.looked.reset();
+    if (row.looked) row.face = keep_face(row.grey, row.looked->chart, read.grid);
   }
 
   const RecordingToRead& frames_;
-  const Finger& finger_;
-  const Camera& camera_;
-  FaceEdgeFinder finder_{{.view = FaceView{camera_, finger_.face.width_mm}}};
+  FaceLayer layer_;
+  FaceEdgeFinder finder_;
 };
+
+/// Rows of a table, each once and in their order.
+template <class Rows, class RowOf>
+bool are_rows(const Rows& rows, const RowOf& row_of, std::size_t count) {
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (row_of(rows[i]) >= count || (i > 0 && row_of(rows[i - 1]) >= row_of(rows[i]))) return false;
+  return true;
+}
+
+bool are_on(const FaceGrid& grid, const KeptFaces& kept) {
+  return kept.error.relative_sd.size() ==
+             cv::Size(grid.size.width / kErrorCellPx, grid.size.height / kErrorCellPx) &&
+         std::all_of(kept.faces.begin(), kept.faces.end(), [&](const FacePicture& face) {
+           return 0 <= face.first && face.end <= grid.size.width &&
+                  face.grey.size() == grid.runs.pixels();
+         });
+}
 
 }  // namespace
 
@@ -234,6 +284,47 @@ Result<RecordedFaces> read_recorded_faces(const RecordingToRead& frames,
                  frames.video.string(),
                  en::say("make the reference anew from the recording")};
   }
+}
+
+std::optional<RecordedFaces> recorded_faces_again(KeptFaces kept,
+                                                  const MarkerTable& table,
+                                                  const Finger& finger,
+                                                  const Camera& camera) {
+  const std::size_t count = table.frames.size();
+  const auto row_of_found = [](const FoundFace& face) { return face.row; };
+  if (!are_rows(kept.found, row_of_found, count) || !are_rows(kept.kept, std::identity(), count) ||
+      kept.kept.size() != kept.faces.size() || kept.kept.size() < 2)
+    return std::nullopt;
+  const FaceLayer layer(table, finger, camera);
+  const auto face_of = [&](std::size_t row) -> Result<std::optional<Looked>> {
+    const auto face = std::ranges::lower_bound(kept.found, row, {}, row_of_found);
+    if (face == kept.found.end() || face->row != row) return std::optional<Looked>();
+    return layer.look_at(face->edges);
+  };
+  RecordedFaces read;
+  if (const auto has_rest = layer.find_rest(face_of, read); !has_rest || !*has_rest)
+    return std::nullopt;
+  if (!are_on(read.grid, kept)) return std::nullopt;
+  for (std::size_t first = 0; first < kept.found.size(); first += kAtOnce) {
+    std::array<std::optional<Looked>, kAtOnce> looked;
+    const std::size_t block = std::min(kAtOnce, kept.found.size() - first);
+    over_parts(static_cast<int>(block), all_cores(), [&](int from, int to) {
+      for (int i = from; i < to; ++i) {
+        const FoundFace& face = kept.found[first + static_cast<std::size_t>(i)];
+        auto& one = looked[static_cast<std::size_t>(i)];
+        one = layer.look_at(face.edges);
+        if (one && !layer.lay(read, face.row, *one)) one.reset();
+      }
+    });
+    for (std::size_t i = 0; i < block; ++i) {
+      if (!looked[i]) return std::nullopt;
+      layer.add(kept.found[first + i].row, std::move(*looked[i]), read);
+    }
+  }
+  read.kept = std::move(kept.kept);
+  read.faces = std::move(kept.faces);
+  for (const FacePicture& face : read.faces) read.bytes += face.bytes();
+  return read;
 }
 
 }  // namespace alltact

@@ -6,6 +6,7 @@
 #include "core/result.h"
 #include "core/sensing/markers/twist_model.h"
 #include "core/sensing/reference/face_picture.h"
+#include "core/sensing/reference/kept_faces.h"
 #include "core/sensing/reference/marker_table.h"
 #include "core/sensing/reference/pose_places.h"
 
@@ -43,6 +44,8 @@ struct RecordedFaces {
   std::vector<FaceChart> charts;   ///< of these, laid on the rest frame's
   /// Of some of these, spread over the recording: to learn the finger's twist from.
   std::vector<TwistModel::Pose> poses;
+  /// What the faces were found by, of `seen`; empty of more than kMostFramesKept.
+  std::vector<FoundFace> found;
 };
 
 /// Where the faces would pass `limit_bytes`, only a covering subset is kept (farthest-point
@@ -53,5 +56,12 @@ struct RecordedFaces {
                                                         const Camera& camera,
                                                         std::size_t limit_bytes,
                                                         const Job& job);
+
+/// The same from what was kept of it, without a picture; nullopt where that does not fit the table
+/// and the camera.
+[[nodiscard]] std::optional<RecordedFaces> recorded_faces_again(KeptFaces kept,
+                                                                const MarkerTable& table,
+                                                                const Finger& finger,
+                                                                const Camera& camera);
 
 }  // namespace alltact

@@ -1,9 +1,12 @@
 #include "core/sensing/reference/reference_library.h"
 
 #include "core/finger/reduced_finger.h"
+#include "core/io/cache_folder.h"
+#include "core/program.h"
 #include "core/recording/video_file.h"
 #include "core/sensing/markers/layout_search.h"
 #include "core/sensing/reference/flat_reference.h"
+#include "core/sensing/reference/kept_faces.h"
 #include "core/sensing/reference/reference_error.h"
 #include "core/sensing/reference/reference_weights.h"
 #include "core/shared_values.h"
@@ -25,6 +28,15 @@ Error wrong(Message what, const std::filesystem::path& file) {
 }  // namespace
 
 struct ReferenceLibrary::Content {
+  Content() = default;  // without faces: of a single picture
+  /// Of faces whose light and error are known or still to be studied.
+  Content(MarkerModel learnt,
+          RecordedFaces&& read,
+          const MarkerTable& table,
+          const Finger& finger,
+          const Camera& camera);
+  /// Takes the drift of the light out of the faces, and tells how far off references are.
+  void study();
   /// The recorded frames nearest to a place in the modes, and their weights there.
   [[nodiscard]] Neighbours neighbours(const Eigen::VectorXd& place,
                                       const std::vector<char>& without,
@@ -194,43 +206,121 @@ Result<ReferenceLibrary> ReferenceLibrary::load(const FingerSnapshot& snapshot,
                  en::say("record the bending, untouched finger and make its reference")};
   const auto video_file = finger_folder / finger.reference->video;
   const auto table_file = finger_folder / finger.reference->markers;
-  const auto read = [&]() -> Result<std::shared_ptr<const Content>> {
+  const auto key = made_from(video_file, table_file, snapshot, memory_limit_bytes);
+  const auto read_it = [&]() -> Result<std::shared_ptr<const Content>> {
     const auto table = MarkerTable::load(table_file, finger.marker_count());
     if (!table) return table.error();
-    auto library = from_recording(video_file, *table, snapshot, job, memory_limit_bytes);
-    if (!library) return library.error();
-    return std::move(library->content_);
+    return read(video_file,
+                reduced_table(*table, snapshot.reduced_by),
+                snapshot,
+                key,
+                job,
+                memory_limit_bytes);
   };
   static SharedValues<Content> shared;
   const Error stopped{en::say("stopped before the reference was read"), video_file, ""};
-  const auto key = made_from(video_file, table_file, snapshot, memory_limit_bytes);
-  auto content = key ? shared.get(*key, job, stopped, read) : read();
+  auto content = key ? shared.get(*key, job, stopped, read_it) : read_it();
   if (!content) return content.error();
-  ReferenceLibrary library;
-  library.content_ = *content;
-  return library;
+  return ReferenceLibrary(std::move(*content));
 }
 
-Result<ReferenceLibrary> ReferenceLibrary::from_recording(const std::filesystem::path& video_file,
-                                                          const MarkerTable& table,
-                                                          const FingerSnapshot& finger,
-                                                          const Job& job,
-                                                          std::size_t memory_limit_bytes) {
+namespace {
+
+Result<MarkerModel> learn_model(const MarkerTable& table,
+                                const Finger& finger,
+                                const std::filesystem::path& video_file) {
+  std::vector<int> missing;
+  if (!finger.reference || !finger.reference->places) missing = finger.markers.missing;
+  auto model = MarkerModel::learn(seen_layouts(table, missing), table.typical, missing);
+  if (!model) return Error{model.error().what, video_file.string(), model.error().advice};
+  return model;
+}
+
+}  // namespace
+
+ReferenceLibrary::Content::Content(MarkerModel learnt,
+                                   RecordedFaces&& read,
+                                   const MarkerTable& table,
+                                   const Finger& finger,
+                                   const Camera& camera)
+    : size(camera.size()),
+      grid(std::move(read.grid)),
+      places(std::move(read.places)),
+      faces(std::move(read.faces)),
+      bytes(read.bytes),
+      model(std::move(learnt)),
+      mode_sd(model->mode_sd_px()),
+      ends(read.charts, camera.size().width) {
+  const Eigen::MatrixXd layouts = table.layouts(read.kept, Eigen::all);
+  for (const std::size_t row : read.kept) frames.push_back(table.frames[row]);
+  const bool has_dots = !finger.reference || !finger.reference->places;
+  if (has_dots) {
+    twist = TwistModel::learn(read.poses);
+    shape_poses = ShapePoses::learn(read.edges, table.layouts(read.seen, Eigen::all));
+  }
+  modes.resize(layouts.rows(), mode_sd.size());
+  const std::vector<char> all_seen(static_cast<std::size_t>(layouts.cols() / 2), 1);
+  for (Eigen::Index i = 0; i < layouts.rows(); ++i)
+    modes.row(i) = model->modes(markers_of(layouts, i, all_seen)).cwiseProduct(mode_sd).transpose();
+  search.emplace(layouts);
+  known_px = known_distance_px(*search);
+}
+
+void ReferenceLibrary::Content::study() {
+  take_out_drift(grid, modes, faces);
+  error = reference_error(grid, faces, [&](int i) {
+    std::vector<char> without(faces.size(), 0);
+    without[static_cast<std::size_t>(i)] = 1;
+    return neighbours(modes.row(i).transpose(), without);
+  });
+}
+
+Result<std::shared_ptr<const ReferenceLibrary::Content>> ReferenceLibrary::read(
+    const std::filesystem::path& video_file,
+    const MarkerTable& table,
+    const FingerSnapshot& snapshot,
+    const std::optional<std::string>& made_from,
+    const Job& job,
+    std::size_t memory_limit_bytes) {
+  const Finger& finger = snapshot.finger;
+  auto model = learn_model(table, finger, video_file);
+  if (!model) return model.error();
+  const auto cache = made_from ? cache_folder("faces") : std::nullopt;
+  const std::string key = cache ? program_build() + " " + *made_from : std::string();
+  if (auto kept = cache ? take_kept_faces(*cache, key) : std::nullopt) {
+    ReferenceError error = kept->error;
+    if (auto again = recorded_faces_again(std::move(*kept), table, finger, snapshot.camera)) {
+      auto content = std::make_shared<Content>(
+          std::move(*model), std::move(*again), table, finger, snapshot.camera);
+      content->error = std::move(error);
+      return std::shared_ptr<const Content>(std::move(content));
+    }
+  }
   auto video = VideoFile::open(video_file, job);
   if (!video) return wrong(en::say("the reference recording is missing or no video"), video_file);
   const auto frame = [&](std::size_t number) -> Result<cv::Mat> {
     const auto read = video->frame(number);
     if (!read) return read.error();
-    return picture_for(finger, (*read)->grey, en::say("the recording's picture"), "", "");
+    return picture_for(snapshot, (*read)->grey, en::say("the recording's picture"), "", "");
   };
-  return from_frames(frame,
-                     video->frame_count(),
-                     video_file,
-                     reduced_table(table, finger.reduced_by),
-                     finger.finger,
-                     finger.camera,
-                     job,
-                     memory_limit_bytes);
+  auto faces = read_recorded_faces({frame, video->frame_count(), video_file, table},
+                                   finger,
+                                   snapshot.camera,
+                                   memory_limit_bytes,
+                                   job);
+  if (!faces) return faces.error();
+  KeptFaces keeping{std::move(faces->found), faces->kept, {}, {}};
+  auto content = std::make_shared<Content>(
+      std::move(*model), std::move(*faces), table, finger, snapshot.camera);
+  content->study();
+  if (cache && !keeping.found.empty()) {
+    keeping.error = content->error;
+    keeping.faces.swap(content->faces);
+    // Where nothing can be kept the next who opens the finger reads its recording.
+    static_cast<void>(keep_faces(*cache, key, keeping));
+    keeping.faces.swap(content->faces);
+  }
+  return std::shared_ptr<const Content>(std::move(content));
 }
 
 Result<ReferenceLibrary> ReferenceLibrary::from_frames(const FrameOfRecording& frame,
@@ -241,46 +331,15 @@ Result<ReferenceLibrary> ReferenceLibrary::from_frames(const FrameOfRecording& f
                                                        const Camera& camera,
                                                        const Job& job,
                                                        std::size_t memory_limit_bytes) {
-  std::vector<int> missing;
-  if (!finger.reference || !finger.reference->places) missing = finger.markers.missing;
-  auto model = MarkerModel::learn(seen_layouts(table, missing), table.typical, missing);
-  if (!model) return Error{model.error().what, video_file.string(), model.error().advice};
-  auto read = read_recorded_faces(
+  auto model = learn_model(table, finger, video_file);
+  if (!model) return model.error();
+  auto faces = read_recorded_faces(
       {frame, frame_count, video_file, table}, finger, camera, memory_limit_bytes, job);
-  if (!read) return read.error();
-  auto content = std::make_shared<Content>();
-  content->size = camera.size();
-  content->grid = std::move(read->grid);
-  content->places = std::move(read->places);
-  content->faces = std::move(read->faces);
-  content->bytes = read->bytes;
-  content->ends = EndLengths(read->charts, camera.size().width);
-  const Eigen::MatrixXd layouts = table.layouts(read->kept, Eigen::all);
-  for (const std::size_t row : read->kept) content->frames.push_back(table.frames[row]);
-  const bool has_dots = !finger.reference || !finger.reference->places;
-  if (has_dots) {
-    content->twist = TwistModel::learn(read->poses);
-    content->shape_poses = ShapePoses::learn(read->edges, table.layouts(read->seen, Eigen::all));
-  }
-  content->model = std::move(*model);
-  content->mode_sd = content->model->mode_sd_px();
-  content->modes.resize(layouts.rows(), content->mode_sd.size());
-  const std::vector<char> all_seen(static_cast<std::size_t>(layouts.cols() / 2), 1);
-  for (Eigen::Index i = 0; i < layouts.rows(); ++i)
-    content->modes.row(i) = content->model->modes(markers_of(layouts, i, all_seen))
-                                .cwiseProduct(content->mode_sd)
-                                .transpose();
-  content->search.emplace(layouts);
-  take_out_drift(content->grid, content->modes, content->faces);
-  content->error = reference_error(content->grid, content->faces, [&](int i) {
-    std::vector<char> without(content->faces.size(), 0);
-    without[static_cast<std::size_t>(i)] = 1;
-    return content->neighbours(content->modes.row(i).transpose(), without);
-  });
-  content->known_px = known_distance_px(*content->search);
-  ReferenceLibrary library;
-  library.content_ = std::move(content);
-  return library;
+  if (!faces) return faces.error();
+  auto content =
+      std::make_shared<Content>(std::move(*model), std::move(*faces), table, finger, camera);
+  content->study();
+  return ReferenceLibrary(std::move(content));
 }
 
 Result<ReferenceLibrary> ReferenceLibrary::single(const cv::Mat& grey) {
@@ -294,9 +353,7 @@ Result<ReferenceLibrary> ReferenceLibrary::single(const cv::Mat& grey) {
   grey.convertTo(levels, CV_32F);
   content->single = ReferencePicture(levels);
   content->bytes = content->single.memory_bytes();
-  ReferenceLibrary library;
-  library.content_ = std::move(content);
-  return library;
+  return ReferenceLibrary(std::move(content));
 }
 
 std::size_t ReferenceLibrary::frame_count() const {

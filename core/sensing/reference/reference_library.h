@@ -65,19 +65,12 @@ class ReferenceLibrary {
   /// frame's (the one in the middle of all poses) so that each point of the skin stays at its
   /// place; when that would pass `memory_limit_bytes` only a covering subset of the frames
   /// (farthest-point sampling in marker space). While somebody holds what was read from the same
-  /// files for the same camera and face, that is shared, not read again. Errors: files missing or
+  /// files for the same camera and face, that is shared, not read again; what another program read
+  /// is taken from the user's cache (kept_faces.h), with the same bytes. Errors: files missing or
   /// unreadable, table and video disagree.
   static Result<ReferenceLibrary> load(const FingerSnapshot& finger,
                                        const Job& job,
                                        std::size_t memory_limit_bytes = std::size_t{512} << 20);
-
-  /// The same from a recording and its marker table, at its own pixels, wherever they are.
-  static Result<ReferenceLibrary> from_recording(const std::filesystem::path& video,
-                                                 const MarkerTable& table,
-                                                 const FingerSnapshot& finger,
-                                                 const Job& job,
-                                                 std::size_t memory_limit_bytes = std::size_t{512}
-                                                                                  << 20);
 
   /// The same from frames and a table that are at hand, both at the pixels of `camera`; `video` is
   /// where they are said to come from.
@@ -139,6 +132,14 @@ class ReferenceLibrary {
 
  private:
   struct Content;
+  explicit ReferenceLibrary(std::shared_ptr<const Content> content)
+      : content_(std::move(content)) {}
+  static Result<std::shared_ptr<const Content>> read(const std::filesystem::path& video_file,
+                                                     const MarkerTable& table,
+                                                     const FingerSnapshot& finger,
+                                                     const std::optional<std::string>& made_from,
+                                                     const Job& job,
+                                                     std::size_t memory_limit_bytes);
   std::shared_ptr<const Content> content_;
 };
 

@@ -128,26 +128,6 @@ TEST_F(KeptFinger, ACacheThatCannotBeWrittenIsSaid) {
   EXPECT_FALSE(take_kept_finger(folder_ / "file", "a", folder_ / "taken"));
 }
 
-TEST_F(KeptFinger, LiesWhereTheUsersCacheIs) {
-  const auto variable = [](const char* name) {
-    const char* text = std::getenv(name);
-    return text != nullptr ? std::optional<std::string>(text) : std::nullopt;
-  };
-  const auto cache = variable("XDG_CACHE_HOME"), home = variable("HOME");
-  const auto put = [](const char* name, const std::optional<std::string>& text) {
-    text ? setenv(name, text->c_str(), 1) : unsetenv(name);
-  };
-  put("XDG_CACHE_HOME", "/var/tmp/c");
-  put("HOME", "/home/ada");
-  EXPECT_EQ(kept_fingers_folder(), "/var/tmp/c/alltact/fingers");
-  put("XDG_CACHE_HOME", "not/absolute");
-  EXPECT_EQ(kept_fingers_folder(), "/home/ada/.cache/alltact/fingers");
-  put("HOME", {});
-  EXPECT_FALSE(kept_fingers_folder());
-  put("XDG_CACHE_HOME", cache);
-  put("HOME", home);
-}
-
 /// Without what the time of making leaves there.
 std::map<std::string, std::string> undated_files_of(const fs::path& folder) {
   std::map<std::string, std::string> files = files_of(folder);

@@ -1,5 +1,5 @@
-// A finger with its recording, measured with fewer pixels and other numbers of neighbours: the
-// demonstration's, simulated, a ball pressed into it.
+// A finger with its recording, measured with fewer pixels, other numbers of neighbours and what was
+// kept of the recording: the demonstration's, simulated, a ball pressed into it.
 #include "calibration/reference/reference_recording.h"
 #include "core/finger/reduced_finger.h"
 #include "core/io/atomic_file.h"
@@ -10,7 +10,11 @@
 #include "tests/support/plan_source.h"
 #include "tests/support/temporary_folder.h"
 
+#include <chrono>
 #include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
 
 #include <gtest/gtest.h>
 
@@ -137,6 +141,95 @@ TEST_F(RecordedFinger, MoreNeighboursLeaveLessNoiseInTheReference) {
     EXPECT_LT(gain, before) << neighbours;
     before = gain;
   }
+}
+
+/// One folder for what is kept, while it lives.
+class OwnCache {
+ public:
+  OwnCache() { setenv(kVariable, folder_.path().c_str(), 1); }
+  OwnCache(const OwnCache&) = delete;
+  OwnCache& operator=(const OwnCache&) = delete;
+  ~OwnCache() { setenv(kVariable, before_.c_str(), 1); }
+  [[nodiscard]] std::vector<std::filesystem::path> files() const {
+    std::vector<std::filesystem::path> files;
+    std::error_code none_yet;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(folder_ / "alltact/faces", none_yet))
+      files.push_back(entry.path());
+    return files;
+  }
+
+ private:
+  static constexpr const char* kVariable = "XDG_CACHE_HOME";
+  TemporaryFolder folder_;
+  std::string before_ = std::getenv(kVariable);
+};
+
+void expect_same(const std::vector<FrameResult>& a, const std::vector<FrameResult>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  const auto are_same = [](const cv::Mat& one, const cv::Mat& other) {
+    return one.size() == other.size() && one.type() == other.type() && one.isContinuous() &&
+           other.isContinuous() &&
+           std::memcmp(one.data, other.data, one.total() * one.elemSize()) == 0;
+  };
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_TRUE(are_same(a[i].depth->depth_mm, b[i].depth->depth_mm)) << i;
+    EXPECT_TRUE(are_same(a[i].depth->flags, b[i].depth->flags)) << i;
+    EXPECT_TRUE(are_same(a[i].reference->relative_sd, b[i].reference->relative_sd)) << i;
+    EXPECT_EQ(a[i].reference->error_factor, b[i].reference->error_factor) << i;
+    EXPECT_EQ(a[i].reference->known_pose, b[i].reference->known_pose) << i;
+    EXPECT_EQ(a[i].shape->twist().has_value(), b[i].shape->twist().has_value()) << i;
+  }
+}
+
+TEST_F(RecordedFinger, IsTheSameBitByBitFromWhatWasKept) {
+  namespace fs = std::filesystem;
+  const OwnCache cache;
+  const std::vector<FrameResult> read = measured({});
+  ASSERT_EQ(cache.files().size(), 1U);
+  // The recording itself is not read: nothing of it is left but its size and its date.
+  const fs::path video = folder_->path() / finger_->finger.reference->video;
+  const std::string bytes = read_file(video).value();
+  const auto date = fs::last_write_time(video);
+  const auto fill = [&](const std::string& content) {
+    std::ofstream(video, std::ios::binary | std::ios::in) << content;
+    fs::last_write_time(video, date);
+  };
+  fill(std::string(bytes.size(), '\0'));
+  expect_same(read, measured({}));
+  // What is damaged is not taken.
+  const std::string kept = read_file(cache.files().front()).value();
+  std::string damaged = kept;
+  damaged[damaged.size() / 2] ^= 1;
+  std::ofstream(cache.files().front(), std::ios::binary) << damaged;
+  EXPECT_FALSE(Pipeline::create(*finger_, {}, Job()).ok());
+  // It is replaced when the recording is read again.
+  fill(bytes);
+  expect_same(read, measured({}));
+  EXPECT_EQ(read_file(cache.files().front()).value(), kept);
+  // Another resolution is another's.
+  PipelineSettings half;
+  half.resolution = Resolution::kHalf;
+  static_cast<void>(measured(half));
+  EXPECT_EQ(cache.files().size(), 2U);
+}
+
+TEST_F(RecordedFinger, IsReadAgainWhenItsRecordingHasChanged) {
+  namespace fs = std::filesystem;
+  const OwnCache cache;
+  const std::vector<FrameResult> read = measured({});
+  const fs::path video = folder_->path() / finger_->finger.reference->video;
+  fs::last_write_time(video, fs::last_write_time(video) + std::chrono::seconds(1));
+  expect_same(read, measured({}));
+  EXPECT_EQ(cache.files().size(), 2U);
+}
+
+TEST_F(RecordedFinger, IsMeasuredWhereNothingCanBeKept) {
+  const OwnCache cache;
+  const std::string nowhere = "/proc/nothing/can/be/made/here";
+  setenv("XDG_CACHE_HOME", nowhere.c_str(), 1);
+  EXPECT_EQ(measured({}).size(), std::size_t{kPressed});
+  EXPECT_FALSE(std::filesystem::exists(nowhere));
 }
 
 }  // namespace

@@ -1,0 +1,19 @@
+// What can be made again, and is kept because making it takes long.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+
+namespace alltact {
+
+/// alltact/KIND below $XDG_CACHE_HOME, or below .cache of $HOME; nullopt: neither is told as an
+/// absolute path, and nothing is to be kept.
+[[nodiscard]] std::optional<std::filesystem::path> cache_folder(std::string_view kind);
+
+/// Removes all entries of a cache but the `most` that were written last; hidden ones, which are not
+/// finished, when nobody has written to them for a day. What cannot be removed stays.
+void remove_oldest(const std::filesystem::path& cache, std::size_t most);
+
+}  // namespace alltact
