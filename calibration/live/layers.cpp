@@ -2,10 +2,13 @@
 
 #include "core/grey_range.h"
 #include "core/io/colour_map.h"
+#include "core/numerics/dispatch.h"
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <vector>
 
 namespace alltact {
 namespace {
@@ -15,7 +18,8 @@ constexpr double kFull_mm = 0.25;   // and fully from here on
 constexpr double kStrongest = 0.85;
 constexpr int kStripe_px = 6;
 
-using Pixel = cv::Vec4b;  // blue, green, red, alpha
+using Pixel = cv::Vec4b;                              // blue, green, red, alpha
+using DepthColours = std::array<std::uint32_t, 256>;  // the same, as one number
 
 Pixel premultiplied(MapColour colour, double alpha) {
   const auto times = [&](std::uint8_t channel) {
@@ -24,14 +28,34 @@ Pixel premultiplied(MapColour colour, double alpha) {
   return {times(colour.blue), times(colour.green), times(colour.red), times(255)};
 }
 
-std::array<Pixel, 256> depth_table(double top_mm) {
-  std::array<Pixel, 256> table;
+DepthColours depth_colours(double top_mm) {
+  DepthColours table;
   for (std::size_t i = 0; i < table.size(); ++i) {
     const double part = static_cast<double>(i) / 255, depth_mm = part * top_mm;
     const double strength = std::clamp((depth_mm - kFaint_mm) / (kFull_mm - kFaint_mm), 0.0, 1.0);
-    table[i] = premultiplied(viridis(part), kStrongest * strength);
+    table[i] =
+        std::bit_cast<std::uint32_t>(premultiplied(viridis(part), kStrongest * strength).val);
   }
   return table;
+}
+
+/// Whether any of `count` depths has a colour; NaN has none.
+ALLTACT_WIDE bool has_colour(const float* depth_mm, int count) {
+  constexpr auto faint = static_cast<float>(kFaint_mm);
+  std::int32_t any = 0;
+  for (int u = 0; u < count; ++u) any |= depth_mm[u] > faint ? 1 : 0;
+  return any != 0;
+}
+
+void colour_part(const float* depth_mm,
+                 float steps_per_mm,
+                 int count,
+                 const DepthColours& colours,
+                 std::uint32_t* pixels) {
+  for (int u = 0; u < count; ++u) {
+    const float at = depth_mm[u] * steps_per_mm;  // NaN is not above 0
+    pixels[u] = at > 0 ? colours[static_cast<std::size_t>(std::min(at, 255.0F))] : 0;
+  }
 }
 
 struct Rows {
@@ -65,18 +89,28 @@ cv::Mat fault_flags(const cv::Mat& grey, const FrameResult& result) {
 
 }  // namespace
 
-cv::Mat depth_layer(const DepthMap& depth, double top_mm) {
-  const auto table = depth_table(top_mm);
-  const float scale = static_cast<float>(255 / top_mm);
-  cv::Mat layer(depth.depth_mm.size(), CV_8UC4);
-  for (int v = 0; v < layer.rows; ++v) {
-    const float* d = depth.depth_mm.ptr<float>(v);
-    auto* pixel = layer.ptr<Pixel>(v);
-    for (int u = 0; u < layer.cols; ++u) {
-      const float at = d[u] * scale;  // NaN is not above 0
-      pixel[u] = at > 0 ? table[static_cast<std::size_t>(std::min(at, 255.0F))] : Pixel{};
+PartLayer depth_layer(const DepthMap& depth, double top_mm) {
+  constexpr int kPart = 128;  // columns of a row, of which hardly any shows a colour
+  const cv::Mat& map = depth.depth_mm;
+  std::vector<cv::Rect> parts;
+  cv::Rect all;
+  for (int v = 0; v < map.rows; ++v)
+    for (int u = 0; u < map.cols; u += kPart) {
+      const cv::Rect part(u, v, std::min(kPart, map.cols - u), 1);
+      if (!has_colour(map.ptr<float>(v) + u, part.width)) continue;
+      all = parts.empty() ? part : all | part;
+      parts.push_back(part);
     }
-  }
+  if (parts.empty()) return {};
+  const DepthColours colours = depth_colours(top_mm);
+  const float scale = static_cast<float>(255 / top_mm);
+  PartLayer layer{cv::Mat::zeros(all.size(), CV_8UC4), all.tl()};
+  for (const cv::Rect& part : parts)
+    colour_part(map.ptr<float>(part.y) + part.x,
+                scale,
+                part.width,
+                colours,
+                layer.pixels.ptr<std::uint32_t>(part.y - all.y) + (part.x - all.x));
   return layer;
 }
 

@@ -1,6 +1,7 @@
 // The newest frame measured, on a thread of its own, with whatever finger is open.
 #pragma once
 
+#include "calibration/live/layers.h"
 #include "core/finger/finger_store.h"
 #include "core/sensing/pipeline.h"
 #include "core/sources/frame_hub.h"
@@ -28,7 +29,8 @@ struct LiveView {
   /// Of a frame that could not be measured the frame and its grey picture as it came.
   FrameResult result;
   std::optional<Error> problem;  ///< why it could not
-  cv::Mat depth_layer, faults_layer;
+  std::optional<PartLayer> depth_layer;
+  cv::Mat faults_layer;
   double depth_top_mm = 0;   ///< end of the depth layer's scale
   std::uint64_t opened = 0;  ///< of the finger that measured it, FingerStatus::opened
 };

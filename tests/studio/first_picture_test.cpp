@@ -45,7 +45,7 @@ TEST(SecondDayNeverBlocks, ShowsDepthInOneActionAndTwoSeconds) {
   ASSERT_TRUE(wait_until(
       [&] {
         const auto& view = studio.session().view();
-        return view && !view->depth_layer.empty();
+        return view && view->depth_layer;
       },
       30000));
   const double waited_s = static_cast<double>(clock.elapsed()) / 1000;
@@ -59,9 +59,9 @@ TEST(SecondDayStart, MeasuresTheLastPictureOfASourceThatHasEnded) {
   Studio studio(options);
   ASSERT_TRUE(wait_until(
       [&] { return studio.session().status().source.state == SourceState::kEnded; }, 30000));
-  EXPECT_TRUE(studio.session().view()->depth_layer.empty()) << "nobody knows the finger";
+  EXPECT_FALSE(studio.session().view()->depth_layer) << "nobody knows the finger";
   studio.window().open_finger(MadeFingers::get().calibrated());
-  EXPECT_TRUE(wait_until([&] { return !studio.session().view()->depth_layer.empty(); }, 30000));
+  EXPECT_TRUE(wait_until([&] { return studio.session().view()->depth_layer.has_value(); }, 30000));
 }
 
 TEST(SecondDayStart, OffersOnlyFingersThatCanBeOpened) {

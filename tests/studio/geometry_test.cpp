@@ -202,7 +202,7 @@ TEST_F(Geometry, OfLive) {
   Studio studio(simulated());
   ASSERT_TRUE(wait_until([&] {
     const auto& view = studio.session().view();
-    return view && !view->depth_layer.empty();
+    return view && view->depth_layer;
   }));
   look(studio, "live", *studio.window().findChild<LivePlace*>());
 }

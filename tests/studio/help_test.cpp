@@ -189,7 +189,7 @@ TEST(HelpPictures, OfLiveIsLikeTheWindow) {
   Studio studio(options);
   ASSERT_TRUE(wait_until([&] {
     const auto& view = studio.session().view();
-    return view && !view->depth_layer.empty();
+    return view && view->depth_layer;
   }));
   expect_like_kept(studio.window(), "live");
 }

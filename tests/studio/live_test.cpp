@@ -20,7 +20,7 @@ using testing::HasSubstr;
 bool wait_for_depth(Studio& studio) {
   return wait_until([&] {
     const auto& view = studio.session().view();
-    return view && !view->depth_layer.empty();
+    return view && view->depth_layer;
   });
 }
 

@@ -30,7 +30,7 @@ bool shows_depth(Studio& studio) {
   return wait_until(
       [&] {
         const auto& view = studio.session().view();
-        return view && !view->depth_layer.empty();
+        return view && view->depth_layer;
       },
       30000);
 }
@@ -65,7 +65,7 @@ TEST(ReadmePictures, APressAndItsDepthAreAsMeasured) {
   const cv::Mat& grey = view->result.grey;
   draw(grey, {}, 0);
   draw(cv::Mat(grey.size(), CV_8UC1, cv::Scalar(255)),
-       {layer_overlay(view->depth_layer)},
+       {layer_overlay(view->depth_layer->pixels, view->depth_layer->at)},
        kHalf.width() + kBetweenHalves);
   painter.end();
   expect_in_readme(both, "press_and_depth.png");

@@ -60,7 +60,7 @@ TEST_P(Screens, Live) {
   Studio studio(options);
   ASSERT_TRUE(wait_until([&] {
     const auto& view = studio.session().view();
-    return view && !view->depth_layer.empty();
+    return view && view->depth_layer;
   }));
   save(studio, "live");
 }

@@ -64,12 +64,13 @@ Status give_mapping(const std::filesystem::path& folder) {
 }
 
 /// A camera's 1920 x 1080 MJPEG, a simulated finger in it; what the finger tells found and drawn:
-/// edges and markers, with a reference depth and contacts too. Everything is recorded. Without a
-/// reference the markers are two plain rows. cores: what the whole program takes, the made-up
-/// camera's share included.
+/// edges and markers, with a reference depth and contacts too. Without a reference the markers are
+/// two plain rows. recorded: everything that comes, meanwhile. cores: what the whole program takes,
+/// the made-up camera's share included.
 void age_of_full_hd(benchmark::State& state) {
   const bool has_reference = state.range(0) != 0;
   const auto frames_per_s = static_cast<std::uint32_t>(state.range(1));
+  const bool is_recorded = state.range(2) != 0;
   const TemporaryFolder folder;
   std::ofstream(folder / "hd.yaml") << small_scene(false, 1920);
   const Plan plan = Plan::compile(Scene::load(folder / "hd.yaml").value(), 1).value();
@@ -102,15 +103,18 @@ void age_of_full_hd(benchmark::State& state) {
                60000);
     QTest::qWait(500);
     const std::size_t before = studio.session().ages_ms().size();
-    studio.session().start_recording(folder / "hd.mkv");
+    if (is_recorded) studio.session().start_recording(folder / "hd.mkv");
     const double busy_before = processor_seconds();
     QElapsedTimer clock;
     clock.start();
     QTest::qWait(8000);
     state.counters["cores"] =
         (processor_seconds() - busy_before) / (1e-3 * static_cast<double>(clock.elapsed()));
-    studio.session().stop_recording();
-    wait_until([&] { return studio.session().status().recording.state == RecordingState::kDone; });
+    if (is_recorded) {
+      studio.session().stop_recording();
+      wait_until(
+          [&] { return studio.session().status().recording.state == RecordingState::kDone; });
+    }
     const auto& ages = studio.session().ages_ms();
     const auto& counts = studio.session().status().recording.counts;
     const std::vector<double> all(ages.begin() + static_cast<std::ptrdiff_t>(before), ages.end());
@@ -126,10 +130,11 @@ void age_of_full_hd(benchmark::State& state) {
   }
 }
 BENCHMARK(age_of_full_hd)
-    ->ArgNames({"reference", "frames_per_s"})
-    ->Args({0, 30})
-    ->Args({1, 30})
-    ->Args({1, 60})
+    ->ArgNames({"reference", "frames_per_s", "recorded"})
+    ->Args({0, 30, 1})
+    ->Args({1, 30, 1})
+    ->Args({1, 60, 1})
+    ->Args({1, 60, 0})
     ->Unit(benchmark::kMillisecond)
     ->Iterations(1)
     ->UseRealTime();

@@ -148,7 +148,8 @@ void SideBySide::show_view(View view, const FrameResult& result) {
   ImageView& picture = *views_[static_cast<std::size_t>(view)];
   std::vector<Overlay> overlays;
   if (result.depth) {
-    overlays.push_back(layer_overlay(depth_layer(*result.depth, kDepthTop_mm)));
+    const PartLayer layer = depth_layer(*result.depth, kDepthTop_mm);
+    overlays.push_back(layer_overlay(layer.pixels, layer.at));
     overlays.push_back(colour_bar_overlay(depth_scale(kDepthTop_mm), tr("Depth (mm)")));
   }
   picture.show_picture(result.grey, std::move(overlays));

@@ -45,8 +45,8 @@ struct FrameWords {
 std::vector<Overlay> overlays_for(const LiveView& view, const ViewOptions& options) {
   const FrameResult& result = view.result;
   std::vector<Overlay> overlays;
-  if (options.depth && !view.depth_layer.empty())
-    overlays.push_back(layer_overlay(view.depth_layer));
+  if (options.depth && view.depth_layer)
+    overlays.push_back(layer_overlay(view.depth_layer->pixels, view.depth_layer->at));
   if (options.faults && !view.faults_layer.empty())
     overlays.push_back(layer_overlay(view.faults_layer));
   if (options.edges && result.edges) overlays.push_back(edges_overlay(*result.edges));
@@ -55,7 +55,7 @@ std::vector<Overlay> overlays_for(const LiveView& view, const ViewOptions& optio
     overlays.push_back(dots_overlay(view.result.dots));
   if (options.direction && result.push && result.markers)
     overlays.push_back(push_overlay(*result.push, *result.markers));
-  if (options.depth && !view.depth_layer.empty())
+  if (options.depth && view.depth_layer)
     overlays.push_back(
         colour_bar_overlay(depth_scale(view.depth_top_mm), FrameWords::colour_bar()));
   return overlays;

@@ -137,14 +137,16 @@ Overlay push_overlay(const Push& push, const Markers& markers) {
   };
 }
 
-Overlay layer_overlay(const cv::Mat& layer) {
-  return [layer](QPainter& painter, const ImageTransform& transform) {
+Overlay layer_overlay(const cv::Mat& layer, cv::Point at) {
+  return [layer, at](QPainter& painter, const ImageTransform& transform) {
+    if (layer.empty()) return;
     const QImage image(layer.data,
                        layer.cols,
                        layer.rows,
                        static_cast<qsizetype>(layer.step),
                        QImage::Format_ARGB32_Premultiplied);
-    painter.drawImage(transform.covered(image.size()), image);
+    const QRectF covered = transform.covered(image.size());
+    painter.drawImage(covered.translated(QPointF(at.x, at.y) * transform.scale), image);
   };
 }
 

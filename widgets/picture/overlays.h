@@ -29,8 +29,9 @@ void stroke_over(QPainter& painter,
 [[nodiscard]] Overlay dots_overlay(const std::vector<Dot>& dots);
 /// An arrow in the direction of the force, from the middle of the markers.
 [[nodiscard]] Overlay push_overlay(const Push& push, const Markers& markers);
-/// A layer of LiveView.
-[[nodiscard]] Overlay layer_overlay(const cv::Mat& layer);
+/// A layer of LiveView (layers.h), its first pixel at `at` of the picture; an empty one shows
+/// nothing.
+[[nodiscard]] Overlay layer_overlay(const cv::Mat& layer, cv::Point at = {0, 0});
 /// Words on a dark plate at the upper left of the view.
 [[nodiscard]] Overlay banner_overlay(const QString& words);
 /// The view's border in bright, with words in its middle: something was taken just now.

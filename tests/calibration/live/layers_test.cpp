@@ -1,8 +1,12 @@
-// The stripes of the live picture lie where the measurement says that it cannot measure.
+// What is laid over the live picture: the colours of the depth, and stripes where the measurement
+// says that it cannot measure.
 #include "calibration/live/layers.h"
 
 #include "core/grey_range.h"
+#include "core/io/colour_map.h"
 #include "tests/support/flat_sensor.h"
+
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -112,6 +116,49 @@ TEST(LiveFaults, FollowsTheOneDefinitionWhereNothingIsMeasured) {
     const Stripe row = colour_in(layer, cv::Rect(0, v, kPeriod_px, 1));
     EXPECT_EQ(row, v < kTooDarkBelow ? dark : v >= kClippedFrom ? bright : kNothing) << v;
   }
+}
+
+DepthMap map_of(const cv::Mat& depth_mm) {
+  DepthMap map;
+  map.depth_mm = depth_mm;
+  return map;
+}
+
+TEST(DepthLayer, IsTheColoursOfTheDepthWhereThereIsAny) {
+  constexpr double kTop_mm = 0.8;
+  cv::Mat depth_mm(90, 700, CV_32FC1, cv::Scalar(0.01));
+  depth_mm.row(3).setTo(std::numeric_limits<float>::quiet_NaN());
+  depth_mm.row(4).setTo(-5);
+  for (int u = 290; u < 600; ++u)
+    for (int v = 40; v < 70; ++v) depth_mm.at<float>(v, u) = 0.01F * static_cast<float>(u - 290);
+  const PartLayer layer = depth_layer(map_of(depth_mm), kTop_mm);
+  ASSERT_FALSE(layer.pixels.empty());
+  EXPECT_LT(layer.pixels.total(), depth_mm.total() / 3) << "where nothing is";
+  cv::Mat whole = cv::Mat::zeros(depth_mm.size(), CV_8UC4);
+  layer.pixels.copyTo(whole(cv::Rect(layer.at, layer.pixels.size())));
+  for (int v = 0; v < whole.rows; ++v)
+    for (int u = 0; u < whole.cols; ++u) {
+      const double depth = static_cast<double>(depth_mm.at<float>(v, u));
+      const Stripe here = whole.at<Stripe>(v, u);
+      if (!(depth > 0.05)) {
+        EXPECT_EQ(here, kNothing) << u << ", " << v;
+        continue;
+      }
+      // Full from 0.25 mm on, and 85 % of the colour then.
+      const double part = std::min(depth / kTop_mm, 1.0);
+      const double alpha = 0.85 * std::min((part * kTop_mm - 0.05) / 0.2, 1.0);
+      EXPECT_NEAR(here[3], 255 * alpha, 5) << u << ", " << v;
+      const MapColour colour = viridis(part);
+      EXPECT_NEAR(here[0], alpha * colour.blue, 5);
+      EXPECT_NEAR(here[1], alpha * colour.green, 5);
+      EXPECT_NEAR(here[2], alpha * colour.red, 5);
+    }
+}
+
+TEST(DepthLayer, OfAnUntouchedFaceIsNothing) {
+  cv::Mat depth_mm(50, 70, CV_32FC1);
+  cv::randu(depth_mm, -0.049, 0.049);
+  EXPECT_TRUE(depth_layer(map_of(depth_mm), 1).pixels.empty());
 }
 
 }  // namespace
