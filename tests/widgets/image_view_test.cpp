@@ -150,6 +150,63 @@ TEST_F(ImageViewTest, ArrowsMoveAndNeverLoseThePicture) {
   EXPECT_NEAR(view_.transform().covered({160, 90}).right(), 640, 1e-6);
 }
 
+TEST_F(ImageViewTest, AReducedPictureLiesWhereItsTransformSays) {
+  // Even slopes: a bilinear reduction leaves them as they are.
+  const auto level_at = [](QPointF pixel) { return 10 + pixel.x() / 10 + pixel.y() / 40; };
+  cv::Mat slope(1080, 1920, CV_8UC1);
+  for (int v = 0; v < slope.rows; ++v)
+    for (int u = 0; u < slope.cols; ++u)
+      slope.at<std::uint8_t>(v, u) =
+          static_cast<std::uint8_t>(std::lround(level_at(QPointF(u, v))));
+  view_.show_picture(slope, {});
+  for (const QSize size : {QSize(640, 480), QSize(701, 397), QSize(333, 511), QSize(1500, 901)}) {
+    view_.resize(size);
+    view_.fit();
+    for (int zooms = 0; zooms < 2; ++zooms) {
+      ASSERT_LT(view_.transform().scale, 1);
+      const QImage image = painted();
+      const QRectF covered = view_.transform().covered({slope.cols, slope.rows});
+      int seen = 0;
+      // Not at the view's own edge, which shows that it has the focus.
+      for (int y = 3; y + 3 < image.height(); y += 3)
+        for (int x = 3; x + 3 < image.width(); x += 3) {
+          const QPointF centre(x + 0.5, y + 0.5);
+          if (!covered.adjusted(2, 2, -2, -2).contains(centre)) continue;
+          const double level = level_at(view_.transform().to_picture(centre));
+          ASSERT_NEAR(qGray(image.pixel(x, y)), level, 1.6) << x << ", " << y;
+          ++seen;
+        }
+      EXPECT_GT(seen, 1000);
+      view_.zoom_by(1.27);
+    }
+  }
+}
+
+TEST_F(ImageViewTest, APartOfALayerLiesWhereThePictureShowsIt) {
+  const cv::Rect part(300, 520, 640, 128);
+  const cv::Mat red(part.size(), CV_8UC4, cv::Scalar(0, 0, 255, 255));
+  view_.show_picture(cv::Mat(1080, 1920, CV_8UC1, cv::Scalar(0)),
+                     {layer_overlay(red, part.tl()), layer_overlay(cv::Mat())});
+  for (const QSize size : {QSize(640, 480), QSize(701, 397), QSize(2500, 1500)}) {
+    view_.resize(size);
+    view_.fit();
+    const QImage image = painted();
+    const QRectF shown(view_.transform().to_widget({part.x - 0.5, part.y - 0.5}),
+                       view_.transform().to_widget({part.br().x - 0.5, part.br().y - 0.5}));
+    int wrong = 0;
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x) {
+        const QPointF centre(x + 0.5, y + 0.5);
+        const bool is_inside = shown.adjusted(1, 1, -1, -1).contains(centre),
+                   is_outside = !shown.adjusted(-1, -1, 1, 1).contains(centre);
+        const QRgb here = image.pixel(x, y);
+        wrong += is_inside && (qRed(here) < 200 || qGreen(here) > 50) ? 1 : 0;
+        wrong += is_outside && qRed(here) > qGreen(here) + 50 ? 1 : 0;
+      }
+    EXPECT_EQ(wrong, 0) << size.width();
+  }
+}
+
 TEST_F(ImageViewTest, ProbeFollowsPointerAndKeys) {
   QSignalSpy spy(&view_, &ImageView::probe_changed);
   hover(view_.transform().to_widget({12, 34}).toPoint());
