@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import subprocess
 import time
 from dataclasses import dataclass, field
@@ -56,11 +57,17 @@ def run_program(program: Path, made: Path, facts: dict[str, Any], scratch: Path,
             ],
         ),
     )
+    environment = os.environ | {"XDG_CACHE_HOME": str(scratch.absolute() / "cache")}  # not the user's
     for name, arguments in steps:
         begin = time.monotonic()
         try:
             done = subprocess.run(
-                [str(program), *map(str, arguments)], capture_output=True, text=True, timeout=COMMAND_S, check=False
+                [str(program), *map(str, arguments)],
+                capture_output=True,
+                text=True,
+                timeout=COMMAND_S,
+                check=False,
+                env=environment,
             )
             status, output, errors = done.returncode, done.stdout, done.stderr
         except subprocess.TimeoutExpired:

@@ -270,26 +270,10 @@ bool are_on(const FaceGrid& grid, const KeptFaces& kept) {
          });
 }
 
-}  // namespace
-
-Result<RecordedFaces> read_recorded_faces(const RecordingToRead& frames,
-                                          const Finger& finger,
-                                          const Camera& camera,
-                                          std::size_t limit_bytes,
-                                          const Job& job) {
-  try {
-    return Reader(frames, finger, camera)(limit_bytes, job);
-  } catch (const std::exception& problem) {
-    return Error{en::say("the recording cannot be read ({})", std::string(problem.what())),
-                 frames.video.string(),
-                 en::say("make the reference anew from the recording")};
-  }
-}
-
-std::optional<RecordedFaces> recorded_faces_again(KeptFaces kept,
-                                                  const MarkerTable& table,
-                                                  const Finger& finger,
-                                                  const Camera& camera) {
+std::optional<RecordedFaces> lay_again(KeptFaces kept,
+                                       const MarkerTable& table,
+                                       const Finger& finger,
+                                       const Camera& camera) {
   const std::size_t count = table.frames.size();
   const auto row_of_found = [](const FoundFace& face) { return face.row; };
   if (!are_rows(kept.found, row_of_found, count) || !are_rows(kept.kept, std::identity(), count) ||
@@ -325,6 +309,33 @@ std::optional<RecordedFaces> recorded_faces_again(KeptFaces kept,
   read.faces = std::move(kept.faces);
   for (const FacePicture& face : read.faces) read.bytes += face.bytes();
   return read;
+}
+
+}  // namespace
+
+Result<RecordedFaces> read_recorded_faces(const RecordingToRead& frames,
+                                          const Finger& finger,
+                                          const Camera& camera,
+                                          std::size_t limit_bytes,
+                                          const Job& job) {
+  try {
+    return Reader(frames, finger, camera)(limit_bytes, job);
+  } catch (const std::exception& problem) {
+    return Error{en::say("the recording cannot be read ({})", std::string(problem.what())),
+                 frames.video.string(),
+                 en::say("make the reference anew from the recording")};
+  }
+}
+
+std::optional<RecordedFaces> recorded_faces_again(KeptFaces kept,
+                                                  const MarkerTable& table,
+                                                  const Finger& finger,
+                                                  const Camera& camera) {
+  try {
+    return lay_again(std::move(kept), table, finger, camera);
+  } catch (const std::exception&) {
+    return std::nullopt;  // what is wrong with the recording is said when it is read itself
+  }
 }
 
 }  // namespace alltact

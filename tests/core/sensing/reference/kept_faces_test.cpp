@@ -141,7 +141,7 @@ TEST_F(KeptFacesTest, LeaveAlwaysTheEightThatWereUsedLast) {
   EXPECT_FALSE(take_kept_faces(folder_.path(), "4"));
 }
 
-TEST_F(KeptFacesTest, AreFoundedOnAFolderThatCanBeWritten) {
+TEST_F(KeptFacesTest, SayWhereTheyCannotBeWritten) {
   const fs::path file = folder_ / "file";
   ASSERT_TRUE(write_file_of_many(file, "x"));
   const Status refused = keep_faces(file, "a", some_faces());
