@@ -45,8 +45,10 @@ class Outside {
     static const auto kAngles = gauss_nodes<24>();
     static const auto kWaves = gauss_nodes<64>();
     // Its Abel transform g, times dt.
-    const double peak =
-        2 * a * std::beta(0.5, exponent + 1) / (std::numbers::pi * std::numbers::pi);
+    // B(1/2, m + 1): by std::beta several threads would write the C library's one sign of lgamma.
+    const double beta =
+        std::sqrt(std::numbers::pi) * std::tgamma(exponent + 1) / std::tgamma(exponent + 1.5);
+    const double peak = 2 * a * beta / (std::numbers::pi * std::numbers::pi);
     for (const GaussNode& node : kAngles) {
       const double angle = 0.5 * std::numbers::pi * node.place;
       abel_.push_back({a * std::sin(angle),
