@@ -2,20 +2,28 @@
 
 #include <QFile>
 #include <QPainter>
+#include <QPixmapCache>
 #include <QSvgRenderer>
 #include <cmath>
 
 namespace alltact {
 
 QPixmap symbol(const QString& name, const QColor& colour, int size, double ratio) {
+  // Every picture has the same buttons, and all are drawn anew for another theme.
+  const QString key =
+      QStringLiteral("alltact %1 %2 %3 %4").arg(name, colour.name()).arg(size).arg(ratio);
+  QPixmap pixmap;
+  if (QPixmapCache::find(key, &pixmap)) return pixmap;
   QFile file(QStringLiteral(":/alltact/icons/%1.svg").arg(name));
-  QPixmap pixmap(QSize(size, size) * ratio);
+  pixmap = QPixmap(QSize(size, size) * ratio);
   pixmap.setDevicePixelRatio(ratio);
   pixmap.fill(Qt::transparent);
   if (!file.open(QIODevice::ReadOnly)) return pixmap;
   QSvgRenderer renderer(file.readAll().replace("currentColor", colour.name().toLatin1()));
   QPainter painter(&pixmap);
   renderer.render(&painter, QRectF(0, 0, size, size));
+  painter.end();
+  QPixmapCache::insert(key, pixmap);
   return pixmap;
 }
 
