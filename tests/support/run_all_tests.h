@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
+#include <opencv2/core/utility.hpp>
+#include <sched.h>
 
 namespace alltact::test {
 
@@ -19,7 +21,22 @@ class Reseed : public testing::EmptyTestEventListener {
   }
 };
 
+/// OpenCV's threads (TBB) hand memory over in ways that ThreadSanitizer cannot see. TBB takes as
+/// many as there are cores for it when it is first asked: one, here.
+inline void keep_opencv_to_one_thread() {
+#if defined(__SANITIZE_THREAD__)
+  cpu_set_t all, one;
+  sched_getaffinity(0, sizeof all, &all);
+  CPU_ZERO(&one);
+  CPU_SET(sched_getcpu(), &one);
+  sched_setaffinity(0, sizeof one, &one);
+  cv::parallel_for_({0, 2}, [](const cv::Range&) {});
+  sched_setaffinity(0, sizeof all, &all);
+#endif
+}
+
 inline int run_all_tests(int argc, char** argv) {
+  keep_opencv_to_one_thread();
   // Properties draw the same cases in every run; RC_PARAMS from outside still wins.
   setenv("RC_PARAMS", "seed=20240611", 0);
   // What a test starts keeps its things where the test does, even when it is killed.
