@@ -12,6 +12,7 @@
 #include "tests/support/marked_finger.h"
 #include "tests/support/process_figures.h"
 #include "tests/support/program.h"
+#include "tests/support/sanitized.h"
 
 #include <cstdlib>
 #include <fstream>
@@ -27,12 +28,6 @@ using namespace std::chrono_literals;
 using test::Bend;
 using test::MarkedFinger;
 using Clock = std::chrono::steady_clock;
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kIsSanitized = true;
-#else
-constexpr bool kIsSanitized = false;
-#endif
 
 std::chrono::seconds duration() {
   const char* text = std::getenv("ALLTACT_SOAK_SECONDS");
@@ -266,7 +261,7 @@ TEST(LiveUse, NothingGrowsAndNoFrameIsLostInSilence) {
       test::rise_of(samples, &test::ProcessFigures::threads),
       test::rise_of(samples, &test::ProcessFigures::files));
   // Sanitizers keep what was freed.
-  if (!kIsSanitized) {
+  if (!test::kIsSanitized) {
     EXPECT_LT(growth_mb, 5.0);
   }
   EXPECT_LT(test::rise_of(samples, &test::ProcessFigures::descriptors), 2);
