@@ -1,16 +1,17 @@
 #include "core/program.h"
 
+#include "core/io/atomic_file.h"
+#include "core/numerics/checksum.h"
+
 #include <dlfcn.h>
-#include <fmt/format.h>
-#include <sys/stat.h>
 
 namespace alltact {
 namespace {
 
-/// This library; empty where the loader does not tell.
-std::filesystem::path own_file() {
+/// Where a function was loaded from; empty where the loader does not tell.
+std::filesystem::path file_of(const void* function) {
   Dl_info info{};
-  if (dladdr(reinterpret_cast<void*>(&program_version), &info) == 0) return {};
+  if (dladdr(function, &info) == 0 || info.dli_fname == nullptr) return {};
   std::error_code failed;
   return std::filesystem::canonical(info.dli_fname, failed);
 }
@@ -21,19 +22,18 @@ std::string program_version() {
   return ALLTACT_VERSION;
 }
 
-const std::string& program_build() {
-  static const std::string build = [] {
-    struct stat of {};
-    if (stat(own_file().c_str(), &of) != 0) return program_version();
-    return fmt::format(
-        "{} {} {}.{}", program_version(), of.st_size, of.st_mtim.tv_sec, of.st_mtim.tv_nsec);
-  }();
-  return build;
+std::string checksum_of_code(const void* function) {
+  const auto bytes = read_file(file_of(function));
+  if (!bytes) return "";
+  Checksum sum;
+  sum.add(bytes->data(), bytes->size());
+  return sum.text();
 }
 
 Result<std::filesystem::path> find_resource(const std::filesystem::path& name) {
   namespace fs = std::filesystem;
-  static const fs::path own = own_file().parent_path();
+  static const fs::path own =
+      file_of(reinterpret_cast<const void*>(&program_version)).parent_path();
   std::error_code failed;
   // In lib or in the build's tree, or in lib/ARCHITECTURE.
   for (const char* up : {"..", "../.."}) {

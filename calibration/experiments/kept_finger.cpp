@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cerrno>
 
-#include <dlfcn.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -32,17 +31,11 @@ std::optional<std::string> file_checksum(const fs::path& file) {
   return sum.text();
 }
 
-/// Of the file that a function was loaded from.
-std::string checksum_of_code(void* function) {
-  Dl_info where{};
-  if (dladdr(function, &where) == 0 || where.dli_fname == nullptr) return "";
-  return file_checksum(where.dli_fname).value_or("");
-}
-
-/// Of what makes fingers: a version alone does not change with every line of code.
+/// Of what makes fingers.
 const std::string& program_checksum() {
-  static const std::string checksum = checksum_of_code(reinterpret_cast<void*>(&program_version)) +
-                                      checksum_of_code(reinterpret_cast<void*>(&kept_finger_name));
+  static const std::string checksum =
+      checksum_of_code(reinterpret_cast<const void*>(&program_version)) +
+      checksum_of_code(reinterpret_cast<const void*>(&kept_finger_name));
   return checksum;
 }
 

@@ -1,9 +1,9 @@
 // The faces of a recording as they were read before: opening a finger again takes a tenth of the
 // time.
 //
-// One file holds one recording's, whole or not at all. It stands in it what it was made from, so
-// that another recording, camera or program finds nothing of its own, and a checksum: what is
-// damaged is not taken. Nothing else depends on it, and who removes it loses time only.
+// One file holds one recording's, whole or not at all. In it stand what it was made from, so that
+// another recording, camera or program finds nothing of its own, and a checksum: what is damaged is
+// not taken. Nothing else depends on it, and who removes it loses time only.
 #pragma once
 
 #include "core/result.h"

@@ -75,7 +75,6 @@ class Keeper {
 };
 
 struct Looked {
-  FaceEdges edges;
   FaceShape shape;
   FaceChart chart;
 };
@@ -91,7 +90,7 @@ class FaceLayer {
     if (!shape) return std::nullopt;
     auto chart = chart_of(*shape);
     if (!chart) return std::nullopt;
-    return Looked{edges, std::move(*shape), std::move(*chart)};
+    return Looked{std::move(*shape), std::move(*chart)};
   }
   /// The grid of the first face in a row from the middle of all poses outwards: `face_of` gives a
   /// row's, nullopt where there is none. Whether one was found; errors: those of `face_of`.
@@ -122,8 +121,6 @@ class FaceLayer {
     read.charts.push_back(std::move(looked.chart));
     if (row % (table_.frames.size() / kMostPoses + 1) == 0)
       read.poses.push_back({markers(row), std::move(looked.shape)});
-    if (table_.frames.size() <= kMostFramesKept)
-      read.found.push_back({row, std::move(looked.edges)});
   }
 
  private:
@@ -152,6 +149,7 @@ class FaceLayer {
 struct Row {
   std::size_t number = 0;
   cv::Mat grey;
+  FaceEdges edges;
   std::optional<Looked> looked;
   FacePicture face;
 };
@@ -168,7 +166,8 @@ class Reader {
     const auto face_of = [&](std::size_t row) -> Result<std::optional<Looked>> {
       const auto grey = picture(row);
       if (!grey) return grey.error();
-      return look_at(*grey);
+      const auto edges = finder_(*grey);
+      return edges ? layer_.look_at(*edges) : std::nullopt;
     };
     const auto has_rest = layer_.find_rest(face_of, read);
     if (!has_rest) return has_rest.error();
@@ -189,6 +188,7 @@ class Reader {
         if (!row.looked) continue;
         keeper.add(row.number, std::move(row.face));
         layer_.add(row.number, std::move(*row.looked), read);
+        if (count <= kMostFramesKept) read.found.push_back({row.number, std::move(row.edges)});
       }
     }
     read.bytes = keeper.bytes();
@@ -237,13 +237,12 @@ class Reader {
     if (!grey) return wrong(grey.error().what);
     return grey;
   }
-  [[nodiscard]] std::optional<Looked> look_at(const cv::Mat& grey) const {
-    const auto edges = finder_(grey);
-    return edges ? layer_.look_at(*edges) : std::nullopt;
-  }
   /// A row's face laid on the grid; without `looked` where none is found.
   void look_at(const RecordedFaces& read, Row& row) const {
-    row.looked = look_at(row.grey);
+    auto edges = finder_(row.grey);
+    if (!edges) return;
+    row.edges = std::move(*edges);
+    row.looked = layer_.look_at(row.edges);
     if (row.looked && !layer_.lay(read, row.number, *row.looked)) row.looked.reset();
     if (row.looked) row.face = keep_face(row.grey, row.looked->chart, read.grid);
   }

@@ -44,7 +44,8 @@ struct RecordedFaces {
   std::vector<FaceChart> charts;   ///< of these, laid on the rest frame's
   /// Of some of these, spread over the recording: to learn the finger's twist from.
   std::vector<TwistModel::Pose> poses;
-  /// What the faces were found by, of `seen`; empty of more than kMostFramesKept.
+  /// What the faces were found by, of `seen`, for those who keep them; empty of more than
+  /// kMostFramesKept, and of faces that were kept.
   std::vector<FoundFace> found;
 };
 

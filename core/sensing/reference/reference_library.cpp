@@ -226,6 +226,13 @@ Result<ReferenceLibrary> ReferenceLibrary::load(const FingerSnapshot& snapshot,
 
 namespace {
 
+/// What makes faces of recordings.
+const std::string& made_by() {
+  static const std::string code =
+      checksum_of_code(reinterpret_cast<const void*>(&read_recorded_faces));
+  return code;
+}
+
 Result<MarkerModel> learn_model(const MarkerTable& table,
                                 const Finger& finger,
                                 const std::filesystem::path& video_file) {
@@ -286,7 +293,7 @@ Result<std::shared_ptr<const ReferenceLibrary::Content>> ReferenceLibrary::read(
   auto model = learn_model(table, finger, video_file);
   if (!model) return model.error();
   const auto cache = made_from ? cache_folder("faces") : std::nullopt;
-  const std::string key = cache ? program_build() + " " + *made_from : std::string();
+  const std::string key = cache ? made_by() + " " + *made_from : std::string();
   if (auto kept = cache ? take_kept_faces(*cache, key) : std::nullopt) {
     ReferenceError error = kept->error;
     if (auto again = recorded_faces_again(std::move(*kept), table, finger, snapshot.camera)) {
