@@ -1,39 +1,24 @@
 #include "core/program.h"
 
-#include "core/io/atomic_file.h"
-#include "core/numerics/checksum.h"
-
 #include <dlfcn.h>
 
 namespace alltact {
-namespace {
 
-/// Where a function was loaded from; empty where the loader does not tell.
-std::filesystem::path file_of(const void* function) {
+std::string program_version() {
+  return ALLTACT_VERSION;
+}
+
+std::filesystem::path file_with(const void* function) {
   Dl_info info{};
   if (dladdr(function, &info) == 0 || info.dli_fname == nullptr) return {};
   std::error_code failed;
   return std::filesystem::canonical(info.dli_fname, failed);
 }
 
-}  // namespace
-
-std::string program_version() {
-  return ALLTACT_VERSION;
-}
-
-std::string checksum_of_code(const void* function) {
-  const auto bytes = read_file(file_of(function));
-  if (!bytes) return "";
-  Checksum sum;
-  sum.add(bytes->data(), bytes->size());
-  return sum.text();
-}
-
 Result<std::filesystem::path> find_resource(const std::filesystem::path& name) {
   namespace fs = std::filesystem;
   static const fs::path own =
-      file_of(reinterpret_cast<const void*>(&program_version)).parent_path();
+      file_with(reinterpret_cast<const void*>(&program_version)).parent_path();
   std::error_code failed;
   // In lib or in the build's tree, or in lib/ARCHITECTURE.
   for (const char* up : {"..", "../.."}) {

@@ -11,10 +11,8 @@ namespace alltact {
 /// "0.1.0"
 [[nodiscard]] std::string program_version();
 
-/// Of the bytes of the file that a function was loaded from; empty where that cannot be read. A
-/// version alone does not change with every line of code: for what is kept from one run to the next
-/// and must have been made by the same code.
-[[nodiscard]] std::string checksum_of_code(const void* function);
+/// The program or library that a function was loaded from; empty where the loader does not tell.
+[[nodiscard]] std::filesystem::path file_with(const void* function);
 
 /// A file of the resources, "scenes/NAME.yaml", in share/alltact beside the folder that this
 /// library was loaded from, so that an installed tree may be moved; in a build's tree that is a

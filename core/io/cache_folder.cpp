@@ -1,5 +1,9 @@
 #include "core/io/cache_folder.h"
 
+#include "core/io/atomic_file.h"
+#include "core/numerics/checksum.h"
+#include "core/program.h"
+
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
@@ -43,6 +47,14 @@ void remove_oldest(const fs::path& cache, std::size_t most) {
   if (kept.size() > most)
     gone.insert(gone.end(), kept.begin() + static_cast<std::ptrdiff_t>(most), kept.end());
   for (const auto& one : gone) fs::remove_all(one.second, failed);
+}
+
+std::string checksum_of_code(const void* function) {
+  const auto bytes = read_file(file_with(function));
+  if (!bytes) return "";
+  Checksum sum;
+  sum.add(bytes->data(), bytes->size());
+  return sum.text();
 }
 
 }  // namespace alltact

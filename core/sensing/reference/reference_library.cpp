@@ -2,7 +2,6 @@
 
 #include "core/finger/reduced_finger.h"
 #include "core/io/cache_folder.h"
-#include "core/program.h"
 #include "core/recording/video_file.h"
 #include "core/sensing/markers/layout_search.h"
 #include "core/sensing/reference/flat_reference.h"
