@@ -70,6 +70,7 @@ StreamMessage frame_message(const FrameResult& result,
                             const FingerSnapshot& finger,
                             StreamPartSet wanted) {
   StreamMessage message = of_frame(*result.frame, line, finger);
+  message.sought = wanted;
   if (wanted[kPicture]) message.parts[kPicture] = result.grey;
   if (!result.depth) return message;
   if (wanted[kDepth16]) message.parts[kDepth16] = depth_steps(result.depth->depth_mm);
@@ -84,6 +85,7 @@ StreamMessage unmeasured_message(const Frame& frame,
                                  const FingerSnapshot& finger,
                                  StreamPartSet wanted) {
   StreamMessage message = of_frame(frame, line, finger);
+  message.sought = wanted;
   if (wanted[kPicture]) message.parts[kPicture] = frame.grey;
   return message;
 }

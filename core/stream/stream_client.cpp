@@ -104,6 +104,8 @@ void StreamClient::take_line(Clock::time_point now) {
 
 void StreamClient::offer(const StreamMessagePtr& message, Clock::time_point now) {
   if (!has_asked()) return;
+  // Under way when this client came: the next has what it asked for.
+  if (message->type == StreamType::kFrame && (wanted() & ~message->sought).any()) return;
   const bool replaces_frame =
       message->type == StreamType::kFrame || message->type == StreamType::kFinger;
   if (replaces_frame && newest_) {

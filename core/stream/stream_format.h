@@ -93,6 +93,8 @@ struct StreamMessage {
   std::string json;  ///< one object
   /// By StreamPart; empty: there is none. Not written to from now on.
   std::array<cv::Mat, kStreamParts.size()> parts;
+  /// Which were to be made: the others are missing because nobody wanted them.
+  StreamPartSet sought = StreamPartSet().set();
 };
 
 /// The same as one client gets it: `head` (header, table, JSON), then each part with zeros behind

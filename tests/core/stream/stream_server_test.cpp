@@ -165,6 +165,23 @@ TEST_F(StreamServerTest, EachGetsWhatItAskedFor) {
   EXPECT_EQ(server_->counts().lost, 0U);
 }
 
+TEST_F(StreamServerTest, AFrameThatWasUnderWayWithoutWhatIsAskedForIsNotSent) {
+  const auto wanting = listener(" depth16"), content = listener("");
+  StreamMessage before = frame(1);
+  before.sought = StreamPartSet();
+  before.parts = {};
+  server_->publish(before);
+  server_->publish(frame(2));
+  const auto heard = wanting->hear();
+  ASSERT_TRUE(heard);
+  EXPECT_EQ(heard->header.sequence, 2U);
+  EXPECT_EQ(heard->header.lost, 0U);
+  EXPECT_EQ(heard->table.size(), 1U);
+  const auto other = content->hear();
+  ASSERT_TRUE(other);
+  EXPECT_TRUE(other->header.sequence == 1 || other->header.lost == 1);
+}
+
 TEST_F(StreamServerTest, WhoeverComesLateHearsTheFingerAsItIsNow) {
   server_->publish(finger(2));
   const auto peer = listener("");
