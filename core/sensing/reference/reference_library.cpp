@@ -24,6 +24,12 @@ Error wrong(Message what, const std::filesystem::path& file) {
   return {std::move(what), file.string(), en::say("make the reference anew from the recording")};
 }
 
+/// Where a recording's faces are kept from one run to the next, and what they are made from.
+struct KeptUnder {
+  std::filesystem::path folder;
+  std::string made_from;
+};
+
 }  // namespace
 
 struct ReferenceLibrary::Content {
@@ -34,8 +40,17 @@ struct ReferenceLibrary::Content {
           const MarkerTable& table,
           const Finger& finger,
           const Camera& camera);
+  /// Of faces that an earlier run kept; null: there are none.
+  static std::shared_ptr<Content> of_kept(const KeptUnder& under,
+                                          MarkerModel learnt,
+                                          const MarkerTable& table,
+                                          const FingerSnapshot& snapshot);
   /// Takes the drift of the light out of the faces, and tells how far off references are.
   void study();
+  /// Keeps the studied faces for the next run; where that cannot be, it reads the recording again.
+  void keep(const KeptUnder& under,
+            std::vector<FoundFace> found,
+            const std::vector<std::size_t>& kept);
   /// The recorded frames nearest to a place in the modes, and their weights there.
   [[nodiscard]] Neighbours neighbours(const Eigen::VectorXd& place,
                                       const std::vector<char>& without,
@@ -225,11 +240,13 @@ Result<ReferenceLibrary> ReferenceLibrary::load(const FingerSnapshot& snapshot,
 
 namespace {
 
-/// What makes faces of recordings.
-const std::string& made_by() {
+/// nullopt: what the faces are made from cannot be told, or there is no cache.
+std::optional<KeptUnder> kept_under(const std::optional<std::string>& made_from) {
   static const std::string code =
       checksum_of_code(reinterpret_cast<const void*>(&read_recorded_faces));
-  return code;
+  auto folder = cache_folder("faces");
+  if (!made_from || !folder) return std::nullopt;
+  return KeptUnder{std::move(*folder), code + " " + *made_from};
 }
 
 Result<MarkerModel> learn_model(const MarkerTable& table,
@@ -281,6 +298,31 @@ void ReferenceLibrary::Content::study() {
   });
 }
 
+std::shared_ptr<ReferenceLibrary::Content> ReferenceLibrary::Content::of_kept(
+    const KeptUnder& under,
+    MarkerModel learnt,
+    const MarkerTable& table,
+    const FingerSnapshot& snapshot) {
+  auto kept = take_kept_faces(under.folder, under.made_from);
+  if (!kept) return nullptr;
+  ReferenceError error = std::move(kept->error);
+  auto faces = recorded_faces_again(std::move(*kept), table, snapshot.finger, snapshot.camera);
+  if (!faces) return nullptr;
+  auto content = std::make_shared<Content>(
+      std::move(learnt), std::move(*faces), table, snapshot.finger, snapshot.camera);
+  content->error = std::move(error);
+  return content;
+}
+
+void ReferenceLibrary::Content::keep(const KeptUnder& under,
+                                     std::vector<FoundFace> found,
+                                     const std::vector<std::size_t>& kept) {
+  if (found.empty()) return;
+  KeptFaces keeping{std::move(found), kept, std::move(faces), error};
+  static_cast<void>(keep_faces(under.folder, under.made_from, keeping));
+  faces = std::move(keeping.faces);
+}
+
 Result<std::shared_ptr<const ReferenceLibrary::Content>> ReferenceLibrary::read(
     const std::filesystem::path& video_file,
     const MarkerTable& table,
@@ -291,17 +333,10 @@ Result<std::shared_ptr<const ReferenceLibrary::Content>> ReferenceLibrary::read(
   const Finger& finger = snapshot.finger;
   auto model = learn_model(table, finger, video_file);
   if (!model) return model.error();
-  const auto cache = made_from ? cache_folder("faces") : std::nullopt;
-  const std::string key = cache ? made_by() + " " + *made_from : std::string();
-  if (auto kept = cache ? take_kept_faces(*cache, key) : std::nullopt) {
-    ReferenceError error = kept->error;
-    if (auto again = recorded_faces_again(std::move(*kept), table, finger, snapshot.camera)) {
-      auto content = std::make_shared<Content>(
-          std::move(*model), std::move(*again), table, finger, snapshot.camera);
-      content->error = std::move(error);
+  const auto under = kept_under(made_from);
+  if (under)
+    if (auto content = Content::of_kept(*under, *model, table, snapshot))
       return std::shared_ptr<const Content>(std::move(content));
-    }
-  }
   auto video = VideoFile::open(video_file, job);
   if (!video) return wrong(en::say("the reference recording is missing or no video"), video_file);
   const auto frame = [&](std::size_t number) -> Result<cv::Mat> {
@@ -315,17 +350,12 @@ Result<std::shared_ptr<const ReferenceLibrary::Content>> ReferenceLibrary::read(
                                    memory_limit_bytes,
                                    job);
   if (!faces) return faces.error();
-  KeptFaces keeping{std::move(faces->found), faces->kept, {}, {}};
+  auto found = std::move(faces->found);
+  const auto kept = faces->kept;
   auto content = std::make_shared<Content>(
       std::move(*model), std::move(*faces), table, finger, snapshot.camera);
   content->study();
-  if (cache && !keeping.found.empty()) {
-    keeping.error = content->error;
-    keeping.faces.swap(content->faces);
-    // Where nothing can be kept the next who opens the finger reads its recording.
-    static_cast<void>(keep_faces(*cache, key, keeping));
-    keeping.faces.swap(content->faces);
-  }
+  if (under) content->keep(*under, std::move(found), kept);
   return std::shared_ptr<const Content>(std::move(content));
 }
 
