@@ -14,7 +14,7 @@ void solve(benchmark::State& state, int count, double incline) {
   using namespace made;
   std::mt19937 random(1);
   std::vector<Press> presses;
-  std::optional<Scene> scene;
+  std::optional<MadeScene> scene;
   for (int i = 0; i < count; ++i) {
     scene = finger_scene(40.0, incline * (2.0 * i / count - 1.0));
     const Ball ball{

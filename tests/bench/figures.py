@@ -93,6 +93,7 @@ def renew(build):
     told = json.loads(FIGURES.read_text(encoding="utf-8"))
     run(["cmake", "--build", build, "--target", "frame_costs", "alltact"])
     with tempfile.TemporaryDirectory() as scratch:
+        frame_costs.keep_nothing_of_the_user(scratch)
         costs = frame_costs.measure(build, f"{scratch}/demo", 9)
         report = json.loads(Path(scratch, "demo/report.json").read_text())
     for name, step in costs["ours"]["steps"].items():
@@ -160,6 +161,7 @@ def against(commit, runs):
     run([TOP / "packaging/build", "release", "alltact_bench", "frame_costs", "alltact"])
     told = [{}, {}]
     with tempfile.TemporaryDirectory() as scratch:
+        frame_costs.keep_nothing_of_the_user(scratch)
         demo = f"{scratch}/demo"
         run([builds[1] / "app/alltact", "demo", "-o", demo])
         for turn in range(runs):

@@ -17,6 +17,11 @@ def told_by(command):
     return run.stdout
 
 
+def keep_nothing_of_the_user(scratch):
+    """Programs that are started from here keep what they keep for the next time in this folder."""
+    os.environ["XDG_CACHE_HOME"] = f"{scratch}/cache"
+
+
 def measure(build, demo, repeat):
     program, bench = f"{build}/app/alltact", os.path.dirname(os.path.abspath(__file__))
     if not os.path.exists(f"{demo}/finger/finger.yaml"):
@@ -52,6 +57,7 @@ def main():
     parser.add_argument("--json", action="store_true")
     args = parser.parse_args()
     with tempfile.TemporaryDirectory() as scratch:
+        keep_nothing_of_the_user(scratch)
         told = measure(args.build, args.demo or f"{scratch}/demo", args.repeat)
     print(json.dumps(told, indent=1) if args.json else table(told))
 

@@ -4,6 +4,7 @@
 #include "core/finger/new_finger.h"
 #include "core/simulation/plan.h"
 #include "tests/studio/studio_rig.h"
+#include "tests/support/own_cache.h"
 #include "widgets/picture/outline_editor.h"
 #include "widgets/scene3d/vtk_view.h"
 
@@ -186,6 +187,7 @@ BENCHMARK(drag_of_an_outline)->Unit(benchmark::kMillisecond);
 }  // namespace alltact::test
 
 int main(int argc, char** argv) {
+  const alltact::test::OwnCache cache;
   setenv("QT_QPA_PLATFORM", "offscreen", 0);
   benchmark::Initialize(&argc, argv);
   alltact::VtkView::prepare_application();

@@ -2,10 +2,9 @@
 // user's cache.
 #pragma once
 
-#include "tests/support/temporary_folder.h"
+#include "tests/support/own_cache.h"
 
 #include <cstdlib>
-#include <optional>
 
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
@@ -39,14 +38,7 @@ inline int run_all_tests(int argc, char** argv) {
   keep_opencv_to_one_thread();
   // Properties draw the same cases in every run; RC_PARAMS from outside still wins.
   setenv("RC_PARAMS", "seed=20240611", 0);
-  // What a test starts keeps its things where the test does, even when it is killed.
-  constexpr const char* kOwnCache = "ALLTACT_CACHE_OF_TESTS";
-  std::optional<TemporaryFolder> cache;
-  if (std::getenv(kOwnCache) == nullptr) {
-    cache.emplace();
-    setenv(kOwnCache, "1", 1);
-    setenv("XDG_CACHE_HOME", cache->path().c_str(), 1);
-  }
+  const OwnCache cache;
   testing::InitGoogleTest(&argc, argv);
   testing::UnitTest::GetInstance()->listeners().Append(new Reseed);
   return RUN_ALL_TESTS();

@@ -144,12 +144,12 @@ TEST_F(RecordedFinger, MoreNeighboursLeaveLessNoiseInTheReference) {
 }
 
 /// One folder for what is kept, while it lives.
-class OwnCache {
+class EmptyCache {
  public:
-  OwnCache() { setenv(kVariable, folder_.path().c_str(), 1); }
-  OwnCache(const OwnCache&) = delete;
-  OwnCache& operator=(const OwnCache&) = delete;
-  ~OwnCache() { setenv(kVariable, before_.c_str(), 1); }
+  EmptyCache() { setenv(kVariable, folder_.path().c_str(), 1); }
+  EmptyCache(const EmptyCache&) = delete;
+  EmptyCache& operator=(const EmptyCache&) = delete;
+  ~EmptyCache() { setenv(kVariable, before_.c_str(), 1); }
   [[nodiscard]] std::vector<std::filesystem::path> files() const {
     std::vector<std::filesystem::path> files;
     std::error_code none_yet;
@@ -184,7 +184,7 @@ void expect_same(const std::vector<FrameResult>& a, const std::vector<FrameResul
 
 TEST_F(RecordedFinger, IsTheSameBitByBitFromWhatWasKept) {
   namespace fs = std::filesystem;
-  const OwnCache cache;
+  const EmptyCache cache;
   const std::vector<FrameResult> read = measured({});
   ASSERT_EQ(cache.files().size(), 1U);
   // The recording itself is not read: nothing of it is left but its size and its date.
@@ -216,7 +216,7 @@ TEST_F(RecordedFinger, IsTheSameBitByBitFromWhatWasKept) {
 
 TEST_F(RecordedFinger, IsReadAgainWhenItsRecordingHasChanged) {
   namespace fs = std::filesystem;
-  const OwnCache cache;
+  const EmptyCache cache;
   const std::vector<FrameResult> read = measured({});
   const fs::path video = folder_->path() / finger_->finger.reference->video;
   fs::last_write_time(video, fs::last_write_time(video) + std::chrono::seconds(1));
@@ -225,7 +225,7 @@ TEST_F(RecordedFinger, IsReadAgainWhenItsRecordingHasChanged) {
 }
 
 TEST_F(RecordedFinger, IsMeasuredWhereNothingCanBeKept) {
-  const OwnCache cache;
+  const EmptyCache cache;
   const std::string nowhere = "/proc/nothing/can/be/made/here";
   setenv("XDG_CACHE_HOME", nowhere.c_str(), 1);
   EXPECT_EQ(measured({}).size(), std::size_t{kPressed});
