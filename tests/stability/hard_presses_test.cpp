@@ -35,7 +35,7 @@ std::vector<Press> good_presses(std::mt19937& random) {
 }
 
 Result<Calibration> solved(const std::vector<Press>& presses) {
-  const Scene scene = flat_scene();
+  const MadeScene scene = flat_scene();
   return calibrate(presses, scene.camera, scene.face, {}, Job{});
 }
 

@@ -17,7 +17,7 @@
 
 namespace alltact::made {
 
-struct Scene {
+struct MadeScene {
   Camera camera;
   Face face;
   FaceShape shape;
@@ -25,7 +25,7 @@ struct Scene {
 };
 
 /// A flat sensor, orthographic.
-inline Scene flat_scene(double mm_per_px = 0.05, int width = 400, int height = 300) {
+inline MadeScene flat_scene(double mm_per_px = 0.05, int width = 400, int height = 300) {
   CameraParameters p;
   p.model = CameraModel::kOrthographic;
   p.width_px = width;
@@ -42,7 +42,7 @@ inline Scene flat_scene(double mm_per_px = 0.05, int width = 400, int height = 3
 }
 
 /// A straight Fin Ray face seen in perspective: z = z0 + x tan(incline), from its two edges.
-inline Scene finger_scene(double z0_mm, double incline_deg) {
+inline MadeScene finger_scene(double z0_mm, double incline_deg) {
   const CameraParameters p = pinhole();
   Face face;
   face.width_mm = 24.0;
@@ -226,7 +226,7 @@ inline double depth_over(const Punch& punch, const Eigen::Vector2d& at) {
 /// The brightness difference of a skin whose depth along the normal is `depth_of(point)`, a point
 /// of the untouched outer side; along z.
 template <class DepthOf>
-cv::Mat difference_of(const Scene& scene, const Layer& layer, const DepthOf& depth_of) {
+cv::Mat difference_of(const MadeScene& scene, const Layer& layer, const DepthOf& depth_of) {
   const cv::Size size = scene.camera.size();
   cv::Mat x(size, CV_32FC1, cv::Scalar(std::numeric_limits<float>::quiet_NaN()));
   const Eigen::Vector3d back(0.0, 0.0, 1.0);
@@ -244,7 +244,7 @@ cv::Mat difference_of(const Scene& scene, const Layer& layer, const DepthOf& dep
   return x;
 }
 
-inline Press make_punch_press(const Scene& scene,
+inline Press make_punch_press(const MadeScene& scene,
                               const Layer& layer,
                               const Punch& punch,
                               double noise,
@@ -267,7 +267,7 @@ inline Press make_punch_press(const Scene& scene,
 }
 
 /// noise: see noisy_difference.
-inline Made make_press(const Scene& scene,
+inline Made make_press(const MadeScene& scene,
                        const Layer& layer,
                        const Contact& contact,
                        const std::vector<Ball>& balls,

@@ -23,7 +23,7 @@ struct Forecast {
 
 Forecast four_presses() {
   Forecast made;
-  const made::Scene scene = finger_scene(40.0, 20.0);
+  const made::MadeScene scene = finger_scene(40.0, 20.0);
   made.finger.camera = scene.camera.parameters();
   made.finger.face = scene.face;
   made.inputs.said.ball_radius_mm = 4.0;

@@ -45,7 +45,7 @@ std::vector<Press> flat_presses(const Layer& layer,
 
 Calibration calibration_of(const std::vector<Press>& presses,
                            const CalibrationSettings& settings = {}) {
-  const Scene scene = flat_scene();
+  const MadeScene scene = flat_scene();
   auto result = calibrate(presses, scene.camera, scene.face, settings, Job{});
   EXPECT_TRUE(result.ok()) << result.error().sentence();
   return result.value();
@@ -110,7 +110,7 @@ TEST(Calibrate, TellsHowTheSolutionSettlesAndThatChangesNothing) {
   const std::vector<Press> presses = flat_presses({0.6, 0.02}, {}, 3, random);
   std::vector<Round> rounds;
   const auto listen = [&](const Round& round) { rounds.push_back(round); };
-  const Scene scene = flat_scene();
+  const MadeScene scene = flat_scene();
   const auto heard = calibrate(presses, scene.camera, scene.face, {}, Job{}, listen);
   ASSERT_TRUE(heard.ok()) << heard.error().sentence();
   ASSERT_GE(rounds.size(), 3U);
@@ -124,7 +124,7 @@ TEST(Calibrate, TellsHowTheSolutionSettlesAndThatChangesNothing) {
 TEST(Calibrate, BallsOfSeveralSizesGiveOneMapping) {
   std::mt19937 random(29);
   const Layer layer{0.7, 0.02};
-  const Scene scene = flat_scene();
+  const MadeScene scene = flat_scene();
   const double radii_mm[] = {2.0, 5.0, 3.0, 4.0};
   std::vector<Press> presses;
   std::vector<Eigen::Vector3d> centres_mm;
@@ -169,7 +169,7 @@ TEST(Calibrate, InclinedFacesTellWhichThicknessCounts) {
        {MappingAlong::kZ, MappingAlong::kNormal, MappingAlong::kProjected}) {
     const Layer layer{0.8, 0.02, 1.5, along};
     std::vector<Press> presses;
-    std::optional<Scene> last;
+    std::optional<MadeScene> last;
     const double inclines[] = {-24.0, 0.0, 12.0, 28.0};
     for (int i = 0; i < 4; ++i) {
       last = finger_scene(40.0, inclines[i]);
@@ -195,7 +195,7 @@ TEST(Calibrate, UnevenLightIsSeenAndAnsweredAndEvenLightIsLeftAlone) {
        {Eigen::Vector2d(0.0, 0.0), Eigen::Vector2d(0.15, 0.0), Eigen::Vector2d(-0.08, 0.12)}) {
     Layer layer{0.7, 0.02};
     layer.uneven = uneven;
-    const Scene scene = flat_scene();
+    const MadeScene scene = flat_scene();
     std::vector<Press> presses;
     const double places[][2] = {
         {90, 80}, {310, 90}, {200, 150}, {90, 220}, {310, 215}, {150, 110}, {260, 190}};
@@ -269,7 +269,7 @@ TEST(Calibrate, TheSamePictureTwiceCountsOnce) {
 
 TEST(Calibrate, UnusablePressesAreNamedAndTheRestIsUsed) {
   std::mt19937 random(27);
-  const Scene scene = flat_scene();
+  const MadeScene scene = flat_scene();
   std::vector<Press> presses = flat_presses({}, {}, 3, random);
   Press empty = make_press(scene, {}, {}, {}, 1.0, random, "empty").press;
   presses.insert(presses.begin() + 1, empty);
@@ -305,7 +305,7 @@ TEST(Calibrate, AskedForFamiliesAreUsed) {
 
 TEST(Calibrate, StoppedBeforeTheFirstSolutionSaysSo) {
   std::mt19937 random(29);
-  const Scene scene = flat_scene();
+  const MadeScene scene = flat_scene();
   const std::vector<Press> presses = flat_presses({}, {}, 1, random);
   Job job;
   job.request_stop();

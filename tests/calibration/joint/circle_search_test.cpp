@@ -16,7 +16,7 @@ namespace {
 
 using namespace made;
 
-Result<SearchedCircle> searched(const Press& press, const Scene& scene) {
+Result<SearchedCircle> searched(const Press& press, const MadeScene& scene) {
   const auto dark = dark_circle(press, scene.camera);
   if (!dark) return dark.error();
   return search_circle(
@@ -27,7 +27,7 @@ Result<SearchedCircle> searched(const Press& press, const Scene& scene) {
 /// granted.
 TEST(CircleSearch, FindsTheKnownBallInPerspective) {
   std::mt19937 random(5);
-  const Scene scene = finger_scene(60.0, 25.0);
+  const MadeScene scene = finger_scene(60.0, 25.0);
   for (const double depth_mm : {0.6, 0.9}) {
     const Made made =
         make_press(scene, {0.6, 0.02}, {}, {{470, 280, 4.0, depth_mm}}, 0.02, random, "p");
@@ -45,7 +45,7 @@ TEST(CircleSearch, FindsTheKnownBallInPerspective) {
 
 TEST(CircleSearch, FindsTheKnownBallOnAFlatSensor) {
   std::mt19937 random(6);
-  const Scene scene = flat_scene();
+  const MadeScene scene = flat_scene();
   const Made made = make_press(scene, {0.6, 0.02}, {}, {{190, 140, 4.0, 0.8}}, 0.02, random, "p");
   const auto found = searched(made.press, scene);
   ASSERT_TRUE(found.ok()) << found.error().sentence();
@@ -54,7 +54,7 @@ TEST(CircleSearch, FindsTheKnownBallOnAFlatSensor) {
 }
 
 TEST(CircleSearch, ACircleOnTheAxisIsTheBallItIsDrawnFrom) {
-  const Scene scene = finger_scene(60.0, 0.0);
+  const MadeScene scene = finger_scene(60.0, 0.0);
   const CameraParameters& lens = scene.camera.parameters();
   const double z = 70.0, radius = 3.0;
   const double size = lens.fy_px * radius / std::sqrt(z * z - radius * radius);
@@ -65,7 +65,7 @@ TEST(CircleSearch, ACircleOnTheAxisIsTheBallItIsDrawnFrom) {
 
 TEST(CircleSearch, ThinDarkLinesAreNoDisc) {
   std::mt19937 random(15);
-  const Scene scene = flat_scene();
+  const MadeScene scene = flat_scene();
   Made made = make_press(scene, {}, {}, {{200, 150, 4.0, 0.6}}, 1.0, random);
   // As a reference of nearly the same pose leaves along the face's edges.
   made.press.difference.x(cv::Rect(20, 20, 360, 7)) += 0.4F;
@@ -77,7 +77,7 @@ TEST(CircleSearch, ThinDarkLinesAreNoDisc) {
 
 TEST(CircleSearch, NothingPressedIsASentence) {
   std::mt19937 random(16);
-  const Scene scene = flat_scene();
+  const MadeScene scene = flat_scene();
   const Made made = make_press(scene, {}, {}, {}, 0.2, random, "empty");
   const auto dark = dark_circle(made.press, scene.camera);
   ASSERT_FALSE(dark.ok());
@@ -92,7 +92,7 @@ TEST(CircleSearch, NothingPressedIsASentence) {
 /// The mapping at zero difference is zero, and where the skin is as the paper takes it, right.
 TEST(CircleSearch, TheMappingHasNoConstant) {
   std::mt19937 random(17);
-  const Scene scene = finger_scene(60.0, 25.0);
+  const MadeScene scene = finger_scene(60.0, 25.0);
   const Layer layer{0.6, 0.02};
   std::vector<Press> presses;
   for (const double depth_mm : {0.5, 0.7, 0.9})

@@ -107,7 +107,7 @@ TEST(MappingCurve, IsStoredAsAPolynomialThatRunsAlongIt) {
 /// Depth that a calibration on six flat presses reads over the truth, of 0.3 to 1 mm.
 double scale_of(const Layer& layer, const Contact& contact, double noise, unsigned seed) {
   std::mt19937 random(seed);
-  const Scene scene = flat_scene();
+  const MadeScene scene = flat_scene();
   std::vector<Press> presses;
   for (int i = 0; i < 6; ++i)
     presses.push_back(make_press(scene,

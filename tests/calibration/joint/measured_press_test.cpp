@@ -24,7 +24,7 @@ const Layer kLayer{0.6, 0.05};
 
 /// Presses of a ball on flat skin; of the last `told` of them the depth was measured, to `sd_mm`.
 std::vector<Press> ball_presses(int told, double sd_mm, std::mt19937& random, int count = 6) {
-  const Scene scene = flat_scene();
+  const MadeScene scene = flat_scene();
   std::normal_distribution<double> normal;
   std::vector<Press> presses;
   for (int i = 0; i < count; ++i) {
@@ -48,7 +48,7 @@ struct Scale {
   double ratio = 0, sd = 0, between = 0;
 };
 Scale scale_of(const std::vector<Press>& presses) {
-  const Scene scene = flat_scene();
+  const MadeScene scene = flat_scene();
   const auto done = calibrate(presses, scene.camera, scene.face, {}, Job{});
   EXPECT_TRUE(done.ok()) << (done ? "" : done.error().sentence());
   if (!done) return {};
@@ -105,7 +105,7 @@ TEST(MeasuredDepth, ThatContradictsThePicturesIsNotUsed) {
   std::mt19937 random(4);
   auto presses = ball_presses(0, 0.01, random);
   presses[4].told_depth = {1.4, 0.01};  // it is 0.97
-  const Scene scene = flat_scene();
+  const MadeScene scene = flat_scene();
   const auto done = calibrate(presses, scene.camera, scene.face, {}, Job{});
   ASSERT_TRUE(done.ok()) << done.error().sentence();
   EXPECT_THAT(done->left_out,
@@ -149,7 +149,7 @@ TEST(SteppedPunch, IsReadByTheMappingOnInclinedFacesToo) {
     constexpr int kRuns = 6;
     for (unsigned run = 0; run < kRuns; ++run) {
       std::mt19937 random(run);
-      const Scene scene = finger_scene(80.0, incline);
+      const MadeScene scene = finger_scene(80.0, incline);
       std::uniform_real_distribution<double> turn(0.0, 180.0), tilt(-0.03, 0.03);
       Punch punch{480, 300};
       punch.turn_deg = turn(random);
@@ -186,7 +186,7 @@ TEST(SteppedPunch, IsReadByTheMappingOnInclinedFacesToo) {
 
 TEST(SteppedPunch, WhatIsNoStepIsRefusedByItsReason) {
   std::mt19937 random(8);
-  const Scene scene = flat_scene();
+  const MadeScene scene = flat_scene();
   const auto sentence = [&](Press press) {
     press.step_mm = 0.5;
     const auto step = find_step(press, scene.face);
@@ -206,7 +206,7 @@ TEST(SteppedPunch, WhatIsNoStepIsRefusedByItsReason) {
 
 TEST(SteppedPunch, AloneIsNoCalibration) {
   std::mt19937 random(8);
-  const Scene scene = flat_scene();
+  const MadeScene scene = flat_scene();
   const auto done = calibrate({make_punch_press(scene, kLayer, {200, 150}, 1.0, random, "step")},
                               scene.camera,
                               scene.face,
@@ -219,7 +219,7 @@ TEST(SteppedPunch, AloneIsNoCalibration) {
 TEST(MeasuredCosts, HaveTheDerivativesThatDifferencesShow) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-  const Scene scene = flat_scene();
+  const MadeScene scene = flat_scene();
   const Press press = make_punch_press(scene, kLayer, {200, 150}, 1.0, random, "step");
   const StepSamples step = find_step(press, scene.face).value();
   Weighted weighted;

@@ -23,7 +23,7 @@ using namespace made;
 constexpr int kPresses = 6;
 
 struct DrawnWorld {
-  std::vector<Scene> scenes;  ///< one a press: the finger may be bent otherwise each time
+  std::vector<MadeScene> scenes;  ///< one a press: the finger may be bent otherwise each time
   std::vector<Made> presses;
   Layer layer;
 };
@@ -71,7 +71,7 @@ struct OnNewPress {
   double depth_mm;  ///< against the true ball
 };
 
-OnNewPress on_new_press(const Calibration& calibration, const Made& made, const Scene& scene) {
+OnNewPress on_new_press(const Calibration& calibration, const Made& made, const MadeScene& scene) {
   constexpr double kInner = 0.65;
   constexpr int kSamples =
       400;  // as presses left out are compared: the noise of a mean goes with it
@@ -101,7 +101,7 @@ Outcome outcome_of(const DrawnWorld& world) {
   std::vector<Press> presses;
   for (int i = 0; i < kPresses; ++i)
     presses.push_back(world.presses[static_cast<std::size_t>(i)].press);
-  const Scene& scene = world.scenes.front();
+  const MadeScene& scene = world.scenes.front();
   const auto found = calibrate(presses, scene.camera, scene.face, {}, Job{});
   EXPECT_TRUE(found.ok()) << (found ? "" : found.error().sentence());
   Outcome outcome;

@@ -26,7 +26,7 @@ Press pressed(
 }
 
 Calibration calibration_so_far(const std::vector<Press>& presses) {
-  const Scene scene = flat_scene();
+  const MadeScene scene = flat_scene();
   auto result = calibrate(presses, scene.camera, scene.face, {}, Job{});
   EXPECT_TRUE(result.ok()) << result.error().sentence();
   return result.value();
@@ -86,7 +86,7 @@ TEST(PressAdvice, SaysWhatAWrongRadiusDoesAndThatItCannotBeSeen) {
   std::vector<Press> presses;
   for (int i = 0; i < 4; ++i)
     presses.push_back(pressed(layer, 90 + 70 * i, 110 + 25 * i, 0.5 + 0.15 * i, random, i));
-  const Scene scene = flat_scene();
+  const MadeScene scene = flat_scene();
   const auto run_with = [&](double radius_mm) {
     for (Press& press : presses) press.ball_radius_mm = radius_mm;
     return calibrate(presses, scene.camera, scene.face, {}, Job{}).value();

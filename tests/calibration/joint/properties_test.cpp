@@ -16,10 +16,10 @@ using made::Ball;
 using made::Contact;
 using made::flat_scene;
 using made::Layer;
-using made::Scene;
+using made::MadeScene;
 
 struct ScaledWorld {
-  Scene scene;
+  MadeScene scene;
   std::vector<Press> presses;
   std::vector<Eigen::Vector3d> centres_mm;
   double radius_mm;
@@ -29,7 +29,7 @@ struct ScaledWorld {
 ScaledWorld world(const Layer& layer, double noise, unsigned seed, double unit_mm = 1.0) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
-  Scene scene = flat_scene(0.05 * unit_mm);
+  MadeScene scene = flat_scene(0.05 * unit_mm);
   scene.face.layer_mm = 1.5 * unit_mm;
   scene.face.plane_z_mm = 20.0 * unit_mm;
   scene.shape = FaceShape::plane(scene.camera, scene.face);

@@ -31,7 +31,7 @@ struct Sight {
 class RayTracer {
  public:
   /// The contact's middle is the outer side's point over pixel (u, v).
-  RayTracer(const Scene& scene, double u, double v, double depth_mm) : scene_(scene) {
+  RayTracer(const MadeScene& scene, double u, double v, double depth_mm) : scene_(scene) {
     foot_mm_ = scene.shape.at(u, v)->view_point_mm + scene.face.layer_mm * scene.normal;
     centre_mm_ = foot_mm_ + (kRadiusMm - depth_mm) * scene.normal;
   }
@@ -49,13 +49,13 @@ class RayTracer {
   }
 
  private:
-  const Scene& scene_;
+  const MadeScene& scene_;
   Eigen::Vector3d foot_mm_, centre_mm_;
 };
 
 /// Degrees of the ball's horizon that hide something, by brute force: sight just inside the horizon
 /// ends on the ball, just outside it passes and goes on for a while.
-double traced_arc_deg(const Scene& scene, const RayTracer& tracer) {
+double traced_arc_deg(const MadeScene& scene, const RayTracer& tracer) {
   constexpr int kCount = 3600;
   int hiding = 0;
   for (const Eigen::Vector3d& p : ball_horizon_mm(true, tracer.centre_mm(), kRadiusMm, kCount)) {
@@ -76,7 +76,7 @@ double traced_arc_deg(const Scene& scene, const RayTracer& tracer) {
 
 /// A press as the camera sees it: brightness follows the layer's thickness on the line of sight (or
 /// along z), measured in parts of what it is there untouched.
-Press traced_press(const Scene& scene,
+Press traced_press(const MadeScene& scene,
                    const RayTracer& tracer,
                    const Layer& layer,
                    bool along_z,
@@ -122,7 +122,7 @@ double formula_arc_deg(double depth_mm, double face_to_sight_deg) {
 
 TEST(TangentArc, TheHidingHorizonIsWhatRaysFind) {
   for (const double incline : {35.0, 50.0, 60.0, 68.0}) {
-    const Scene scene = finger_scene(60.0, incline);
+    const MadeScene scene = finger_scene(60.0, incline);
     for (const double depth : {0.3, 0.6, 1.0, 1.3}) {
       const RayTracer tracer(scene, 479.5, 269.5, depth);
       const auto hiding = hiding_horizon(scene.shape, tracer.centre_mm(), kRadiusMm, 0.1);
@@ -139,9 +139,9 @@ TEST(TangentArc, TheHidingHorizonIsWhatRaysFind) {
 }
 
 TEST(TangentArc, NoneWhereTheFaceIsSeenSteeplyFromAbove) {
-  const Scene flat = flat_scene();
+  const MadeScene flat = flat_scene();
   EXPECT_TRUE(hiding_horizon(flat.shape, {10.0, 7.0, 23.0}, kRadiusMm, 1.0).empty());
-  const Scene scene = finger_scene(60.0, 34.0);  // b = 56 degrees: 1 - h/R must be below 0.56
+  const MadeScene scene = finger_scene(60.0, 34.0);  // b = 56 degrees: 1 - h/R must be below 0.56
   for (const double depth : {0.3, 0.8, 1.2})
     EXPECT_TRUE(hiding_horizon(
                     scene.shape, RayTracer(scene, 479.5, 269.5, depth).centre_mm(), kRadiusMm, 1.0)
@@ -151,7 +151,7 @@ TEST(TangentArc, NoneWhereTheFaceIsSeenSteeplyFromAbove) {
 
 TEST(TangentArc, JumpsAreFoundToAPartOfAPixel) {
   std::mt19937 random(41);
-  const Scene scene = finger_scene(60.0, 60.0);
+  const MadeScene scene = finger_scene(60.0, 60.0);
   for (const double depth : {0.7, 1.2}) {
     const RayTracer tracer(scene, 479.5, 269.5, depth);
     const Press press = traced_press(scene, tracer, {}, false, 1.0, random);
@@ -188,12 +188,12 @@ TEST(TangentArc, AFadingBorderIsNoOutline) {
   std::mt19937 random(42);
   // No part of the ball hides another at 34 degrees; at 60 the same place is looked at in a picture
   // in which it does not either, because skin leaves the ball softly.
-  const Scene gentle = finger_scene(60.0, 34.0);
+  const MadeScene gentle = finger_scene(60.0, 34.0);
   const RayTracer tracer(gentle, 520, 269.5, 1.0);
   const Press press = traced_press(gentle, tracer, {}, false, 1.0, random);
   EXPECT_EQ(find_tangent_arc(press, tracer.centre_mm(), kRadiusMm).arc_deg, 0.0);
 
-  const Scene steep = finger_scene(60.0, 60.0);
+  const MadeScene steep = finger_scene(60.0, 60.0);
   for (const Contact contact : {Contact{Skin::kHertz, 0, 0.02}, Contact{Skin::kSmooth, 0.3, 0}}) {
     const Made soft =
         make_press(steep, {}, contact, {{479.5, 269.5, kRadiusMm, 0.45}}, 1.0, random);
@@ -279,7 +279,7 @@ TEST(TangentArc, EveryCostAgreesWithDifferences) {
 /// Three presses on a steep face near the optical axis, where sight is nearly along z.
 Calibration steep_calibration(bool along_z, std::vector<Eigen::Vector3d>* centres_mm) {
   std::mt19937 random(44);
-  const Scene scene = finger_scene(60.0, 60.0);
+  const MadeScene scene = finger_scene(60.0, 60.0);
   const Layer layer{0.6, 0.0};
   std::vector<Press> presses;
   for (const double depth : {0.7, 0.95, 1.2}) {
@@ -318,7 +318,7 @@ TEST(TangentArc, OutlinesJoinTheFitOfSteepPressesAndAreReported) {
 
 TEST(TangentArc, PressesWithoutAnOutlineReportNone) {
   std::mt19937 random(45);
-  const Scene scene = finger_scene(40.0, 20.0);
+  const MadeScene scene = finger_scene(40.0, 20.0);
   std::vector<Press> presses;
   for (const double depth : {0.5, 0.8, 1.1})
     presses.push_back(make_press(scene,

@@ -12,7 +12,7 @@ namespace {
 
 using namespace made;
 
-Press flat_press(const cv::Mat& x, const Scene& scene) {
+Press flat_press(const cv::Mat& x, const MadeScene& scene) {
   Difference difference;
   difference.x = x;
   difference.flags = cv::Mat(x.size(), CV_8UC1, cv::Scalar(kMeasured));
@@ -28,7 +28,7 @@ cv::Mat noise(const cv::Size& size, double sd) {
 }
 
 /// Refused, with the picture's name, a reason holding `word`, and advice.
-void expect_refusal(const Press& press, const Scene& scene, const std::string& word) {
+void expect_refusal(const Press& press, const MadeScene& scene, const std::string& word) {
   const auto ball = find_ball(press, scene.face);
   ASSERT_FALSE(ball.ok());
   EXPECT_EQ(ball.error().where.english(), press.name);
@@ -40,7 +40,7 @@ void expect_refusal(const Press& press, const Scene& scene, const std::string& w
 TEST(BallFinder, FindsBallsOfAllDepthsAnywhereOnTheFlatFace) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
-  const Scene scene = flat_scene();
+  const MadeScene scene = flat_scene();
   for (int i = 0; i < 12; ++i) {
     const Ball ball{100 + 200 * uniform(random),
                     90 + 120 * uniform(random),
@@ -60,7 +60,7 @@ TEST(BallFinder, FindsBallsOfAllDepthsAnywhereOnTheFlatFace) {
 TEST(BallFinder, FindsBallsOnAnInclinedFaceOffTheAxis) {
   std::mt19937 random(12);
   for (const double incline : {-20.0, 0.0, 25.0}) {
-    const Scene scene = finger_scene(40.0, incline);
+    const MadeScene scene = finger_scene(40.0, incline);
     const Made made = make_press(scene, {}, {}, {{330, 230, 4.0, 0.8}}, 1.0, random);
     const auto guess = find_ball(made.press, scene.face);
     ASSERT_TRUE(guess.ok()) << guess.error().sentence();
@@ -72,7 +72,7 @@ TEST(BallFinder, FindsBallsOnAnInclinedFaceOffTheAxis) {
 
 TEST(BallFinder, DiscCutByTheFacesEdgeIsSaidToBe) {
   std::mt19937 random(13);
-  const Scene scene = flat_scene();
+  const MadeScene scene = flat_scene();
   const Made made = make_press(scene, {}, {}, {{200, 12, 4.0, 0.8}}, 1.0, random);
   const auto guess = find_ball(made.press, scene.face);
   ASSERT_TRUE(guess.ok()) << guess.error().sentence();
@@ -82,7 +82,7 @@ TEST(BallFinder, DiscCutByTheFacesEdgeIsSaidToBe) {
 }
 
 TEST(BallFinder, EmptyPicturesAreRefused) {
-  const Scene scene = flat_scene();
+  const MadeScene scene = flat_scene();
   expect_refusal(flat_press(noise(scene.camera.size(), 0.02), scene), scene, "nothing on the face");
   expect_refusal(
       flat_press(cv::Mat::zeros(scene.camera.size(), CV_32FC1), scene), scene, "nothing");
@@ -91,7 +91,7 @@ TEST(BallFinder, EmptyPicturesAreRefused) {
 }
 
 TEST(BallFinder, DarkGradientIsRefused) {
-  const Scene scene = flat_scene();
+  const MadeScene scene = flat_scene();
   cv::Mat x = noise(scene.camera.size(), 0.01);
   for (int v = 0; v < x.rows; ++v)
     for (int u = 0; u < x.cols; ++u)
@@ -103,14 +103,14 @@ TEST(BallFinder, DarkGradientIsRefused) {
 
 TEST(BallFinder, TwoContactsAreRefused) {
   std::mt19937 random(14);
-  const Scene scene = flat_scene();
+  const MadeScene scene = flat_scene();
   const Made made =
       make_press(scene, {}, {}, {{110, 150, 4.0, 0.8}, {290, 150, 4.0, 0.7}}, 1.0, random);
   expect_refusal(made.press, scene, "two contacts");
 }
 
 TEST(BallFinder, LettersAndBarsAreRefused) {
-  const Scene scene = flat_scene();
+  const MadeScene scene = flat_scene();
   cv::Mat t = noise(scene.camera.size(), 0.01);
   t(cv::Rect(140, 90, 120, 30)) += 0.3F;
   t(cv::Rect(185, 120, 30, 90)) += 0.3F;
@@ -123,14 +123,14 @@ TEST(BallFinder, LettersAndBarsAreRefused) {
 
 TEST(BallFinder, DiscLargerThanTheBallIsRefused) {
   std::mt19937 random(15);
-  const Scene scene = flat_scene();
+  const MadeScene scene = flat_scene();
   Made made = make_press(scene, {}, {}, {{200, 150, 20.0, 1.2}}, 1.0, random);
   made.press.ball_radius_mm = 4.0;
   expect_refusal(made.press, scene, "more than the ball's 4 mm");
 }
 
 TEST(BallFinder, ImpossibleRadiusIsRefused) {
-  const Scene scene = flat_scene();
+  const MadeScene scene = flat_scene();
   Press press = flat_press(cv::Mat::zeros(scene.camera.size(), CV_32FC1), scene);
   for (const double radius : {0.0, -1.0, std::nan("")}) {
     press.ball_radius_mm = radius;

@@ -19,7 +19,7 @@ using namespace made;
 using testing::HasSubstr;
 
 struct Presses {
-  Scene scene = finger_scene(40.0, 20.0);
+  MadeScene scene = finger_scene(40.0, 20.0);
   std::vector<Press> presses;
   std::vector<Eigen::Vector3d> centres_mm;
 };

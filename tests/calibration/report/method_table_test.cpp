@@ -16,7 +16,7 @@ using namespace made;
 const Layer kLayer{0.7, 0.02};
 
 /// A hard edge: the skin lies on the ball to the rim of its cap, where the circle looks for it.
-std::vector<Press> presses_on(const Scene& scene, const Contact& contact) {
+std::vector<Press> presses_on(const MadeScene& scene, const Contact& contact) {
   std::mt19937 random(61);
   std::vector<Press> presses;
   for (int i = 0; i < 4; ++i)
@@ -31,7 +31,7 @@ std::vector<Press> presses_on(const Scene& scene, const Contact& contact) {
   return presses;
 }
 
-std::vector<MethodRow> rows_of(const std::vector<Press>& presses, const Scene& scene) {
+std::vector<MethodRow> rows_of(const std::vector<Press>& presses, const MadeScene& scene) {
   const auto joint = calibrate(presses, scene.camera, scene.face, {}, Job{});
   EXPECT_TRUE(joint.ok());
   return compare_methods(presses, presses, scene.camera, scene.face, *joint, Job{});
@@ -45,7 +45,7 @@ const MethodRow& row_of(const std::vector<MethodRow>& rows, CalibrationMethod me
 }
 
 TEST(MethodTable, PutsEveryMethodBesideTheJointOne) {
-  const Scene scene = flat_scene();
+  const MadeScene scene = flat_scene();
   const auto rows = rows_of(presses_on(scene, {}), scene);
   ASSERT_EQ(rows.size(), 4U);
   const MethodRow& joint = row_of(rows, CalibrationMethod::kJoint);
@@ -67,7 +67,7 @@ TEST(MethodTable, PutsEveryMethodBesideTheJointOne) {
 }
 
 TEST(MethodTable, TheCircleIsWrongWhereTheSkinLeavesTheBall) {
-  const Scene scene = flat_scene();
+  const MadeScene scene = flat_scene();
   const auto rows = rows_of(presses_on(scene, {Skin::kHertz, 0, 0.02}), scene);
   const MethodRow& joint = row_of(rows, CalibrationMethod::kJoint);
   EXPECT_NEAR(joint.press_depth_mm, (0.5 + 0.65 + 0.8 + 0.95) / 4, 0.02);

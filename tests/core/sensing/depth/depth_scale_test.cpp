@@ -22,7 +22,7 @@ MappingParameters some_mapping(MappingAlong along) {
 }
 
 TEST(DepthScale, IsOneUnlessTheMappingAsksForIt) {
-  const made::Scene scene = made::finger_scene(40.0, 25.0);
+  const made::MadeScene scene = made::finger_scene(40.0, 25.0);
   EXPECT_TRUE(DepthScale(some_mapping(MappingAlong::kZ), scene.shape).is_one());
   EXPECT_TRUE(DepthScale(some_mapping(MappingAlong::kNormal), scene.shape).is_one());
   EXPECT_FALSE(DepthScale(some_mapping(MappingAlong::kProjected), scene.shape).is_one());
@@ -34,7 +34,7 @@ TEST(DepthScale, EveryPixelGetsItsFactor) {
     return std::uniform_real_distribution<double>(low, high)(random);
   };
   for (int run = 0; run < 20; ++run) {
-    const made::Scene scene = made::finger_scene(between(35, 50), between(-25, 28));
+    const made::MadeScene scene = made::finger_scene(between(35, 50), between(-25, 28));
     for (const MappingAlong along :
          {MappingAlong::kZ, MappingAlong::kNormal, MappingAlong::kProjected}) {
       MappingParameters p = some_mapping(along);
@@ -62,7 +62,7 @@ TEST(DepthScale, EveryPixelGetsItsFactor) {
 }
 
 TEST(DepthScale, PlacesOnTheFaceAreMillimetres) {
-  const made::Scene scene = made::finger_scene(40.0, 20.0);
+  const made::MadeScene scene = made::finger_scene(40.0, 20.0);
   for (double u = 200; u < 800; u += 50)
     for (double v = 200; v < 350; v += 30) {
       const auto here = scene.shape.at(u, v), beside = scene.shape.at(u + 10, v);

@@ -14,7 +14,7 @@ namespace {
 constexpr int kSmallWidth = 160, kSmallHeight = 120;
 
 struct Bench {
-  made::Scene scene = made::flat_scene(0.05, kSmallWidth, kSmallHeight);
+  made::MadeScene scene = made::flat_scene(0.05, kSmallWidth, kSmallHeight);
   MappingParameters parameters;
   cv::Mat truth =
       cv::Mat(kSmallHeight, kSmallWidth, CV_32FC1);  // grey levels of the untouched face
