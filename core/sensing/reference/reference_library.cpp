@@ -305,7 +305,7 @@ std::shared_ptr<ReferenceLibrary::Content> ReferenceLibrary::Content::of_kept(
     const FingerSnapshot& snapshot) {
   auto kept = take_kept_faces(under.folder, under.made_from);
   if (!kept) return nullptr;
-  ReferenceError error = std::move(kept->error);
+  ReferenceError error = kept->error;
   auto faces = recorded_faces_again(std::move(*kept), table, snapshot.finger, snapshot.camera);
   if (!faces) return nullptr;
   auto content = std::make_shared<Content>(
