@@ -58,6 +58,9 @@ if(ALLTACT_SANITIZE)
                               # g++ warns of ways through the code that only the sanitizers' own checks make.
                               -Wno-error)
   target_link_options(alltact_options INTERFACE -fsanitize=${ALLTACT_SANITIZE})
+  if(ALLTACT_SANITIZE MATCHES fuzzer)
+    target_compile_options(alltact_options INTERFACE -fsanitize-coverage-ignorelist=${CMAKE_SOURCE_DIR}/tests/fuzz/untraced)
+  endif()
 endif()
 
 # alltact_library(NAME [SHARED] [TOGETHER] SOURCES... PUBLIC libs... PRIVATE libs... PCH headers... | PCH_OF target)
