@@ -2,6 +2,8 @@
 
 #include "core/io/system_error.h"
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cerrno>
 #include <span>
@@ -162,11 +164,24 @@ Result<MatroskaIndex> index_matroska(const std::filesystem::path& path) {
 
 bool is_undamaged(int descriptor, const MatroskaIndex::Block& block) {
   if (block.checked_bytes <= 0) return true;
-  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(block.checked_bytes));
-  if (::pread(descriptor, bytes.data(), bytes.size(), block.checked_from) != block.checked_bytes)
+  struct stat status {};
+  if (::fstat(descriptor, &status) != 0 ||
+      block.checked_bytes > status.st_size - block.checked_from)
     return false;
   const AVCRC* table = av_crc_get_table(AV_CRC_32_IEEE_LE);
-  return (av_crc(table, 0xFFFFFFFFU, bytes.data(), bytes.size()) ^ 0xFFFFFFFFU) == block.check_sum;
+  std::uint32_t sum = 0xFFFFFFFFU;
+  // Piece by piece: a damaged length may be nearly that of the file.
+  std::array<std::uint8_t, std::size_t{1} << 16> room{};
+  std::int64_t left = block.checked_bytes;
+  for (std::int64_t at = block.checked_from; left > 0;) {
+    const auto wanted = std::min<std::int64_t>(left, std::ssize(room));
+    const ssize_t got = ::pread(descriptor, room.data(), static_cast<std::size_t>(wanted), at);
+    if (got <= 0) return false;
+    sum = av_crc(table, sum, room.data(), static_cast<std::size_t>(got));
+    at += got;
+    left -= got;
+  }
+  return (sum ^ 0xFFFFFFFFU) == block.check_sum;
 }
 
 }  // namespace alltact

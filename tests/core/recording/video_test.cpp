@@ -1,18 +1,23 @@
 // What goes into a video comes out of it, by our own reader and by others'.
+#include "core/io/atomic_file.h"
 #include "core/recording/journal.h"
+#include "core/recording/matroska_index.h"
 #include "core/recording/video_file.h"
 #include "core/recording/video_writer.h"
 #include "tests/core/recording/recording_frames.h"
 #include "tests/support/temporary_folder.h"
 
+#include <bit>
 #include <fstream>
 #include <numeric>
 #include <random>
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <opencv2/videoio.hpp>
+#include <unistd.h>
 
 namespace alltact::test {
 namespace {
@@ -265,6 +270,27 @@ TEST(VideoFile, AFrameWithDamagedBytesIsAnErrorAndTheOthersAreExact) {
   }
   EXPECT_EQ(video->frame_count(), 9U);
   EXPECT_EQ(damaged, 1);
+}
+
+TEST(MatroskaIndex, AClusterThatSaysItIsLongerThanAnyFileIsDamaged) {
+  const TemporaryFolder folder;
+  const fs::path file = folder / "v.mkv";
+  ASSERT_TRUE(write_video(file, VideoCodec::kFfv1, 3, {320, 240}).ok());
+  std::string bytes = read_file(file).value();
+  const std::size_t cluster = bytes.rfind("\x1F\x43\xB6\x75"), length_at = cluster + 4;
+  const auto first = static_cast<unsigned char>(bytes.at(length_at));
+  const std::size_t length_bytes = static_cast<std::size_t>(std::countl_zero(first)) + 1;
+  // 2^48 bytes, of which nobody has the memory.
+  bytes.replace(length_at, length_bytes, std::string("\x01\x01\0\0\0\0\0\0", 8));
+  std::ofstream(file, std::ios::binary) << bytes;
+  const auto index = index_matroska(file);
+  ASSERT_TRUE(index.ok()) << index.error().sentence();
+  ASSERT_EQ(index->blocks.size(), 3U);
+  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  for (const auto& block : index->blocks)
+    EXPECT_EQ(is_undamaged(descriptor, block),
+              block.cluster_at != static_cast<std::int64_t>(cluster));
+  ::close(descriptor);
 }
 
 TEST(Journal, GivesBackWhatItWasTold) {
