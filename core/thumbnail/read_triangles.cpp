@@ -9,7 +9,9 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -152,65 +154,138 @@ std::vector<std::string> words_of(const std::string& line) {
   return {std::istream_iterator<std::string>(stream), {}};
 }
 
-bool is_ply_type(const std::string& word) {
-  constexpr std::array kTypes{"char",
-                              "uchar",
-                              "short",
-                              "ushort",
-                              "int",
-                              "uint",
-                              "float",
-                              "double",
-                              "int8",
-                              "uint8",
-                              "int16",
-                              "uint16",
-                              "int32",
-                              "uint32",
-                              "float32",
-                              "float64"};
-  return std::find(kTypes.begin(), kTypes.end(), word) != kTypes.end();
+struct PlyProperty {
+  std::size_t bytes = 0;        // of one value
+  std::size_t count_bytes = 0;  // of a list's length; 0: no list
+};
+
+struct PlyElement {
+  std::size_t count = 0;
+  std::vector<PlyProperty> properties;
+};
+
+struct PlyHeader {
+  std::string format;
+  std::vector<PlyElement> elements;
+  std::size_t data_at = 0;
+};
+
+/// Of a type's value; nullopt: no such type.
+std::optional<std::size_t> ply_bytes(const std::string& type) {
+  static const std::map<std::string, std::size_t, std::less<>> kBytes{{"char", 1},
+                                                                      {"uchar", 1},
+                                                                      {"short", 2},
+                                                                      {"ushort", 2},
+                                                                      {"int", 4},
+                                                                      {"uint", 4},
+                                                                      {"float", 4},
+                                                                      {"double", 8},
+                                                                      {"int8", 1},
+                                                                      {"uint8", 1},
+                                                                      {"int16", 2},
+                                                                      {"uint16", 2},
+                                                                      {"int32", 4},
+                                                                      {"uint32", 4},
+                                                                      {"float32", 4},
+                                                                      {"float64", 8}};
+  const auto known = kBytes.find(type);
+  return known != kBytes.end() ? std::optional(known->second) : std::nullopt;
 }
 
-/// A header as its format has it (Turk, "The PLY polygon file format", 1994), and as many bytes
-/// behind it as there are elements: of others assimp writes where it must not, or never comes back.
-bool is_ply(std::string_view bytes) {
+std::optional<PlyElement> ply_element(const std::vector<std::string>& words) {
+  if (words.size() != 3) return std::nullopt;
+  PlyElement element;
+  const auto [rest, status] =
+      std::from_chars(words[2].data(), words[2].data() + words[2].size(), element.count);
+  return status == std::errc{} && *rest == '\0' ? std::optional(element) : std::nullopt;
+}
+
+std::optional<PlyProperty> ply_property(const std::vector<std::string>& words) {
+  const bool is_list = words.size() == 5 && words[1] == "list";
+  if (!is_list && words.size() != 3) return std::nullopt;
+  const auto bytes = ply_bytes(words[words.size() - 2]);
+  const auto count_bytes = is_list ? ply_bytes(words[2]) : 0;
+  if (!bytes || !count_bytes || (is_list && (*count_bytes > 4 || words[2].starts_with("float"))))
+    return std::nullopt;
+  return PlyProperty{*bytes, *count_bytes};
+}
+
+/// A header as its format has it (Turk, "The PLY polygon file format", 1994).
+std::optional<PlyHeader> ply_header(std::string_view bytes) {
   const std::size_t end = bytes.find(kPlyEnd);
-  if (end == std::string_view::npos || end == 0 || bytes[end - 1] != '\n') return false;
+  if (end == std::string_view::npos || end == 0 || bytes[end - 1] != '\n') return std::nullopt;
   std::istringstream lines{std::string(bytes.substr(0, end))};
   std::string line;
-  if (!std::getline(lines, line) || words_of(line) != std::vector<std::string>{"ply"}) return false;
-  std::size_t elements = 0;
-  bool has_format = false, has_property = false;
+  if (!std::getline(lines, line) || words_of(line) != std::vector<std::string>{"ply"})
+    return std::nullopt;
+  PlyHeader header;
+  header.data_at = end + kPlyEnd.size();
   while (std::getline(lines, line)) {
     const auto words = words_of(line);
-    if (words.empty()) return false;
+    if (words.empty()) return std::nullopt;
     if (words[0] == "comment" || words[0] == "obj_info") continue;
     const bool is_plain =
         std::all_of(words.back().begin(), words.back().end(), [](unsigned char c) {
           return std::isalnum(c) != 0 || c == '_' || c == '.';
         });
-    if (!is_plain) return false;
-    if (words[0] == "format" && words.size() == 3 && !has_format) {
-      has_format = true;
-    } else if (words[0] == "element" && words.size() == 3 && has_format) {
-      std::size_t count = 0;
-      const auto [rest, status] =
-          std::from_chars(words[2].data(), words[2].data() + words[2].size(), count);
-      if (status != std::errc{} || *rest != '\0' || (elements > 0 && !has_property)) return false;
-      if (count > bytes.size()) return false;
-      elements += count;
-      has_property = false;
-    } else if (words[0] == "property" && elements > 0) {
-      const bool is_list =
-          words.size() == 5 && words[1] == "list" && is_ply_type(words[2]) && is_ply_type(words[3]);
-      if (!is_list && !(words.size() == 3 && is_ply_type(words[1]))) return false;
-      has_property = true;
+    if (!is_plain) return std::nullopt;
+    auto& elements = header.elements;
+    if (words[0] == "format" && words.size() == 3 && header.format.empty()) {
+      header.format = words[1];
+    } else if (words[0] == "element" && !header.format.empty()) {
+      const auto element = ply_element(words);
+      if (!element || (!elements.empty() && elements.back().properties.empty()))
+        return std::nullopt;
+      elements.push_back(*element);
+    } else if (words[0] == "property" && !elements.empty()) {
+      const auto property = ply_property(words);
+      if (!property) return std::nullopt;
+      elements.back().properties.push_back(*property);
     } else {
-      return false;
+      return std::nullopt;
     }
   }
-  return has_property && elements <= bytes.size() - end;
+  if (header.elements.empty() || header.elements.back().properties.empty()) return std::nullopt;
+  return header;
+}
+
+/// Goes over one element's bytes; false where they are not all there.
+bool pass_element(const PlyElement& element,
+                  std::string_view bytes,
+                  bool is_big_endian,
+                  std::size_t& at) {
+  for (const PlyProperty& property : element.properties) {
+    std::size_t values = 1;
+    if (property.count_bytes > 0) {
+      if (property.count_bytes > bytes.size() - at) return false;
+      values = 0;
+      for (std::size_t i = 0; i < property.count_bytes; ++i) {
+        const std::size_t place = is_big_endian ? property.count_bytes - 1 - i : i;
+        values |= std::size_t{static_cast<unsigned char>(bytes[at + i])} << (8 * place);
+      }
+      at += property.count_bytes;
+    }
+    if (values > (bytes.size() - at) / property.bytes) return false;
+    at += values * property.bytes;
+  }
+  return true;
+}
+
+/// A header in order, and behind it all that it tells of: of others assimp writes where it must
+/// not, or never comes back.
+bool is_ply(std::string_view bytes) {
+  const auto header = ply_header(bytes);
+  if (!header) return false;
+  std::size_t at = header->data_at, elements = 0;
+  const bool is_binary = header->format.starts_with("binary_");
+  for (const PlyElement& element : header->elements) {
+    if (element.count > bytes.size() - elements) return false;
+    elements += element.count;
+    for (std::size_t i = 0; is_binary && i < element.count; ++i)
+      if (!pass_element(element, bytes, header->format == "binary_big_endian", at)) return false;
+  }
+  // In text, a digit and a break for each.
+  return elements <= bytes.size() - header->data_at;
 }
 
 /// The first part lies within the file: assimp makes room for whatever size is told.
