@@ -7,6 +7,8 @@
 #include <map>
 #include <set>
 #include <sstream>
+#include <stdexcept>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -34,6 +36,15 @@ bool is_possible(const Part& part) {
   return part.number >= 1 && part.number <= part.of && part.of <= kMostParts;
 }
 
+/// Not rounded, as the library would round 1.5, and not cut off, as it would cut 1e99.
+template <class Count>
+Count count_in(const Json& head, const char* key) {
+  const Json& value = head.at(key);
+  if (!value.is_number_unsigned() || !std::in_range<Count>(value.get<std::uint64_t>()))
+    throw std::out_of_range(key);
+  return value.get<Count>();
+}
+
 Result<PartResults> read_part(const fs::path& file) {
   const auto content = read_file(file);
   if (!content) return content.error();
@@ -44,12 +55,12 @@ Result<PartResults> read_part(const fs::path& file) {
     if (!std::getline(stream, line)) return damaged(file);
     const Json head = Json::parse(line);
     if (head.at("format") != kFormat) return damaged(file);
-    results.part = {head.at("part"), head.at("of")};
+    results.part = {count_in<int>(head, "part"), count_in<int>(head, "of")};
     results.run = head.at("run");
-    results.first = head.at("first");
-    results.frame_count = head.at("frame_count");
+    results.first = count_in<std::size_t>(head, "first");
+    results.frame_count = count_in<std::size_t>(head, "frame_count");
     results.is_continuous = head.at("continuous");
-    const std::size_t count = head.at("frames");
+    const auto count = count_in<std::size_t>(head, "frames");
     if (!is_possible(results.part)) return damaged(file);
     while (std::getline(stream, line)) results.lines.push_back(line);
     if (results.lines.size() != count) return damaged(file);

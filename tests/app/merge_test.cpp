@@ -1,6 +1,7 @@
 // A recording shared between processes, brought together again.
 #include "tests/support/flat_finger.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -88,6 +89,17 @@ TEST(Merge, WhatDoesNotBelongTogetherIsRefusedAndStays) {
   EXPECT_TRUE(fs::exists(shared.folder / "parts" / "results.part-1-of-2.jsonl"));
   EXPECT_FALSE(fs::exists(shared.folder / "parts" / "results.jsonl"));
   EXPECT_THAT(run_alltact({"merge", shared.file("pictures")}).errors, HasSubstr("no parts"));
+  // Numbers that are no counts.
+  const std::string name = "results.part-1-of-2.jsonl", mark = "\"part\":1,";
+  const std::string text = text_of(shared.folder / "parts" / name);
+  ASSERT_THAT(text, HasSubstr(mark));
+  fs::create_directory(shared.folder / "odd");
+  for (const char* number : {"1e99", "1.5", "-1", "4294967297"}) {
+    std::string odd = text;
+    odd.replace(odd.find(mark), mark.size(), fmt::format("\"part\":{},", number));
+    write_text(shared.folder / "odd" / name, odd);
+    EXPECT_THAT(run_alltact({"merge", shared.file("odd")}).errors, HasSubstr("damaged")) << number;
+  }
 }
 
 TEST(Merge, ASlurmJobArrayMakesWhatOneProcessMakes) {
