@@ -175,7 +175,7 @@ YamlSection::Entry& YamlSection::required(const std::string& key) {
     if (!entry.is_read) others.push_back(entry.key);
   const std::string meant = slip_for(key, others);
   const Message add = name().empty() ? en::say("add '{}: ...'", key)
-                                     : en::say("add '{}: ...' under '{}:'", key, name());
+                                     : en::say("add '{}: ...' under '{}:'", key, printable(name()));
   throw RefusedYaml{
       file_->error(en::say("is missing"),
                    here_->line,

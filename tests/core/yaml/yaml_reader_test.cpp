@@ -177,6 +177,8 @@ TEST(YamlReader, HostileTextsAreRefused) {
   EXPECT_THAT(said(texts[1], reader), HasSubstr("too large to be read"));
   EXPECT_THAT(said(texts[2], reader), HasSubstr("too large or too odd to be kept"));
   EXPECT_THAT(said("\"\\e\": \"\\\x1b\"", reader), Not(HasSubstr("\x1b")));
+  const auto within = [](YamlSection& top) { (void)top.section("\x1f").number("share", kShare); };
+  EXPECT_THAT(said("\x1f: {b: 1}", within), Not(HasSubstr("\x1f")));
 }
 
 TEST(YamlReader, AReaderThatIsRefusedReadsNoFurther) {
