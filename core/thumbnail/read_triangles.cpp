@@ -193,7 +193,9 @@ std::optional<std::size_t> ply_bytes(const std::string& type) {
 }
 
 std::optional<PlyElement> ply_element(const std::vector<std::string>& words) {
-  if (words.size() != 3) return std::nullopt;
+  // assimp takes digits before a name for the count.
+  if (words.size() != 3 || std::isalpha(static_cast<unsigned char>(words[1][0])) == 0)
+    return std::nullopt;
   PlyElement element;
   const auto [rest, status] =
       std::from_chars(words[2].data(), words[2].data() + words[2].size(), element.count);
@@ -214,7 +216,9 @@ std::optional<PlyProperty> ply_property(const std::vector<std::string>& words) {
 std::optional<PlyHeader> ply_header(std::string_view bytes) {
   const std::size_t end = bytes.find(kPlyEnd);
   if (end == std::string_view::npos || end == 0 || bytes[end - 1] != '\n') return std::nullopt;
-  std::istringstream lines{std::string(bytes.substr(0, end))};
+  const std::string text(bytes.substr(0, end));
+  if (text.find('\0') != std::string::npos) return std::nullopt;
+  std::istringstream lines{text};
   std::string line;
   if (!std::getline(lines, line) || words_of(line) != std::vector<std::string>{"ply"})
     return std::nullopt;

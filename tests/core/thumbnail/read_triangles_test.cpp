@@ -62,6 +62,8 @@ TEST_F(ReadTriangles, RefusesAPlyWhoseHeaderIsNone) {
   EXPECT_FALSE(is_read(head + "propevertexrty float z\n" + points + faces + body));
   EXPECT_FALSE(is_read(head + points + "property soft w\n" + faces + body));
   EXPECT_FALSE(is_read(head + "element vertex 4000000000\nproperty float x\n" + faces + body));
+  EXPECT_FALSE(is_read(head + points + "element 18446744073709551615soft 0\nproperty int w\n" +
+                       faces + body));
   EXPECT_FALSE(is_read(head + points + faces));
   // assimp ends the program where it cuts such a face into triangles.
   const std::string two = "element face 2\nproperty list uchar int vertex_indices\nend_header\n";
