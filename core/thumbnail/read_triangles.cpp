@@ -157,6 +157,7 @@ std::vector<std::string> words_of(const std::string& line) {
 struct PlyProperty {
   std::size_t bytes = 0;        // of one value
   std::size_t count_bytes = 0;  // of a list's length; 0: no list
+  bool is_count_signed = false;
 };
 
 struct PlyElement {
@@ -209,7 +210,7 @@ std::optional<PlyProperty> ply_property(const std::vector<std::string>& words) {
   const auto count_bytes = is_list ? ply_bytes(words[2]) : 0;
   if (!bytes || !count_bytes || (is_list && (*count_bytes > 4 || words[2].starts_with("float"))))
     return std::nullopt;
-  return PlyProperty{*bytes, *count_bytes};
+  return PlyProperty{*bytes, *count_bytes, is_list && words[2][0] != 'u'};
 }
 
 /// A header as its format has it (Turk, "The PLY polygon file format", 1994).
@@ -268,6 +269,8 @@ bool pass_element(const PlyElement& element,
         values |= std::size_t{static_cast<unsigned char>(bytes[at + i])} << (8 * place);
       }
       at += property.count_bytes;
+      const std::size_t sign = std::size_t{1} << (8 * property.count_bytes - 1);
+      if (property.is_count_signed && (values & sign) != 0) return false;
     }
     if (values > (bytes.size() - at) / property.bytes) return false;
     at += values * property.bytes;

@@ -100,6 +100,9 @@ TEST_F(ReadTriangles, ABinaryPlyMustHoldAllThatItsHeaderTells) {
     EXPECT_EQ(whole->points_mm.at(1), cv::Vec3f(1, 0, 0));
     // Beyond the end of such a list assimp writes over memory that is not its own.
     EXPECT_FALSE(read(binary_triangle(is_big_endian, 63)).ok());
+    std::string negative = binary_triangle(is_big_endian, 255) + std::string(4 * 255, '\0');
+    const std::size_t type = negative.find("uchar");
+    EXPECT_FALSE(read(negative.erase(type, 1)).ok());
     const std::string bytes = binary_triangle(is_big_endian, 3);
     EXPECT_FALSE(read(bytes.substr(0, bytes.size() - 1)).ok());
   }
