@@ -15,9 +15,13 @@ std::string text_of(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-StreamMessage of_frame(const Frame& frame, const std::string& line, const FingerSnapshot& finger) {
+StreamMessage of_frame(const Frame& frame,
+                       const std::string& line,
+                       const FingerSnapshot& finger,
+                       StreamPartSet wanted) {
   assert(line.ends_with('}'));
   StreamMessage message;
+  message.sought = wanted;
   message.sequence = frame.sequence;
   message.time_ns = frame.time_ns;
   message.json =
@@ -69,8 +73,7 @@ StreamMessage frame_message(const FrameResult& result,
                             const std::string& line,
                             const FingerSnapshot& finger,
                             StreamPartSet wanted) {
-  StreamMessage message = of_frame(*result.frame, line, finger);
-  message.sought = wanted;
+  StreamMessage message = of_frame(*result.frame, line, finger, wanted);
   if (wanted[kPicture]) message.parts[kPicture] = result.grey;
   if (!result.depth) return message;
   if (wanted[kDepth16]) message.parts[kDepth16] = depth_steps(result.depth->depth_mm);
@@ -84,8 +87,7 @@ StreamMessage unmeasured_message(const Frame& frame,
                                  const std::string& line,
                                  const FingerSnapshot& finger,
                                  StreamPartSet wanted) {
-  StreamMessage message = of_frame(frame, line, finger);
-  message.sought = wanted;
+  StreamMessage message = of_frame(frame, line, finger, wanted);
   if (wanted[kPicture]) message.parts[kPicture] = frame.grey;
   return message;
 }

@@ -144,9 +144,8 @@ std::string stream_schema_text() {
           "The client sends one line, ended by a line break, of at most {} bytes: {}, then the "
           "parts that it wants, with blanks between. Then it reads messages. The first tells what "
           "the finger is, the others what each frame tells, as soon as it was measured. A part "
-          "that "
-          "was asked for is missing only where the frame has none. Whoever reads too slowly misses "
-          "frames; its headers count them.",
+          "that was asked for is missing only where the frame has none. Whoever reads too slowly "
+          "misses frames; its headers count them.",
           kLongestStreamRequest,
           kStreamFormat),
       0);
