@@ -2,6 +2,7 @@
 
 #include "core/io/atomic_file.h"
 #include "core/io/scene_triangles.h"
+#include "core/thumbnail/read_ply.h"
 
 #include <algorithm>
 #include <array>
@@ -9,11 +10,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
-#include <functional>
-#include <iterator>
-#include <map>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,7 +25,6 @@ namespace {
 
 constexpr std::size_t kLargestFile = std::size_t{512} << 20;
 constexpr std::size_t kMostTriangles = 4'000'000;
-constexpr std::string_view kPlyEnd = "end_header\n";
 using Json = nlohmann::json;
 
 /// `count` values as they lie in a file, little end first; nullopt beyond its end.
@@ -49,36 +45,6 @@ std::optional<std::size_t> number_behind(std::string_view text, std::string_view
   const char* begin = text.data() + at + key.size();
   const auto [end, status] = std::from_chars(begin, text.data() + text.size(), number);
   return status == std::errc{} && end != begin ? std::optional(number) : std::nullopt;
-}
-
-std::optional<Triangles> from_ply(std::string_view bytes) {
-  const std::size_t end = bytes.find(kPlyEnd);
-  if (end == std::string_view::npos) return std::nullopt;
-  const std::string_view header = bytes.substr(0, end);
-  constexpr std::string_view kVertex =
-      "property float x\nproperty float y\nproperty float z\nproperty float depth_mm\nelement face";
-  constexpr std::string_view kFace = "property list uchar int vertex_indices\n";
-  const auto points = number_behind(header, "element vertex "),
-             faces = number_behind(header, "element face ");
-  if (!points || !faces || !header.starts_with("ply\nformat binary_little_endian") ||
-      header.find(kVertex) == std::string_view::npos || !header.ends_with(kFace))
-    return std::nullopt;
-  std::size_t at = end + kPlyEnd.size();
-  const auto rows = values_at<std::array<float, 4>>(bytes, at, *points);
-  if (!rows) return std::nullopt;
-  at += rows->size() * sizeof(rows->front());
-  Triangles triangles;
-  for (const auto& [x, y, z, depth] : *rows) {
-    triangles.points_mm.emplace_back(x, y, z);
-    triangles.depth_mm.push_back(depth);
-  }
-  constexpr std::size_t kFaceBytes = 1 + 3 * sizeof(std::int32_t);
-  if (*faces > (bytes.size() - at) / kFaceBytes) return std::nullopt;
-  for (std::size_t i = 0; i < *faces; ++i, at += kFaceBytes) {
-    if (bytes[at] != 3) return std::nullopt;
-    triangles.corners.push_back(values_at<std::array<std::int32_t, 3>>(bytes, at + 1, 1)->front());
-  }
-  return triangles;
 }
 
 /// The array of this name among those appended raw, each behind its size.
@@ -148,153 +114,6 @@ std::optional<Triangles> from_glb(std::string_view bytes) {
   }
 }
 
-/// Words of a line without the carriage return at its end.
-std::vector<std::string> words_of(const std::string& line) {
-  std::istringstream stream(line);
-  return {std::istream_iterator<std::string>(stream), {}};
-}
-
-struct PlyProperty {
-  std::size_t bytes = 0;        // of one value
-  std::size_t count_bytes = 0;  // of a list's length; 0: no list
-  bool is_count_signed = false;
-};
-
-struct PlyElement {
-  std::size_t count = 0;
-  std::vector<PlyProperty> properties;
-};
-
-struct PlyHeader {
-  std::string format;
-  std::vector<PlyElement> elements;
-  std::size_t data_at = 0;
-};
-
-/// Of a type's value; nullopt: no such type.
-std::optional<std::size_t> ply_bytes(const std::string& type) {
-  static const std::map<std::string, std::size_t, std::less<>> kBytes{{"char", 1},
-                                                                      {"uchar", 1},
-                                                                      {"short", 2},
-                                                                      {"ushort", 2},
-                                                                      {"int", 4},
-                                                                      {"uint", 4},
-                                                                      {"float", 4},
-                                                                      {"double", 8},
-                                                                      {"int8", 1},
-                                                                      {"uint8", 1},
-                                                                      {"int16", 2},
-                                                                      {"uint16", 2},
-                                                                      {"int32", 4},
-                                                                      {"uint32", 4},
-                                                                      {"float32", 4},
-                                                                      {"float64", 8}};
-  const auto known = kBytes.find(type);
-  return known != kBytes.end() ? std::optional(known->second) : std::nullopt;
-}
-
-std::optional<PlyElement> ply_element(const std::vector<std::string>& words) {
-  // assimp takes digits before a name for the count.
-  if (words.size() != 3 || std::isalpha(static_cast<unsigned char>(words[1][0])) == 0)
-    return std::nullopt;
-  PlyElement element;
-  const auto [rest, status] =
-      std::from_chars(words[2].data(), words[2].data() + words[2].size(), element.count);
-  return status == std::errc{} && *rest == '\0' ? std::optional(element) : std::nullopt;
-}
-
-std::optional<PlyProperty> ply_property(const std::vector<std::string>& words) {
-  const bool is_list = words.size() == 5 && words[1] == "list";
-  if (!is_list && words.size() != 3) return std::nullopt;
-  const auto bytes = ply_bytes(words[words.size() - 2]);
-  const auto count_bytes = is_list ? ply_bytes(words[2]) : 0;
-  if (!bytes || !count_bytes || (is_list && (*count_bytes > 4 || words[2].starts_with("float"))))
-    return std::nullopt;
-  return PlyProperty{*bytes, *count_bytes, is_list && words[2][0] != 'u'};
-}
-
-/// A header as its format has it (Turk, "The PLY polygon file format", 1994).
-std::optional<PlyHeader> ply_header(std::string_view bytes) {
-  const std::size_t end = bytes.find(kPlyEnd);
-  if (end == std::string_view::npos || end == 0 || bytes[end - 1] != '\n') return std::nullopt;
-  const std::string text(bytes.substr(0, end));
-  if (text.find('\0') != std::string::npos) return std::nullopt;
-  std::istringstream lines{text};
-  std::string line;
-  if (!std::getline(lines, line) || words_of(line) != std::vector<std::string>{"ply"})
-    return std::nullopt;
-  PlyHeader header;
-  header.data_at = end + kPlyEnd.size();
-  while (std::getline(lines, line)) {
-    const auto words = words_of(line);
-    if (words.empty()) return std::nullopt;
-    if (words[0] == "comment" || words[0] == "obj_info") continue;
-    const bool is_plain =
-        std::all_of(words.back().begin(), words.back().end(), [](unsigned char c) {
-          return std::isalnum(c) != 0 || c == '_' || c == '.';
-        });
-    if (!is_plain) return std::nullopt;
-    auto& elements = header.elements;
-    if (words[0] == "format" && words.size() == 3 && header.format.empty()) {
-      header.format = words[1];
-    } else if (words[0] == "element" && !header.format.empty()) {
-      const auto element = ply_element(words);
-      if (!element || (!elements.empty() && elements.back().properties.empty()))
-        return std::nullopt;
-      elements.push_back(*element);
-    } else if (words[0] == "property" && !elements.empty()) {
-      const auto property = ply_property(words);
-      if (!property) return std::nullopt;
-      elements.back().properties.push_back(*property);
-    } else {
-      return std::nullopt;
-    }
-  }
-  if (header.elements.empty() || header.elements.back().properties.empty()) return std::nullopt;
-  return header;
-}
-
-/// Goes over one element's bytes; false where they are not all there.
-bool pass_element(const PlyElement& element,
-                  std::string_view bytes,
-                  bool is_big_endian,
-                  std::size_t& at) {
-  for (const PlyProperty& property : element.properties) {
-    std::size_t values = 1;
-    if (property.count_bytes > 0) {
-      if (property.count_bytes > bytes.size() - at) return false;
-      values = 0;
-      for (std::size_t i = 0; i < property.count_bytes; ++i) {
-        const std::size_t place = is_big_endian ? property.count_bytes - 1 - i : i;
-        values |= std::size_t{static_cast<unsigned char>(bytes[at + i])} << (8 * place);
-      }
-      at += property.count_bytes;
-      const std::size_t sign = std::size_t{1} << (8 * property.count_bytes - 1);
-      if (property.is_count_signed && (values & sign) != 0) return false;
-    }
-    if (values > (bytes.size() - at) / property.bytes) return false;
-    at += values * property.bytes;
-  }
-  return true;
-}
-
-/// A header in order, and behind it all that it tells of: of others assimp writes where it must
-/// not, or never comes back.
-bool is_ply(std::string_view bytes) {
-  const auto header = ply_header(bytes);
-  if (!header) return false;
-  std::size_t at = header->data_at, elements = 0;
-  const bool is_binary = header->format.starts_with("binary_");
-  for (const PlyElement& element : header->elements) {
-    if (element.count > bytes.size() - elements) return false;
-    elements += element.count;
-    for (std::size_t i = 0; is_binary && i < element.count; ++i)
-      if (!pass_element(element, bytes, header->format == "binary_big_endian", at)) return false;
-  }
-  // In text, a digit and a break for each.
-  return elements <= bytes.size() - header->data_at;
-}
-
 /// The first part lies within the file: assimp makes room for whatever size is told.
 bool is_glb(std::string_view bytes) {
   constexpr std::size_t kSizesAt = 8;  // of the file, and of its first part
@@ -358,16 +177,12 @@ Result<Triangles> read_triangles(const std::filesystem::path& file) {
                  en::say("a file that ends in .ply, .vtp, .glb, .stl or .obj")};
   const auto bytes = read_file(file, kLargestFile);
   if (!bytes) return bytes.error();
-  auto triangles = kind == ".ply"   ? from_ply(*bytes)
+  auto triangles = kind == ".ply"   ? read_ply(*bytes, kMostTriangles)
                    : kind == ".vtp" ? from_vtp(*bytes)
                    : kind == ".glb" ? from_glb(*bytes)
                                     : std::nullopt;
-  // assimp takes one of ours that ends among its faces for a whole one.
-  const bool is_cut =
-      (kind == ".glb" && !is_glb(*bytes)) ||
-      (kind == ".ply" &&
-       (!is_ply(*bytes) || bytes->find("property float depth_mm") != std::string::npos));
-  if (!triangles && kind != ".vtp" && !is_cut) triangles = by_assimp(*bytes, kind.substr(1));
+  const bool is_for_assimp = kind == ".stl" || kind == ".obj" || (kind == ".glb" && is_glb(*bytes));
+  if (!triangles && is_for_assimp) triangles = by_assimp(*bytes, kind.substr(1));
   if (!triangles) return refuse(en::say("the mesh cannot be read"));
   if (triangles->corners.empty()) return refuse(en::say("the mesh has no triangles"));
   if (triangles->corners.size() > kMostTriangles)
