@@ -61,6 +61,12 @@ std::string text_of(std::string_view field) {
   return text;
 }
 
+std::string remark_line(std::string_view sentence) {
+  std::string line = "# ";
+  for (const char c : sentence) line.push_back(c == '\n' ? ' ' : c);
+  return line + "\n";
+}
+
 }  // namespace
 
 std::filesystem::path journal_of(const std::filesystem::path& video) {
@@ -128,9 +134,7 @@ Status JournalWriter::add(const Frame& frame) {
 }
 
 Status JournalWriter::remark(std::string_view sentence) {
-  std::string line = "# ";
-  for (const char c : sentence) line.push_back(c == '\n' ? ' ' : c);
-  return write(line + "\n");
+  return write(remark_line(sentence));
 }
 
 Status JournalWriter::finish() {
@@ -168,6 +172,13 @@ Result<std::vector<JournalEntry>> read_journal(const std::filesystem::path& file
     entries.push_back(std::move(entry));
   }
   return entries;
+}
+
+Status remark_in_journal(const std::filesystem::path& file, std::string_view sentence) {
+  auto content = read_file(file);
+  if (!content) return content.error();
+  content->resize(content->rfind('\n') + 1);  // nothing where there is none
+  return write_file_atomically(file, *content + remark_line(sentence));
 }
 
 }  // namespace alltact

@@ -63,4 +63,9 @@ struct JournalEntry {
 /// of the two times is true.
 [[nodiscard]] Result<std::vector<JournalEntry>> read_journal(const std::filesystem::path& file);
 
+/// Adds a remark to a journal that nobody writes any more, in place of a last line that is not
+/// whole.
+[[nodiscard]] Status remark_in_journal(const std::filesystem::path& file,
+                                       std::string_view sentence);
+
 }  // namespace alltact

@@ -2,6 +2,7 @@
 
 #include "core/io/atomic_file.h"
 #include "core/io/system_error.h"
+#include "core/recording/journal.h"
 #include "core/recording/matroska_file.h"
 #include "core/recording/matroska_index.h"
 
@@ -75,6 +76,19 @@ Status check_space(const fs::path& file) {
   return {};
 }
 
+/// A power cut may spare lines of frames that it takes.
+void tell_lost(const fs::path& file, std::size_t frames) {
+  const auto told = read_journal(journal_of(file));
+  if (!told || told->size() <= frames) return;
+  // Where it cannot be told, the recording is mended all the same.
+  [[maybe_unused]] const Status ignored = remark_in_journal(
+      journal_of(file),
+      fmt::format("cut off and mended: the video holds {} of the {} frames that are told of here, "
+                  "the last ones did not reach the disk",
+                  frames,
+                  told->size()));
+}
+
 }  // namespace
 
 Result<bool> mend_recording(const fs::path& file, const Job& job) {
@@ -95,6 +109,7 @@ Result<bool> mend_recording(const fs::path& file, const Job& job) {
     return copy_packets(file, temporary, index->blocks, job);
   });
   if (!written) return written.error();
+  tell_lost(file, index->blocks.size());
   return true;
 }
 

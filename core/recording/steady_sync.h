@@ -16,7 +16,8 @@ namespace alltact {
 /// whoever writes, at the end.
 class SteadySync {
  public:
-  /// In this order, so that what the second tells of the first is there.
+  /// In this order, so that what the second told of the first before a sync is there after it; what
+  /// it tells while the first is synced may be ahead.
   SteadySync(std::vector<std::filesystem::path> files, std::chrono::milliseconds every);
   SteadySync(const SteadySync&) = delete;
   SteadySync& operator=(const SteadySync&) = delete;

@@ -116,6 +116,33 @@ TEST(Mend, ARecordingCutAnywhereKeepsEveryWholeFrame) {
     EXPECT_THAT(entry.path().filename().string(), testing::AnyOf("whole.mkv", "cut.mkv"));
 }
 
+TEST(Mend, SaysWhichFramesAPowerCutTook) {
+  for (const std::uint32_t told : {3U, 4U, 6U}) {
+    const TemporaryFolder folder;
+    const fs::path file = folder / "cut.mkv";
+    {
+      auto writer = VideoWriter::create(file, *camera_frame(0, false), VideoCodec::kMagicYuv, 30);
+      auto journal = JournalWriter::create(journal_of(file), "a camera");
+      ASSERT_TRUE(writer.ok() && journal.ok());
+      for (std::uint32_t i = 0; i < 4; ++i) ASSERT_TRUE(writer->add(*camera_frame(i, false)).ok());
+      for (std::uint32_t i = 0; i < told; ++i)
+        ASSERT_TRUE(journal->add(*camera_frame(i, false)).ok());
+    }  // never finished
+    const std::string lines = text_of(journal_of(file));
+    std::ofstream(journal_of(file), std::ios::app) << "9,81";
+    ASSERT_TRUE(VideoFile::open(file).ok());
+    ASSERT_TRUE(VideoFile::open(file).ok());
+    if (told <= 4)
+      EXPECT_EQ(text_of(journal_of(file)), lines + "9,81");
+    else
+      EXPECT_EQ(text_of(journal_of(file)),
+                lines +
+                    "# cut off and mended: the video holds 4 of the 6 frames that are told of "
+                    "here, the last ones did not reach the disk\n");
+    EXPECT_EQ(read_journal(journal_of(file))->size(), told);
+  }
+}
+
 TEST(Mend, LeavesOtherPeoplesFilesAlone) {
   const TemporaryFolder folder;
   const fs::path file = folder / "v.mkv";
