@@ -30,7 +30,7 @@ void tell_comparison(const TrainedForce& trained, Console& console) {
   for (int axis = 0; axis < axes; ++axis)
     head += fmt::format(" {:>7}", kAxisNames[static_cast<std::size_t>(axis)]);
   console.say("Mean absolute error in N on rows that were held out");
-  const auto width = static_cast<std::size_t>(8 * axes);
+  const std::size_t width = 8 * static_cast<std::size_t>(axes);
   console.say(
       fmt::format("{:<10}{:<{}}   {:<{}}   {}", "", head, width, head, width, "shuffled forces"));
   console.say(fmt::format("{:<10} {:<{}}   {:<{}}   {}",

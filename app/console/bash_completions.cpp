@@ -77,7 +77,8 @@ std::string names_of(const std::vector<const CLI::App*>& commands) {
 }  // namespace
 
 std::string bash_completions(const CLI::App& program) {
-  const std::string name = program.get_name(), function = function_name(program);
+  const std::string& name = program.get_name();
+  const std::string function = function_name(program);
   const auto commands = program.get_subcommands({});
   std::string tables;
   for (const CLI::App* command : commands)

@@ -49,7 +49,7 @@ std::string lines_of(const CLI::App& command, const std::string& begin) {
 }  // namespace
 
 std::string fish_completions(const CLI::App& program) {
-  const std::string name = program.get_name();
+  const std::string& name = program.get_name();
   std::string text = fmt::format("# Completions of {0} for fish.\ncomplete -c {0} -f\n", name);
   const auto commands = program.get_subcommands({});
   if (commands.empty()) return text + lines_of(program, "complete -c " + name);

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <concepts>
-#include <memory>
+#include <iterator>
 #include <random>
 #include <string>
 
 #include <assimp/Exporter.hpp>
+#include <assimp/Importer.hpp>
 #include <assimp/mesh.h>
 #include <assimp/scene.h>
 #include <fmt/format.h>
@@ -26,54 +26,46 @@ std::optional<Triangles> read(const std::string& bytes) {
   return read_ply(bytes, kMost);
 }
 
-/// Of one mesh, its points where `rng` has them.
-std::unique_ptr<aiScene> random_scene(std::mt19937& rng, unsigned points, unsigned faces) {
-  auto scene = std::make_unique<aiScene>();
-  scene->mNumMaterials = scene->mNumMeshes = 1;
-  scene->mMaterials = new aiMaterial* [1] { new aiMaterial() };
-  auto* mesh = new aiMesh();
-  scene->mMeshes = new aiMesh* [1] { mesh };
-  scene->mRootNode = new aiNode();
-  scene->mRootNode->mNumMeshes = 1;
-  scene->mRootNode->mMeshes = new unsigned[1]{0};
+/// A mesh as OBJ, its points where `rng` has them.
+std::string random_obj(std::mt19937& rng, int points, int faces) {
   std::uniform_real_distribution<float> at(-50, 50);
-  std::uniform_int_distribution<unsigned> corner(0, points - 1);
-  mesh->mPrimitiveTypes = aiPrimitiveType_TRIANGLE;
-  mesh->mNumVertices = points;
-  mesh->mVertices = new aiVector3D[points];
-  for (unsigned i = 0; i < points; ++i) mesh->mVertices[i] = {at(rng), at(rng), at(rng)};
-  mesh->mNumFaces = faces;
-  mesh->mFaces = new aiFace[faces];
-  for (unsigned i = 0; i < faces; ++i) {
-    mesh->mFaces[i].mNumIndices = 3;
-    mesh->mFaces[i].mIndices = new unsigned[3]{corner(rng), corner(rng), corner(rng)};
+  std::uniform_int_distribution<int> corner(1, points);
+  std::string text;
+  const auto out = std::back_inserter(text);
+  for (int i = 0; i < points; ++i) fmt::format_to(out, "v {} {} {}\n", at(rng), at(rng), at(rng));
+  for (int i = 0; i < faces; ++i)
+    fmt::format_to(out, "f {} {} {}\n", corner(rng), corner(rng), corner(rng));
+  return text;
+}
+
+void expect_same(const Triangles& triangles, const aiMesh& mesh, double most_off_mm) {
+  ASSERT_EQ(triangles.points_mm.size(), mesh.mNumVertices);
+  ASSERT_EQ(triangles.corners.size(), mesh.mNumFaces);
+  EXPECT_TRUE(triangles.depth_mm.empty());
+  for (unsigned k = 0; k < mesh.mNumVertices; ++k) {
+    const aiVector3D& p = mesh.mVertices[k];
+    EXPECT_LE(cv::norm(triangles.points_mm[k] - cv::Vec3f(p.x, p.y, p.z)), most_off_mm);
   }
-  return scene;
+  for (unsigned k = 0; k < mesh.mNumFaces; ++k)
+    for (unsigned c = 0; c < 3; ++c)
+      EXPECT_EQ(triangles.corners[k].at(c), static_cast<int>(mesh.mFaces[k].mIndices[c]));
 }
 
 TEST(ReadPly, ReadsWhatAssimpWrites) {
   std::mt19937 rng(7);
   for (int i = 0; i < 20; ++i) {
-    const auto scene = random_scene(rng, 3 + i, 1 + 5 * i);
-    const aiMesh& mesh = *scene->mMeshes[0];
+    const std::string obj = random_obj(rng, 3 + i, 1 + 5 * i);
+    Assimp::Importer importer;
+    const aiScene* scene = importer.ReadFileFromMemory(obj.data(), obj.size(), 0, "obj");
+    ASSERT_NE(scene, nullptr) << importer.GetErrorString();
     for (const char* kind : {"ply", "plyb"}) {
       Assimp::Exporter exporter;
-      const aiExportDataBlob* blob = exporter.ExportToBlob(scene.get(), kind);
+      const aiExportDataBlob* blob = exporter.ExportToBlob(scene, kind);
       ASSERT_NE(blob, nullptr) << exporter.GetErrorString();
       const auto triangles = read({static_cast<const char*>(blob->data), blob->size});
       ASSERT_TRUE(triangles) << kind << ' ' << i;
-      ASSERT_EQ(triangles->points_mm.size(), mesh.mNumVertices);
-      ASSERT_EQ(triangles->corners.size(), mesh.mNumFaces);
-      EXPECT_TRUE(triangles->depth_mm.empty());
-      for (unsigned k = 0; k < mesh.mNumVertices; ++k) {
-        const aiVector3D& p = mesh.mVertices[k];
-        // As text it has six digits.
-        EXPECT_LT(cv::norm(triangles->points_mm[k] - cv::Vec3f(p.x, p.y, p.z)),
-                  kind == std::string("ply") ? 1e-4 : 1e-30);
-      }
-      for (unsigned k = 0; k < mesh.mNumFaces; ++k)
-        for (unsigned c = 0; c < 3; ++c)
-          EXPECT_EQ(triangles->corners[k].at(c), static_cast<int>(mesh.mFaces[k].mIndices[c]));
+      // As text it has six digits.
+      expect_same(*triangles, *scene->mMeshes[0], kind == std::string("ply") ? 1e-4 : 0);
     }
   }
 }
@@ -106,33 +98,40 @@ TEST(ReadPly, PassesOverWhatIsNotWanted) {
 
 TEST(ReadPly, RefusesAHeaderThatIsNone) {
   const std::string head = "ply\nformat ascii 1.0\n", points(kPoints), faces(kFaces), body(kBody);
-  EXPECT_TRUE(read(head + points + faces + body));
+  const auto all = [](std::initializer_list<std::string_view> parts) {
+    std::string text;
+    for (const std::string_view part : parts) text += part;
+    return text;
+  };
+  EXPECT_TRUE(read(all({head, points, faces, body})));
   for (const std::string& header : {
-           "ply\nformat ascii 1.0" + head + points + faces,
-           "ply\n" + points + faces,
-           "ply\nformat binary 1.0\n" + points + faces,
-           "\n" + head + points + faces,
-           head + head.substr(4) + points + faces,
-           head + "property float w\n" + points + faces,
-           head + "propevertexrty float z\n" + points + faces,
-           head + points + "property soft w\n" + faces,
-           head + points + "property list float int w\n" + faces,
-           head + points + "property list uchar\n" + faces,
-           head + points + "element edge\nproperty int w\n" + faces,
-           head + points + "element edge -1\nproperty int w\n" + faces,
-           head + points + "element edge 1.5\nproperty int w\n" + faces,
-           head + points + "element edge 18446744073709551616\nproperty int w\n" + faces,
-           head + points + "element edge 0\n" + faces,
-           head + points + points + faces,
-           head + points + faces.substr(0, faces.size() - 1),
-           head + "element vertex 3\nproperty float x\nproperty float y\n" + faces,
-           head + "element vertex 4000000000\nproperty float x\nproperty float y\n" +
-               "property float z\n" + faces,
+           all({"ply\nformat ascii 1.0", head, points, faces}),
+           all({"ply\n", points, faces}),
+           all({"ply\nformat binary 1.0\n", points, faces}),
+           all({"\n", head, points, faces}),
+           all({head, "format ascii 1.0\n", points, faces}),
+           all({head, "property float w\n", points, faces}),
+           all({head, "propevertexrty float z\n", points, faces}),
+           all({head, points, "property soft w\n", faces}),
+           all({head, points, "property list float int w\n", faces}),
+           all({head, points, "property list uchar\n", faces}),
+           all({head, points, "element edge\nproperty int w\n", faces}),
+           all({head, points, "element edge -1\nproperty int w\n", faces}),
+           all({head, points, "element edge 1.5\nproperty int w\n", faces}),
+           all({head, points, "element edge 18446744073709551616\nproperty int w\n", faces}),
+           all({head, points, "element edge 0\n", faces}),
+           all({head, points, points, faces}),
+           all({head, points, "element face 1\nproperty list uchar int vertex_indices"}),
+           all({head, "element vertex 3\nproperty float x\nproperty float y\n", faces}),
+           all({head,
+                "element vertex 4000000000\nproperty float x\nproperty float y\n",
+                "property float z\n",
+                faces}),
        })
     EXPECT_FALSE(read(header + body)) << header;
   EXPECT_FALSE(read(""));
-  EXPECT_FALSE(read(head + points + faces));
-  EXPECT_FALSE(read(head + points + faces + "0 0 0\n1 0 0\n0 one 0\n3 0 1 2\n"));
+  EXPECT_FALSE(read(all({head, points, faces})));
+  EXPECT_FALSE(read(all({head, points, faces, "0 0 0\n1 0 0\n0 one 0\n3 0 1 2\n"})));
 }
 
 /// `value` as a file of this byte order has it.
