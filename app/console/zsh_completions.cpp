@@ -73,7 +73,8 @@ std::string arguments_of(const CLI::App& command) {
 }  // namespace
 
 std::string zsh_completions(const CLI::App& program) {
-  const std::string name = program.get_name(), function = function_name(program);
+  const std::string& name = program.get_name();
+  const std::string function = function_name(program);
   const std::string head = fmt::format("#compdef {}\n# Completions of {} for zsh.\n", name, name);
   const auto commands = program.get_subcommands({});
   if (commands.empty())

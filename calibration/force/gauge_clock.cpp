@@ -114,7 +114,8 @@ class ClockSearch {
     const double first_s = raw_.time_s.front() - motion_.time_s.back() + 0.5 * shorter_s;
     const double last_s = raw_.time_s.back() - motion_.time_s.front() - 0.5 * shorter_s;
     const std::size_t step = std::max<std::size_t>(1, motion_.time_s.size() / kCoarseRows);
-    const double rows_a_s = static_cast<double>(motion_.time_s.size() / step) / frames_s();
+    const std::size_t rows = motion_.time_s.size() / step;
+    const double rows_a_s = static_cast<double>(rows) / frames_s();
     std::vector<double> r2;
     for (double shift_s = first_s; shift_s <= last_s; shift_s += kCoarseStep_s) {
       const FitSums sums =

@@ -96,7 +96,8 @@ HardRow round_contact() {
   std::normal_distribution<double> noise(0.0, kNoise);
   for (int trial = 0; trial < 40; ++trial) {
     const bool is_round = trial % 2 == 0;
-    const double angle = -80.0 + 8.0 * (trial / 2);
+    const int direction = trial / 2;
+    const double angle = -80.0 + 8.0 * direction;
     const Eigen::Vector2d axis(std::cos(angle * M_PI / 180), std::sin(angle * M_PI / 180));
     DepthMap map = untouched_map({kSide, kSide});
     double sum = 0;

@@ -132,7 +132,8 @@ SeenBoards seen_boards(std::size_t count, double tilt_deg, std::mt19937& random)
     view.edge_px = 1.5;
     bool whole = true;
     for (int i = 0; i < 63; ++i) {
-      view.board_mm.emplace_back(kSquareMm * (i % 9), kSquareMm * (i / 9), 0.0);
+      const int row = i / 9, column = i % 9;
+      view.board_mm.emplace_back(kSquareMm * column, kSquareMm * row, 0.0);
       const auto pixel = camera.project(pose(view.board_mm.back()));
       whole &= pixel && pixel->minCoeff() >= 0 && pixel->x() <= seen.lens.width_px - 1 &&
                pixel->y() <= seen.lens.height_px - 1;

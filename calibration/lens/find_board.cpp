@@ -16,8 +16,8 @@ constexpr int kFewestCorners = 6;
 BoardView whole_view(const Board& board, const std::vector<cv::Point2f>& corners) {
   BoardView view;
   for (int i = 0; i < static_cast<int>(corners.size()); ++i) {
-    view.board_mm.emplace_back(
-        board.square_mm * (i % board.columns), board.square_mm * (i / board.columns), 0.0);
+    const int row = i / board.columns, column = i % board.columns;
+    view.board_mm.emplace_back(board.square_mm * column, board.square_mm * row, 0.0);
     view.pixels.emplace_back(corners[static_cast<std::size_t>(i)].x,
                              corners[static_cast<std::size_t>(i)].y);
   }

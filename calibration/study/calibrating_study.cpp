@@ -289,7 +289,7 @@ Result<CalibratingStudy> study_calibrating(const FingerPtr& finger,
     row.time_ratio = ratio_to(sum->seconds, base_seconds);
     row.technician_min = options.technician.minutes(row.choice.presses, row.choice.pictures);
     if (splits) splits->measure(choices[i], draws, quiet, row);
-    study.rows.push_back(std::move(row));
+    study.rows.push_back(row);
   }
   return study;
 }

@@ -8,7 +8,6 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <map>
 #include <string>
 #include <vector>
@@ -23,9 +22,7 @@ static_assert(std::endian::native == std::endian::little, "numbers are written a
 
 template <class T>
 void append(std::string& bytes, const T& value) {
-  const std::size_t end = bytes.size();
-  bytes.resize(end + sizeof(T));
-  std::memcpy(bytes.data() + end, &value, sizeof(T));
+  bytes.append(reinterpret_cast<const char*>(&value), sizeof(T));
 }
 
 template <class T>

@@ -59,7 +59,7 @@ class PressCheck : public testing::Test {
   [[nodiscard]] json verdict(const std::vector<std::string>& files) const {
     return json::parse(check(files, {"--json"}).output);
   }
-  const FlatFinger flat_;
+  FlatFinger flat_;
   int set_ = 0;
 };
 

@@ -21,7 +21,7 @@ void solve(benchmark::State& state, int count, double incline) {
         380.0 + 240.0 * i / count, 220.0 + 120.0 * i / count, 4.0, 0.4 + 0.9 * i / count};
     presses.push_back(make_press(*scene, {}, {}, {ball}, 1.0, random, fmt::format("p{}", i)).press);
   }
-  for (auto _ : state) {
+  for ([[maybe_unused]] const auto _ : state) {
     auto result = calibrate(presses, scene->camera, scene->face, {}, Job{});
     if (!result) state.SkipWithError(result.error().sentence().c_str());
     benchmark::DoNotOptimize(result);

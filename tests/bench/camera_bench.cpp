@@ -19,7 +19,7 @@ void BM_FrameToReader(benchmark::State& state) {
   if (!camera) return state.SkipWithError(camera.error().sentence().c_str());
   LatestFrameReader reader = (*camera)->frames().reader();
   std::vector<double> ages_ms;
-  for (auto _ : state) {
+  for ([[maybe_unused]] const auto _ : state) {
     const FramePtr frame = reader.next(std::chrono::seconds(1));
     if (frame == nullptr) return state.SkipWithError("no frame came");
     const double age_ms = test::age_ms(*frame);
@@ -34,14 +34,16 @@ void BM_FrameToReader(benchmark::State& state) {
 void BM_DecodeJpeg(benchmark::State& state) {
   const auto bytes = full_hd_packet(0);
   GreyDecoder decoder;
-  for (auto _ : state) benchmark::DoNotOptimize(decoder(PixelFormat::kMjpeg, 1920, 1080, 0, bytes));
+  for ([[maybe_unused]] const auto _ : state)
+    benchmark::DoNotOptimize(decoder(PixelFormat::kMjpeg, 1920, 1080, 0, bytes));
   state.counters["packet_bytes"] = static_cast<double>(bytes.size());
 }
 
 /// ...beside what OpenCV does with the same bytes.
 void BM_DecodeJpegOpenCv(benchmark::State& state) {
   const auto bytes = full_hd_packet(0);
-  for (auto _ : state) benchmark::DoNotOptimize(cv::imdecode(bytes, cv::IMREAD_GRAYSCALE));
+  for ([[maybe_unused]] const auto _ : state)
+    benchmark::DoNotOptimize(cv::imdecode(bytes, cv::IMREAD_GRAYSCALE));
 }
 
 BENCHMARK(BM_FrameToReader)->UseManualTime()->Iterations(60)->Unit(benchmark::kMillisecond);

@@ -17,7 +17,7 @@ void mesh_update(benchmark::State& state) {
                       static_cast<int>(std::ceil(side * 9 / 16)));
   const FaceSurface surface = test::MadeSurface().make(grid.width, grid.height);
   FaceMesh mesh;
-  for (auto step : state) {
+  for ([[maybe_unused]] const auto _ : state) {
     mesh.update(surface.untouched_mm, surface.depth_mm, 1, surface.depth_mm, {0, 1});
     benchmark::ClobberMemory();
   }
@@ -29,7 +29,7 @@ void mesh_copy(benchmark::State& state) {
   constexpr std::size_t kBytes = 3 * 4 + 3 * 4 + 3;  // of a vertex: place, normal, colour
   const std::vector<char> from(static_cast<std::size_t>(state.range(0)) * kBytes, 1);
   std::vector<char> to(from.size());
-  for (auto step : state) {
+  for ([[maybe_unused]] const auto _ : state) {
     std::memcpy(to.data(), from.data(), from.size());
     benchmark::ClobberMemory();
   }

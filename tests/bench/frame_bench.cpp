@@ -94,7 +94,7 @@ void whole_frame(benchmark::State& state, const PipelineSettings& settings) {
   std::size_t next = 0;
   StepTimes sum;
   double frames = 0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] const auto _ : state) {
     // To and fro: a camera's frames follow each other.
     const std::size_t last = rig.frames.size() - 1, step = next++ % (2 * last);
     const auto result = (*pipeline)(rig.frames[step <= last ? step : 2 * last - step]);
@@ -191,7 +191,7 @@ void contact_beside_none(benchmark::State& state) {
       Pipeline::create(FingerSnapshot::of(rig.folder, unpushed).value(), nothing_touches, Job());
   if (!with || !without) return state.SkipWithError("no pipeline");
   std::vector<double> more_ms, alone_ms;
-  for (auto _ : state)
+  for ([[maybe_unused]] const auto _ : state)
     for (const FramePtr& frame : rig.frames) {
       double with_ms = std::numeric_limits<double>::max(), without_ms = with_ms;
       bool told = false, ignored = false;
@@ -218,7 +218,7 @@ void BM_CopySameBytes(benchmark::State& state) {
   const auto scale = static_cast<std::size_t>(state.range(0));
   const std::size_t pixels = 960 * 540 * scale * scale;
   std::vector<std::uint8_t> from(pixels * (1 + 1 + 4), 7), to(from.size());
-  for (auto _ : state) {
+  for ([[maybe_unused]] const auto _ : state) {
     std::memcpy(to.data(), from.data(), from.size());
     benchmark::ClobberMemory();
   }

@@ -16,7 +16,7 @@ void BM_FindChessboard(benchmark::State& state) {
   const auto scene = made::board_scene(camera, board, 1, 30, 0, random);
   const cv::Mat picture = made::BoardPainter(camera).paint(
       scene.poses[0], [&](double x, double y) { return made::chessboard_ink(board, x, y); }, 1);
-  for (auto _ : state) {
+  for ([[maybe_unused]] const auto _ : state) {
     if (!find_board(picture, board)) state.SkipWithError("no board found");
   }
 }
@@ -27,7 +27,7 @@ void BM_CalibrateLens(benchmark::State& state) {
   std::mt19937 random(2);
   const auto scene = made::board_scene(
       camera, made::chessboard(), static_cast<int>(state.range(0)), 35, 0.2, random);
-  for (auto _ : state) {
+  for ([[maybe_unused]] const auto _ : state) {
     const auto found = calibrate_lens(scene.views, camera.size(), {}, {});
     if (!found) {
       state.SkipWithError("no lens found");

@@ -16,7 +16,7 @@ void run(benchmark::State& state, const MappingParameters& parameters) {
   constexpr int kPixels = 1920 * 1080;
   std::vector<float> x(kPixels), depth(kPixels);
   for (int i = 0; i < kPixels; ++i) x[i] = static_cast<float>(i % 1000) * 8e-4F - 0.1F;
-  for (auto _ : state) {
+  for ([[maybe_unused]] const auto _ : state) {
     mapping.depths_mm(x.data(), depth.data(), kPixels);
     benchmark::DoNotOptimize(depth.data());
   }

@@ -80,7 +80,7 @@ std::optional<std::vector<double>> mrcal_lens(const Corners& corners,
 /// Both lenses side by side. `truth` may be unknown.
 void compare(benchmark::State& state, const Corners& corners, const CameraParameters* truth) {
   if (!has_mrcal()) return state.SkipWithError(kMissing);
-  for (auto _ : state) {
+  for ([[maybe_unused]] const auto _ : state) {
     const auto ours = calibrate_lens(corners.views, corners.size, {}, {});
     const auto other = mrcal_lens(corners, "LENSMODEL_OPENCV5", 0.8 * corners.size.width);
     if (!ours || !other || other->size() != 9) {
@@ -150,7 +150,7 @@ void BM_RealBoardsAsMrcal(benchmark::State& state) {
   corners.views = found->views;
   LensSettings settings;
   settings.model = CameraModel::kFisheye;
-  for (auto _ : state) {
+  for ([[maybe_unused]] const auto _ : state) {
     const auto ours = calibrate_lens(corners.views, corners.size, settings, {});
     const auto other = mrcal_lens(corners, "LENSMODEL_OPENCV8", 0.45 * corners.size.width);
     if (!ours || !other) {

@@ -111,7 +111,7 @@ void record_full_hd(benchmark::State& state, VideoCodec codec) {
   const auto count = static_cast<std::size_t>(seconds * kFramesPerS);
   const test::FakeOptions options = test::full_hd_camera(30);
   test::FakeCamera fake(options);
-  for (auto _ : state) {
+  for ([[maybe_unused]] const auto _ : state) {
     const BenchVideo video;
     const auto recorded = record(video.file, codec, fake, count);
     if (!recorded) return state.SkipWithError(recorded.error().sentence().c_str());

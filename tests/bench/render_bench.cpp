@@ -17,7 +17,7 @@ void render_file(benchmark::State& state, const std::string& file, int threads) 
   const auto plan = Plan::compile(*scene, 1);
   if (!plan) return state.SkipWithError(plan.error().sentence().c_str());
   int frame = 0;
-  for (auto _ : state)
+  for ([[maybe_unused]] const auto _ : state)
     benchmark::DoNotOptimize(plan->render(frame++ % plan->frame_count(), threads));
 }
 
@@ -43,7 +43,7 @@ void two_effects_beside_a_loop(benchmark::State& state) {
   if (!plan) return state.SkipWithError(plan.error().sentence().c_str());
   const PixelRays rays(Camera::create(plan->finger().camera).value());
   std::vector<double> ratios;
-  for (auto _ : state)
+  for ([[maybe_unused]] const auto _ : state)
     for (int pair = 0; pair < kPairs; ++pair) {
       double of_plan = std::numeric_limits<double>::max(), of_loop = of_plan;
       for (int turn = 0; turn < kTurns; ++turn) {

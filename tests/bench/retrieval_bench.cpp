@@ -55,7 +55,8 @@ void retrieval_of_a_finger(benchmark::State& state) {
                     0.05};
   }
   std::size_t next = 0;
-  for (auto _ : state) benchmark::DoNotOptimize(search.nearest(asked[next++ % asked.size()]));
+  for ([[maybe_unused]] const auto _ : state)
+    benchmark::DoNotOptimize(search.nearest(asked[next++ % asked.size()]));
   state.counters["MB"] = static_cast<double>(search.memory_bytes()) / 1e6;
   state.SetComplexityN(state.range(0));
 }
@@ -70,14 +71,14 @@ void retrieval(benchmark::State& state) {
   Markers markers(kMarkers);
   for (int m = 0; m < kMarkers; ++m)
     markers[static_cast<std::size_t>(m)] = {40.0 * m, 300.0 + m, true, 0.05};
-  for (auto _ : state) benchmark::DoNotOptimize(search.nearest(markers));
+  for ([[maybe_unused]] const auto _ : state) benchmark::DoNotOptimize(search.nearest(markers));
   state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations()) * kFrames * kMarkers * 8);
 }
 BENCHMARK(retrieval)->Unit(benchmark::kMicrosecond);
 
 void copy_of_the_same_bytes(benchmark::State& state) {
   std::vector<float> from(static_cast<std::size_t>(kFrames) * kMarkers * 2, 1.0F), to(from.size());
-  for (auto _ : state) {
+  for ([[maybe_unused]] const auto _ : state) {
     std::memcpy(to.data(), from.data(), from.size() * sizeof(float));
     benchmark::DoNotOptimize(to.data());
     benchmark::ClobberMemory();

@@ -23,7 +23,7 @@ int raw_close(int descriptor) {
   return static_cast<int>(syscall(SYS_close, descriptor));
 }
 void* raw_map(std::size_t length, int descriptor, std::int64_t offset) {
-  return reinterpret_cast<void*>(
+  return reinterpret_cast<void*>(  // NOLINT: the kernel's calls give numbers
       syscall(SYS_mmap, nullptr, length, PROT_READ | PROT_WRITE, MAP_SHARED, descriptor, offset));
 }
 int raw_unmap(void* address, std::size_t length) {
@@ -74,7 +74,7 @@ FakeCamera::~FakeCamera() {
   }
   changed_.notify_all();
   if (pump_.joinable()) pump_.join();
-  while (!handles_.empty()) close(handles_.begin()->first);
+  while (!handles_.empty()) FakeCamera::close(handles_.begin()->first);
 }
 
 void FakeCamera::produce(int frames) {

@@ -18,7 +18,7 @@ constexpr std::uint32_t kPage = 4096;
 constexpr std::uint32_t kBufferMemory = V4L2_MEMORY_MMAP;
 
 void* raw_map(std::size_t length, int descriptor) {
-  return reinterpret_cast<void*>(
+  return reinterpret_cast<void*>(  // NOLINT: the kernel's calls give numbers
       syscall(SYS_mmap, nullptr, length, PROT_READ | PROT_WRITE, MAP_SHARED, descriptor, 0));
 }
 

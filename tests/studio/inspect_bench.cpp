@@ -26,7 +26,7 @@ void surface_of_a_frame(benchmark::State& state) {
   const FrameResult result = measured_frame();
   const Face face = Finger::load(MadeFingers::get().calibrated()).value().face;
   const cv::Size grid = grid_for(result, static_cast<int>(state.range(0)));
-  for (auto step : state)
+  for ([[maybe_unused]] const auto _ : state)
     benchmark::DoNotOptimize(face_surface(result, face, grid.width, grid.height));
   state.counters["vertices"] = grid.area();
 }
@@ -68,7 +68,7 @@ void turned_in_3d(benchmark::State& state) {
   };
   for (int i = 0; i < 5; ++i) turn();
   double longest_ms = 0;
-  for (auto step : state) {
+  for ([[maybe_unused]] const auto _ : state) {
     QElapsedTimer timer;
     timer.start();
     turn();
@@ -95,7 +95,7 @@ void pointed_at_in_3d(benchmark::State& state) {
   pane.show_frame(made_frame(state.range(0), 0.8));
   const FaceScene& scene = pane.face_pane()->scene();
   double x = 300;
-  for (auto step : state) {
+  for ([[maybe_unused]] const auto _ : state) {
     benchmark::DoNotOptimize(scene.pixel_at(x, 320));
     x = x < 600 ? x + 1 : 300;
   }
@@ -116,7 +116,7 @@ void shown_in_3d(benchmark::State& state) {
     while (pane.face_pane()->renders() == before) QCoreApplication::processEvents();
   };
   for (int i = 0; i < 5; ++i) show_next();  // shaders are made once
-  for (auto step : state) show_next();
+  for ([[maybe_unused]] const auto _ : state) show_next();
   state.counters["vertices"] = static_cast<double>(state.range(0));
   state.counters["per_s"] =
       benchmark::Counter(static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);

@@ -29,7 +29,7 @@ double percentile(std::vector<double> values, double part) {
 /// From nothing to the second picture of a simulated finger in a shown window.
 void until_the_picture_moves(benchmark::State& state) {
   static_cast<void>(MadeFingers::get());
-  for (auto step : state) {
+  for ([[maybe_unused]] const auto _ : state) {
     StudioOptions options;
     options.source = {MadeFingers::get().bending()};
     Studio studio(options);
@@ -94,7 +94,7 @@ void age_of_full_hd(benchmark::State& state) {
   if (has_reference && (!give_reference(description.finger, {folder / "hd.yaml"}, Job()) ||
                         !give_mapping(description.finger)))
     return state.SkipWithError("no reference");
-  for (auto step : state) {
+  for ([[maybe_unused]] const auto _ : state) {
     StudioOptions options;
     options.opener = with_camera(fake);
     options.source = {"camera"};
@@ -164,7 +164,7 @@ void drag_of_an_outline(benchmark::State& state) {
   QTest::mousePress(&editor, Qt::LeftButton, {}, rim);
   std::vector<double> times_ms;
   int step = 0;
-  for (auto unused : state) {
+  for ([[maybe_unused]] const auto _ : state) {
     ++step;
     const auto begin = std::chrono::steady_clock::now();
     QMouseEvent move(QEvent::MouseMove,

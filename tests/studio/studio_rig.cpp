@@ -30,6 +30,7 @@ cv::Size small_size_px() {
 
 std::string small_scene(bool is_touched, int width_px) {
   const double scale = width_px / 960.0;
+  const int height_px = width_px * 9 / 16;
   const std::string ball =
       "  - {use: ball, radius_mm: 4.0, s_mm: 46.0, y_mm: 0.0, depth_mm: 0.8}\n"
       "  - {use: rolloff, kind: hertz, length_mm: 0.8}\n";
@@ -59,10 +60,10 @@ std::string small_scene(bool is_touched, int width_px) {
       "  - {{use: quantisation}}\n",
       is_touched ? 0.3 : 3.0,  // a touched finger stays near the pose at rest
       width_px,
-      width_px * 9 / 16,
+      height_px,
       523.9 * scale,
       0.5 * (width_px - 1),
-      0.5 * (width_px * 9 / 16 - 1),
+      0.5 * (height_px - 1),
       is_touched ? ball : "");
 }
 

@@ -15,7 +15,7 @@ namespace alltact::test {
 class FingerOnDisk : public testing::Test {
  protected:
   void SetUp() override {
-    if (std::string(ALLTACT_SANITIZE) != "")
+    if (!std::string(ALLTACT_SANITIZE).empty())
       GTEST_SKIP() << "sanitizers want to be loaded before the disk's faults";
     const std::filesystem::path folder = finger();
     std::filesystem::create_directory(folder);

@@ -191,7 +191,6 @@ int StudioStyle::pixelMetric(PixelMetric metric,
   switch (metric) {
     case PM_LayoutHorizontalSpacing:
     case PM_LayoutVerticalSpacing:
-      return kSpacing;
     case PM_LayoutLeftMargin:
     case PM_LayoutTopMargin:
     case PM_LayoutRightMargin:

@@ -47,7 +47,7 @@ std::vector<Eigen::Vector2d> convex_polygon(const std::vector<Eigen::Vector2d>& 
                                             double tolerance_mm) {
   if (points_mm.empty()) return {};
   // About one of them, so that single precision is enough.
-  const Eigen::Vector2d origin = points_mm.front();
+  const Eigen::Vector2d& origin = points_mm.front();
   std::vector<cv::Point2f> points, hull, corners;
   for (const Eigen::Vector2d& point : points_mm) {
     const Eigen::Vector2f off = (point - origin).cast<float>();

@@ -156,8 +156,11 @@ std::optional<LightFit> fit_light(const LightBlocks& blocks, const LightBlocks& 
   LightGain::Covariance information;
   fit.terms[0] = 1.0 / ratio - 1.0;
   // From wide to narrow: a change that tilts over the face must not look like a contact.
-  for (double widening = spread; widening > 0.5 * kFloor; widening *= 0.5)
+  double widening = spread;
+  while (widening > 0.5 * kFloor) {
     fit.believed = refit(blocks, widening, fit.believed, &fit.terms, &information);
+    widening *= 0.5;
+  }
   for (int last = 0; last < 2; ++last)
     fit.believed = refit(blocks, 0.0, fit.believed, &fit.terms, &information);
   fit.covariance =

@@ -105,9 +105,10 @@ void take_settings(const py::kwargs& settings, FingerCalibrationInput& input) {
 void take_sayings(const std::map<std::string, std::vector<std::string>>& say, PressSet& said) {
   for (const auto& [flag, texts] : say) {
     const auto& kinds = press_sayings();
-    const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const PressSaying& known) {
-      return flag_of(flag) == known.flag;
-    });
+    const auto kind = std::find_if(
+        kinds.begin(), kinds.end(), [wanted = flag_of(flag)](const PressSaying& known) {
+          return wanted == known.flag;
+        });
     if (kind == kinds.end()) {
       std::vector<std::string> names;
       for (const PressSaying& known : kinds) names.emplace_back(known.flag);

@@ -24,8 +24,10 @@ const cv::Rect kDarkReference(30, 40, 60, 48), kBrightReference(200, 30, 48, 60)
 FrameResult measured(bool is_calibrated) {
   cv::Mat reference = test::untouched_picture(1), live = test::untouched_picture(2);
   const auto fill = [](cv::Mat& picture, const cv::Rect& patch, int first) {
-    for (int u = 0; u < patch.width; ++u)
-      picture(cv::Rect(patch.x + u, patch.y, 1, patch.height)).setTo(first + u / kPeriod_px);
+    for (int u = 0; u < patch.width; ++u) {
+      const int level = first + u / kPeriod_px;
+      picture(cv::Rect(patch.x + u, patch.y, 1, patch.height)).setTo(level);
+    }
   };
   fill(reference, kDarkReference, 3);      // 3 to 12
   fill(reference, kBrightReference, 246);  // 246 to 253
@@ -50,7 +52,7 @@ Stripe colour_in(const cv::Mat& layer, const cv::Rect& patch) {
   Stripe found = kNothing;
   for (int v = patch.y; v < patch.br().y; ++v)
     for (int u = patch.x; u < patch.br().x; ++u) {
-      const Stripe here = layer.at<Stripe>(v, u);
+      const Stripe& here = layer.at<Stripe>(v, u);
       if (here == kNothing) continue;
       if (found != kNothing && found != here) return kNothing;
       found = here;
@@ -74,7 +76,7 @@ TEST_P(FaultsLayer, ShowsExactlyWhatTheMeasurementFlags) {
   for (int v = 0; v < layer.rows; ++v)
     for (int u = 0; u < layer.cols; ++u) {
       const auto flag = flags.at<std::uint8_t>(v, u);
-      const Stripe here = layer.at<Stripe>(v, u);
+      const Stripe& here = layer.at<Stripe>(v, u);
       dark_flags += flag == kTooDark, bright_flags += flag == kSaturated;
       dark_painted += here == dark, bright_painted += here == bright;
       ASSERT_TRUE(here == kNothing || here == (flag == kTooDark     ? dark

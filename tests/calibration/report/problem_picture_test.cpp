@@ -9,7 +9,7 @@ int coloured(const cv::Mat& picture) {
   int count = 0;
   for (int y = 0; y < picture.rows; ++y)
     for (int x = 0; x < picture.cols; ++x) {
-      const auto p = picture.at<cv::Vec3b>(y, x);
+      const auto& p = picture.at<cv::Vec3b>(y, x);
       count += p[0] != p[1] || p[1] != p[2];
     }
   return count;

@@ -1,9 +1,9 @@
 #include "core/finger/mapping.h"
 
 #include <cmath>
-#include <cstring>
 #include <numbers>
 #include <random>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -147,6 +147,10 @@ TEST(Mapping, ManyAtOnceAgreeWithOneByOne) {
 TEST(Mapping, ManyAtOnceAreTheSameBytesHoweverTheyAreSplit) {
   std::mt19937 random(5);
   std::uniform_real_distribution<float> any(-0.2F, 1.2F);
+  const auto bytes = [](const std::vector<float>& values) {
+    return std::string_view(reinterpret_cast<const char*>(values.data()),
+                            values.size() * sizeof(float));
+  };
   for (const Mapping& mapping : random_mappings(60)) {
     std::vector<float> x(257), at_once(257), alone(257);
     for (float& value : x) value = any(random);
@@ -154,11 +158,11 @@ TEST(Mapping, ManyAtOnceAreTheSameBytesHoweverTheyAreSplit) {
     x[100] = std::numeric_limits<float>::infinity();
     mapping.depths_mm(x.data(), at_once.data(), 257);
     for (int i = 0; i < 257; ++i) mapping.depths_mm(&x[i], &alone[i], 1);
-    EXPECT_EQ(std::memcmp(at_once.data(), alone.data(), 257 * sizeof(float)), 0);
+    EXPECT_TRUE(bytes(at_once) == bytes(alone));
     EXPECT_TRUE(std::isnan(at_once[3]));
     EXPECT_TRUE(std::isfinite(at_once[100]));
     mapping.depths_mm(x.data(), x.data(), 257);
-    EXPECT_EQ(std::memcmp(at_once.data(), x.data(), 257 * sizeof(float)), 0);
+    EXPECT_TRUE(bytes(at_once) == bytes(x));
   }
 }
 

@@ -194,7 +194,7 @@ TEST(Source, SaysWhatIsWrongWithAnInput) {
   cv::imwrite(folder / "a.png", noise());
   fs::create_directory(folder / "empty");
   std::ofstream(folder / "bad.mkv") << "no video at all";
-  std::ofstream(folder / "empty.mkv");
+  std::ofstream(folder / "empty.mkv") << "";
   std::ofstream(folder / "notes.txt") << "x";
   write_video(folder / "v.mkv", cv::VideoWriter::fourcc('F', 'F', 'V', '1'), 1, false);
   EXPECT_THAT(refusal({}), HasSubstr("no input"));

@@ -101,7 +101,7 @@ TEST(MeshThumbnail, WhatIsNearerHidesWhatIsFarther) {
     plates.corners.push_back({first + 1, first + 3, first + 2});
   }
   const cv::Mat picture = mesh_thumbnail(plates, 64);
-  const cv::Vec4b middle = picture.at<cv::Vec4b>(32, 32);
+  const cv::Vec4b& middle = picture.at<cv::Vec4b>(32, 32);
   const MapColour yellow = viridis(1);
   // In the yellow of the nearer plate, darker by its slope towards the light.
   EXPECT_NEAR(static_cast<double>(middle[1]) / middle[2],

@@ -120,10 +120,10 @@ extern "C" {
 ALLTACT_OPEN(open)
 ALLTACT_OPEN(open64)
 
-int __open_2(const char* path, int flags) {
+int __open_2(const char* path, int flags) {  // NOLINT: glibc's name
   return open(path, flags);
 }
-int __open64_2(const char* path, int flags) {
+int __open64_2(const char* path, int flags) {  // NOLINT: glibc's name
   return open64(path, flags);
 }
 
@@ -173,7 +173,7 @@ int poll(pollfd* descriptors, nfds_t count, int timeout_ms) {
   static const auto real = next<int (*)(pollfd*, nfds_t, int)>("poll");
   return real(descriptors, count, timeout_ms);
 }
-int __poll_chk(pollfd* descriptors, nfds_t count, int timeout_ms, size_t) {
+int __poll_chk(pollfd* descriptors, nfds_t count, int timeout_ms, size_t) {  // NOLINT: as above
   return poll(descriptors, count, timeout_ms);
 }
 

@@ -45,7 +45,7 @@ struct PushedDrawnFinger {
         length_mm,
         480 * scale,
         270 * scale);
-    tail = fmt::format(
+    tail_ = fmt::format(
         "  - {{use: markers, radius_mm: 1.2, setback_mm: {}, first: {}, last: {}, albedo: 0.9}}\n"
         "  - {{use: layer, scatter_per_mm: 0.6, along: normal}}\n"
         "  - {{use: sides, albedo: 0.12, depth_mm: 14.0}}\n"
@@ -56,10 +56,12 @@ struct PushedDrawnFinger {
         random.between(0.08, 0.2),
         random.between(0.75, 0.92));
   }
-  [[nodiscard]] std::string with(const std::string& effects) const { return head + effects + tail; }
+  [[nodiscard]] std::string with(const std::string& effects) const {
+    return head + effects + tail_;
+  }
 
  private:
-  std::string tail;
+  std::string tail_;
 };
 
 // From 0 in the first frame to this in the second.

@@ -210,7 +210,7 @@ TEST(Interreflection, OfLampsIsTheQuadratureOfTheEquation) {
       const Vector3d normal =
           on_side ? Vector3d(0, way.y() > 0 ? -1 : 1, 0) : Vector3d(world.inward());
       const double truth = world.bounce_at(at, normal, patches) * (on_side ? kBoxAlbedo : 1) *
-                           std::exp(-per_mm * at.norm());
+                           std::exp(-world.absorb_per_mm * at.norm());
       EXPECT_NEAR(lit(v, u) - plain(v, u), truth, 0.025 * truth + 0.1) << u << ' ' << v;
       greatest = std::max(greatest, truth);
       ++compared;

@@ -26,7 +26,8 @@ TEST(ShippedScenes, ExperimentLocalisation) {
     const Truth truth = plan.truth(frame);
     ASSERT_EQ(truth.balls.size(), 1U);
     const Eigen::Vector3d at = truth.ball->centre_mm;
-    EXPECT_NEAR(at.y(), (frame / 9 - 1) * 6.0, 1e-9);
+    const int row = frame / 9 - 1;
+    EXPECT_NEAR(at.y(), row * 6.0, 1e-9);
     EXPECT_EQ(truth.ball->depth_mm, 0.6);
     if (frame % 9 > 0) {
       EXPECT_NEAR((at - last).norm(), 10, 0.5) << frame;
@@ -81,7 +82,8 @@ TEST(ShippedScenes, ExperimentLeastForce) {
     const ContactTruth& contact = truth.contacts.front();
     EXPECT_EQ(static_cast<int>(contact.face), 1 + frame / 32) << frame;
     EXPECT_NEAR(contact.force_N->norm(), kForces_N[static_cast<std::size_t>(frame % 8)], 1e-3);
-    EXPECT_NEAR(contact.along_mm, 25 + 20 * (frame % 32 / 8), 0.6) << "slides a little";
+    const int place = frame % 32 / 8;
+    EXPECT_NEAR(contact.along_mm, 25 + 20 * place, 0.6) << "slides a little";
     // Body and skin give way, so that the dots tell.
     double moved_px = 0;
     for (std::size_t i = 0; i < free.markers.size(); ++i)

@@ -162,9 +162,10 @@ inline cv::Mat_<float> ratio_of(const cv::Mat_<float>& a, const cv::Mat_<float>&
 
 /// How many pixels a step takes from a tenth to nine tenths of its height, along values.
 inline double step_width_px(const std::vector<float>& values) {
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const auto ends = std::minmax_element(values.begin(), values.end());
+  const float low = *ends.first, high = *ends.second;
   const auto crossing = [&](double part) {
-    const double level = *low + part * (*high - *low);
+    const double level = low + part * (high - low);
     for (std::size_t i = 1; i < values.size(); ++i) {
       const double a = values[i - 1] - level, b = values[i] - level;
       if ((a < 0) != (b < 0)) return static_cast<double>(i) - b / (b - a);
