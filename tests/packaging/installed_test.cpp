@@ -1,6 +1,7 @@
 // An installed tree may be moved, finds what it brings, and lets other programs measure.
 #include "tests/packaging/quoted.h"
 #include "tests/support/program.h"
+#include "tests/support/sanitized.h"
 
 #include <regex>
 #include <set>
@@ -134,6 +135,7 @@ TEST_F(Installed, EachPublicHeaderCompilesAlone) {
 }
 
 TEST_F(Installed, TheExampleMeasuresLive) {
+  if (kIsSanitized) GTEST_SKIP() << "sanitizers want to be in a program that has their libraries";
   const std::string example = (kTop / "packaging/example").string();
   std::istringstream source(text_of(kTop / "packaging/example/measure_live.cpp"));
   int lines = 0;

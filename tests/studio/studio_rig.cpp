@@ -8,6 +8,7 @@
 #include "core/io/picture.h"
 #include "core/simulation/plan.h"
 #include "core/sources/open/open_source.h"
+#include "tests/support/sanitized.h"
 
 #include <QSettings>
 
@@ -140,7 +141,8 @@ void leave_as_after_a_crash(const std::filesystem::path& session_folder) {
 }
 
 bool wait_until(const std::function<bool()>& is_so, int patience_ms) {
-  return QTest::qWaitFor(is_so, patience_ms);
+  constexpr int kSlower = kIsSanitized ? 5 : 1;
+  return QTest::qWaitFor(is_so, kSlower * patience_ms);
 }
 
 StudioOptions simulated() {

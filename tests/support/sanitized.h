@@ -1,5 +1,5 @@
 // Whether the tests run under a sanitizer that has an allocator of its own: what is measured of
-// memory then is not the program's.
+// memory then is not the program's, and all takes longer.
 #pragma once
 
 namespace alltact::test {

@@ -190,9 +190,10 @@ void InspectPane::showEvent(QShowEvent* event) {
 
 bool InspectPane::eventFilter(QObject* watched, QEvent* event) {
   constexpr double kStill = 3;
-  const auto* mouse = static_cast<QMouseEvent*>(event);
-  if (event->type() == QEvent::MouseButtonPress) pressed_ = mouse->position();
+  if (event->type() == QEvent::MouseButtonPress)
+    pressed_ = static_cast<QMouseEvent*>(event)->position();
   if (event->type() == QEvent::MouseButtonRelease && pressed_ && frame_) {
+    const auto* mouse = static_cast<QMouseEvent*>(event);
     if ((mouse->position() - *pressed_).manhattanLength() <= kStill)
       Q_EMIT clicked(
           map_->transform().to_picture(mouse->position()),

@@ -45,6 +45,7 @@ using PieceSteps = PlaceSteps<kLaidPiece>;
 /// 16-bit numbers that stay in registers from one step to the next, and where they are read.
 using Half = std::int16_t __attribute__((vector_size(32)));
 using HalfAt = std::int16_t __attribute__((vector_size(32), aligned(2), may_alias));
+using HalfAround = std::uint16_t __attribute__((vector_size(32)));
 constexpr std::size_t kHalf = sizeof(Half) / sizeof(std::int16_t);
 static_assert(kLaidPiece == 2 * kHalf);
 
@@ -69,7 +70,9 @@ static_assert(kLaidPiece == 2 * kHalf);
     next = (beyond & reaches) | (next & ~reaches);
   }
   *reinterpret_cast<HalfAt*>(here) = now;
-  *reinterpret_cast<HalfAt*>(further) = next - now;
+  // Places that nobody asked for hold anything: their difference may wrap around.
+  *reinterpret_cast<HalfAt*>(further) = reinterpret_cast<Half>(reinterpret_cast<HalfAround>(next) -
+                                                               reinterpret_cast<HalfAround>(now));
 }
 
 [[gnu::always_inline]] inline void take_piece(const std::int16_t* from,
