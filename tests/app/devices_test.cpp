@@ -1,5 +1,6 @@
 // `alltact devices` and programs that know nothing of us, with a made-up camera and pedal.
 #include "tests/support/program.h"
+#include "tests/support/sanitized.h"
 
 #include <regex>
 #include <set>
@@ -73,7 +74,7 @@ ProgramRun run_among_devices(const std::string& command, const std::string& came
 }
 
 TEST(Devices, ListsWhatThereIsAndWhatIsWrongWithIt) {
-  if (*ALLTACT_SANITIZE != 0) GTEST_SKIP() << "sanitizers do not stand other preloaded libraries";
+  if (kIsSanitized) GTEST_SKIP() << "sanitizers do not stand other preloaded libraries";
   const std::string program = std::string("'") + ALLTACT_PROGRAM + "' devices";
   const std::string camera = "pixels=MJPG,YUYV size=640x480,1920x1080 rate=30";
   const ProgramRun text = run_among_devices(program, camera);
@@ -105,7 +106,7 @@ TEST(Devices, ListsWhatThereIsAndWhatIsWrongWithIt) {
 }
 
 TEST(Devices, ACameraIsRecordedByItsLastingName) {
-  if (*ALLTACT_SANITIZE != 0) GTEST_SKIP() << "sanitizers do not stand other preloaded libraries";
+  if (kIsSanitized) GTEST_SKIP() << "sanitizers do not stand other preloaded libraries";
   for (const char* format : {"MJPG", "GREY"}) {
     const TemporaryFolder folder;
     const std::string video = (folder / "v.mkv").string();
@@ -133,7 +134,7 @@ TEST(Devices, ACameraIsRecordedByItsLastingName) {
 TEST(Devices, WithoutAnyItSaysSo) {
   const ProgramRun run =
       run_shell(std::string("umockdev-run -- '") + ALLTACT_PROGRAM + "' devices");
-  if (*ALLTACT_SANITIZE != 0) GTEST_SKIP() << "sanitizers do not stand other preloaded libraries";
+  if (kIsSanitized) GTEST_SKIP() << "sanitizers do not stand other preloaded libraries";
   EXPECT_EQ(run.status, 0) << run.errors;
   EXPECT_EQ(run.output, "No camera was found.\nNo HID device (pedal, dimmer) was found.\n");
 }

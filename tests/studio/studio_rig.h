@@ -69,7 +69,7 @@ void leave_as_after_a_crash(const std::filesystem::path& session_folder);
 /// Opens the fake camera under the name "camera", everything else as ever.
 [[nodiscard]] SourceOpener with_camera(FakeCamera& fake);
 
-/// Turns the event loop until it is so; false after `patience_ms`.
+/// Turns the event loop until it is so; false after `patience_ms`, five times that with sanitizers.
 bool wait_until(const std::function<bool()>& is_so, int patience_ms = 30000);
 
 class Studio {

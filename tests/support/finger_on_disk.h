@@ -4,6 +4,7 @@
 #include "core/finger/finger.h"
 #include "tests/support/flat_finger.h"
 #include "tests/support/flat_sensor.h"
+#include "tests/support/sanitized.h"
 
 #include <filesystem>
 #include <string>
@@ -15,8 +16,7 @@ namespace alltact::test {
 class FingerOnDisk : public testing::Test {
  protected:
   void SetUp() override {
-    if (!std::string(ALLTACT_SANITIZE).empty())
-      GTEST_SKIP() << "sanitizers want to be loaded before the disk's faults";
+    if (kIsSanitized) GTEST_SKIP() << "sanitizers want to be loaded before the disk's faults";
     const std::filesystem::path folder = finger();
     std::filesystem::create_directory(folder);
     Finger made = flat_sensor_finger(true);

@@ -2,6 +2,7 @@
 #include "core/recording/mend.h"
 #include "tests/core/recording/recorder_use.h"
 #include "tests/support/program.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/temporary_folder.h"
 
 #include <fstream>
@@ -171,9 +172,7 @@ double memory_mb() {
 }
 
 TEST(Recorder, MemoryDoesNotGrowWithTheRecording) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  GTEST_SKIP() << "sanitizers keep freed memory";
-#endif
+  if (kIsSanitized) GTEST_SKIP() << "sanitizers keep freed memory";
   // ALLTACT_SOAK_SECONDS of recorded time at 30 frames a second, as fast as it goes.
   const char* wanted = std::getenv("ALLTACT_SOAK_SECONDS");
   const std::uint32_t frames = 30 * (wanted != nullptr ? std::atoi(wanted) : 30);
