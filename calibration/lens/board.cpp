@@ -11,6 +11,11 @@ double Board::diagonal_mm() const {
   return square_mm * std::hypot(columns - 1, rows - 1);
 }
 
+Eigen::Vector3d Board::point_mm(int i) const {
+  const int row = i / columns, column = i % columns;
+  return {square_mm * column, square_mm * row, 0};
+}
+
 Message Board::words() const {
   const Message counted =
       pattern == BoardPattern::kDots ? en::say("dots") : en::say("inner corners");

@@ -24,6 +24,8 @@ struct Board {
   double marker_part = 0.75;  ///< ChArUco only: a marker's side as part of the square's, (0, 1)
 
   [[nodiscard]] double diagonal_mm() const;
+  /// Where the i-th corner or dot lies on the board, counted row by row from 0; z = 0.
+  [[nodiscard]] Eigen::Vector3d point_mm(int i) const;
   /// "6 x 6 inner corners".
   [[nodiscard]] Message words() const;
 };

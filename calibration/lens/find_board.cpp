@@ -16,8 +16,7 @@ constexpr int kFewestCorners = 6;
 BoardView whole_view(const Board& board, const std::vector<cv::Point2f>& corners) {
   BoardView view;
   for (int i = 0; i < static_cast<int>(corners.size()); ++i) {
-    const int row = i / board.columns, column = i % board.columns;
-    view.board_mm.emplace_back(board.square_mm * column, board.square_mm * row, 0.0);
+    view.board_mm.push_back(board.point_mm(i));
     view.pixels.emplace_back(corners[static_cast<std::size_t>(i)].x,
                              corners[static_cast<std::size_t>(i)].y);
   }

@@ -172,8 +172,7 @@ Result<BoardView> find_dots(const cv::Mat& grey, const Board& board) {
                    en::say("the whole board in the picture, evenly lit")};
     // The ratio of two areas is the same in every affine view.
     parts.push_back(std::sqrt(4 / M_PI * dot->area_px2 / std::abs(spacing.determinant())));
-    const int row = i / board.columns, column = i % board.columns;
-    view.board_mm.emplace_back(board.square_mm * column, board.square_mm * row, 0.0);
+    view.board_mm.push_back(board.point_mm(i));
     view.pixels.push_back(dot->centre);
   }
   view.dot_part = upper_median(parts);
