@@ -6,6 +6,7 @@
 #include "core/simulation/plan.h"
 #include "core/sources/source.h"
 #include "tests/support/plan_source.h"
+#include "tests/support/temporary_folder.h"
 
 #include <algorithm>
 #include <cstring>
@@ -35,7 +36,7 @@ struct Rig {
   Finger finger;
   std::vector<FramePtr> frames;
   std::vector<Truth> truths;  ///< of more frames than are measured
-  std::filesystem::path folder;
+  test::TemporaryFolder folder;
 
   explicit Rig(int scale) {
     std::ifstream file(std::string(ALLTACT_SOURCE_DIR) + "/resources/scenes/demo_reference.yaml");
@@ -57,10 +58,8 @@ struct Rig {
             "  - {use: markers,");
     const Plan touched = Plan::compile(Scene::parse(scene, "bench").value(), 5).value();
     finger = plan.finger();
-    folder = std::filesystem::temp_directory_path() / fmt::format("alltact_bench_{}", scale);
-    std::filesystem::create_directories(folder);
     PlanSource source(plan, kReferenceFrames);
-    const auto report = install_reference(source, folder, finger, Job());
+    const auto report = install_reference(source, folder.path(), finger, Job());
     if (!report) throw std::runtime_error(report.error().sentence());
     MappingParameters mapping;
     mapping.kind = MappingKind::kMoebius;
@@ -72,7 +71,6 @@ struct Rig {
     for (auto frame = live.next(); *frame; frame = live.next()) frames.push_back(*frame);
     for (int i = 0; i < kForceRows; ++i) truths.push_back(touched.truth(i));
   }
-  ~Rig() { std::filesystem::remove_all(folder); }
 };
 
 /// Made once: benchmarks are called again and again until they have run for long enough.
@@ -86,7 +84,7 @@ void whole_frame(benchmark::State& state, const PipelineSettings& settings) {
   const auto scale = static_cast<int>(state.range(0));
   const Rig& rig = rig_of(scale);
   auto pipeline =
-      Pipeline::create(FingerSnapshot::of(rig.folder, rig.finger).value(), settings, Job());
+      Pipeline::create(FingerSnapshot::of(rig.folder.path(), rig.finger).value(), settings, Job());
   if (!pipeline) {
     state.SkipWithError(pipeline.error().sentence().c_str());
     return;
@@ -180,15 +178,15 @@ void contact_beside_none(benchmark::State& state) {
   cv::setNumThreads(1);
   constexpr int kTurns = 10;
   const Rig& rig = rig_of(static_cast<int>(state.range(0)));
-  auto finger = FingerSnapshot::of(rig.folder, rig.finger).value();
+  auto finger = FingerSnapshot::of(rig.folder.path(), rig.finger).value();
   finger.force = force_model_of(rig);
   auto with = Pipeline::create(finger, {}, Job());
   PipelineSettings nothing_touches;
   nothing_touches.contact_threshold_mm = 1.9;  // no region is as deep
   Finger unpushed = rig.finger;
   unpushed.contact.reset();  // no push is told either
-  auto without =
-      Pipeline::create(FingerSnapshot::of(rig.folder, unpushed).value(), nothing_touches, Job());
+  auto without = Pipeline::create(
+      FingerSnapshot::of(rig.folder.path(), unpushed).value(), nothing_touches, Job());
   if (!with || !without) return state.SkipWithError("no pipeline");
   std::vector<double> more_ms, alone_ms;
   for ([[maybe_unused]] const auto _ : state)

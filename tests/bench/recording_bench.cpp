@@ -6,13 +6,12 @@
 #include "core/recording/video_file.h"
 #include "core/sources/v4l2/v4l2_camera.h"
 #include "tests/bench/full_hd_camera.h"
+#include "tests/support/temporary_folder.h"
 
 #include <filesystem>
 
 #include <benchmark/benchmark.h>
-#include <fmt/format.h>
 #include <sys/resource.h>
-#include <unistd.h>
 
 namespace alltact {
 namespace {
@@ -29,19 +28,6 @@ double processor_seconds() {
   };
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
-
-/// A file name, and no such files afterwards.
-struct BenchVideo {
-  fs::path file = fs::temp_directory_path() / fmt::format("alltact-bench-{}.mkv", ::getpid());
-  BenchVideo() = default;
-  BenchVideo(const BenchVideo&) = delete;
-  BenchVideo& operator=(const BenchVideo&) = delete;
-  ~BenchVideo() {
-    std::error_code ignored;
-    fs::remove(file, ignored);
-    fs::remove(fs::path(file).replace_extension(".frames.csv"), ignored);
-  }
-};
 
 /// What came out of recording so many frames.
 struct Recorded {
@@ -112,12 +98,13 @@ void record_full_hd(benchmark::State& state, VideoCodec codec) {
   const test::FakeOptions options = test::full_hd_camera(30);
   test::FakeCamera fake(options);
   for ([[maybe_unused]] const auto _ : state) {
-    const BenchVideo video;
-    const auto recorded = record(video.file, codec, fake, count);
+    const test::TemporaryFolder folder;
+    const fs::path video = folder / "bench.mkv";
+    const auto recorded = record(video, codec, fake, count);
     if (!recorded) return state.SkipWithError(recorded.error().sentence().c_str());
     state.PauseTiming();
     if (recorded->lost > 0 || recorded->counts.dropped > 0 || recorded->counts.missing > 0 ||
-        !is_exact(video.file, options.packets, count, codec == VideoCodec::kMjpeg))
+        !is_exact(video, options.packets, count, codec == VideoCodec::kMjpeg))
       return state.SkipWithError("not every frame was recorded exactly and in order");
     state.counters["core_percent"] = 100 * recorded->busy_s / recorded->spent_s;
     state.counters["frames"] = static_cast<double>(recorded->counts.recorded);

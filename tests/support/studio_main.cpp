@@ -15,6 +15,8 @@ int main(int argc, char** argv) {
   alltact::test::show_qt_messages();
   auto home = std::make_unique<alltact::test::TemporaryFolder>();
   setenv("QT_QPA_PLATFORM", "offscreen", 0);
+  // Folders that tests share are never destroyed (see below): they go with this one.
+  setenv("TMPDIR", home->path().c_str(), 1);
   setenv("XDG_CONFIG_HOME", (*home / "config").c_str(), 1);
   setenv("XDG_DATA_HOME", (*home / "data").c_str(), 1);
   setenv("XDG_RUNTIME_DIR", home->path().c_str(), 1);

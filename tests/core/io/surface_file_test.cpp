@@ -1,5 +1,7 @@
 #include "core/io/surface_file.h"
 
+#include "tests/support/temporary_folder.h"
+
 #include <cstring>
 #include <fstream>
 #include <limits>
@@ -56,13 +58,9 @@ class SurfaceFile : public testing::Test {
       }
     }
   }
-  ~SurfaceFile() override {
-    std::error_code ignored;
-    fs::remove(file_, ignored);
-  }
   cv::Mat points_, depth_;
-  fs::path file_ =
-      fs::temp_directory_path() / ("alltact_surface_test_" + std::to_string(std::rand()) + ".ply");
+  test::TemporaryFolder folder_;
+  const fs::path file_ = folder_ / "surface.ply";
 };
 
 TEST_F(SurfaceFile, AGridIsWholeAndFacesTheCamera) {
