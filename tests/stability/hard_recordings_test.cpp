@@ -5,6 +5,7 @@
 #include "core/sensing/pipeline.h"
 #include "tests/stability/awaited.h"
 #include "tests/support/marked_recording.h"
+#include "tests/support/scratch_folder.h"
 
 #include <chrono>
 #include <cmath>

@@ -4,12 +4,9 @@
 #include "core/sources/source.h"
 #include "tests/support/marked_finger.h"
 
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
-
-#include <gtest/gtest.h>
 
 namespace alltact::test {
 
@@ -32,14 +29,6 @@ class MemorySource : public Source {
  private:
   std::size_t at_ = 0;
 };
-
-inline std::filesystem::path scratch_folder(const std::string& name) {
-  const std::filesystem::path folder =
-      std::filesystem::path(::testing::TempDir()) / ("alltact_" + name);
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
-  return folder;
-}
 
 // Small, so that a recording of many frames is quick.
 inline MarkedFinger small_finger() {

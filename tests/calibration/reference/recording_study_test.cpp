@@ -1,6 +1,7 @@
 // What is found out about a recording, against what was put into it.
 #include "calibration/reference/reference_recording.h"
 #include "tests/support/marked_recording.h"
+#include "tests/support/scratch_folder.h"
 
 #include <algorithm>
 #include <random>

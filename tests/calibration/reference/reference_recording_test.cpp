@@ -3,6 +3,7 @@
 #include "core/sensing/pipeline.h"
 #include "core/sensing/reference/reference_library.h"
 #include "tests/support/marked_recording.h"
+#include "tests/support/scratch_folder.h"
 
 #include <algorithm>
 #include <chrono>

@@ -4,6 +4,7 @@
 #include "core/sensing/reference/reference_library.h"
 #include "core/sensing/reference/reference_weights.h"
 #include "tests/support/marked_finger.h"
+#include "tests/support/scratch_folder.h"
 
 #include <filesystem>
 #include <fstream>
@@ -17,12 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path scratch_folder(const std::string& name) {
-  const fs::path folder = fs::path(::testing::TempDir()) / ("alltact_" + name);
-  fs::remove_all(folder);
-  fs::create_directories(folder);
-  return folder;
-}
+using test::scratch_folder;
 
 Eigen::MatrixXd random_points(int n, int dimensions, std::mt19937& random) {
   std::normal_distribution<double> normal(0.0, 10.0);
