@@ -171,7 +171,8 @@ void LensPage::connect_parts() {
   connect(file_, &QLineEdit::editingFinished, this, [this] {
     if (!file_->text().trimmed().isEmpty()) take_file(file_->text().trimmed().toStdString());
   });
-  connect(file_, &QLineEdit::textChanged, file_, &QWidget::setToolTip);  // a path may be long
+  for (QLineEdit* line : {file_, pictures_})
+    connect(line, &QLineEdit::textChanged, line, &QWidget::setToolTip);  // a path may be long
   connect(choose_file_, &QPushButton::clicked, this, &LensPage::choose_file);
   connect(choose_pictures_, &QPushButton::clicked, this, &LensPage::choose_pictures);
   connect(simulated_, &QPushButton::clicked, this, &LensPage::use_simulated);

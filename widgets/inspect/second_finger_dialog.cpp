@@ -31,7 +31,10 @@ SecondFingerDialog::SecondFingerDialog(const std::optional<SecondFinger>& now, Q
   grid->addWidget(choose_folder_, 1, 3);
   finger_label_->setBuddy(finger_);
   recording_label_->setBuddy(recording_);
-  for (QLineEdit* line : {finger_, recording_}) line->setMinimumWidth(280);
+  for (QLineEdit* line : {finger_, recording_}) {
+    line->setMinimumWidth(280);
+    connect(line, &QLineEdit::textChanged, line, &QWidget::setToolTip);  // a path may be long
+  }
   column->addLayout(grid);
   column->addStretch();
   column->addWidget(missing_);

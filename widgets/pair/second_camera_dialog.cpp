@@ -60,6 +60,8 @@ SecondCameraDialog::SecondCameraDialog(const std::optional<SecondCamera>& now,
   source_->setEditable(true);
   source_->addItems(cameras);
   source_->setCurrentText(now && !now->source.empty() ? path_text(now->source.front()) : QString());
+  for (QLineEdit* line : {finger_, gripper_})
+    connect(line, &QLineEdit::textChanged, line, &QWidget::setToolTip);  // a path may be long
   if (now) {
     finger_->setText(path_text(now->finger));
     gripper_->setText(path_text(now->gripper));

@@ -58,6 +58,7 @@ ExportDialog::ExportDialog(const fs::path& finger, QWidget* parent)
   row->addStretch();
   row->addWidget(buttons_);
   column->addLayout(row);
+  connect(folder_, &QLineEdit::textChanged, folder_, &QWidget::setToolTip);  // a path may be long
   folder_->setText(text_of(finger_.parent_path() / (finger_.filename().string() + "-export")));
   connect(folder_, &QLineEdit::textChanged, this, &ExportDialog::show_command);
   connect(choose_, &QPushButton::clicked, this, &ExportDialog::choose_folder);
