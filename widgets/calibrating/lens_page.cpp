@@ -6,6 +6,7 @@
 #include "widgets/joined_words.h"
 #include "widgets/language.h"
 #include "widgets/panels/side_panel.h"
+#include "widgets/tip_of_text.h"
 
 #include <QFileDialog>
 #include <QHBoxLayout>
@@ -171,8 +172,7 @@ void LensPage::connect_parts() {
   connect(file_, &QLineEdit::editingFinished, this, [this] {
     if (!file_->text().trimmed().isEmpty()) take_file(file_->text().trimmed().toStdString());
   });
-  for (QLineEdit* line : {file_, pictures_})
-    connect(line, &QLineEdit::textChanged, line, &QWidget::setToolTip);  // a path may be long
+  for (QLineEdit* line : {file_, pictures_}) show_text_as_tip(*line);
   connect(choose_file_, &QPushButton::clicked, this, &LensPage::choose_file);
   connect(choose_pictures_, &QPushButton::clicked, this, &LensPage::choose_pictures);
   connect(simulated_, &QPushButton::clicked, this, &LensPage::use_simulated);

@@ -1,5 +1,7 @@
 #include "widgets/inspect/second_finger_dialog.h"
 
+#include "widgets/tip_of_text.h"
+
 #include <QFileDialog>
 #include <QGridLayout>
 #include <QVBoxLayout>
@@ -33,7 +35,7 @@ SecondFingerDialog::SecondFingerDialog(const std::optional<SecondFinger>& now, Q
   recording_label_->setBuddy(recording_);
   for (QLineEdit* line : {finger_, recording_}) {
     line->setMinimumWidth(280);
-    connect(line, &QLineEdit::textChanged, line, &QWidget::setToolTip);  // a path may be long
+    show_text_as_tip(*line);
   }
   column->addLayout(grid);
   column->addStretch();

@@ -1,5 +1,7 @@
 #include "widgets/pair/second_camera_dialog.h"
 
+#include "widgets/tip_of_text.h"
+
 #include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QGridLayout>
@@ -60,8 +62,7 @@ SecondCameraDialog::SecondCameraDialog(const std::optional<SecondCamera>& now,
   source_->setEditable(true);
   source_->addItems(cameras);
   source_->setCurrentText(now && !now->source.empty() ? path_text(now->source.front()) : QString());
-  for (QLineEdit* line : {finger_, gripper_})
-    connect(line, &QLineEdit::textChanged, line, &QWidget::setToolTip);  // a path may be long
+  for (QLineEdit* line : {finger_, gripper_}) show_text_as_tip(*line);
   if (now) {
     finger_->setText(path_text(now->finger));
     gripper_->setText(path_text(now->gripper));

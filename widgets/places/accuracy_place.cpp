@@ -2,6 +2,7 @@
 
 #include "calibration/finger/calibration_inputs.h"
 #include "calibration/study/study_front.h"
+#include "widgets/tip_of_text.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -111,6 +112,7 @@ QWidget* AccuracyPlace::make_measured() {
   column->addWidget(tabs_, 1);
   auto* line = new QHBoxLayout;
   command_->setReadOnly(true);
+  show_text_as_tip(*command_);
   QFont mono(QStringLiteral("monospace"));
   mono.setStyleHint(QFont::Monospace);
   command_->setFont(mono);

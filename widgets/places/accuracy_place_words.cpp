@@ -209,7 +209,6 @@ void AccuracyPlace::show_answer() {
     more_->setVisible(!is_good || !shown_->has_all_pairs);
   }
   command_->setText(command_line());
-  command_->setToolTip(command_->text());
   command_->setCursorPosition(0);
   const auto point = row ? point_of_row(*row) : std::nullopt;
   plot_->pick(point);

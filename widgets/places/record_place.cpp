@@ -3,6 +3,7 @@
 #include "widgets/calibrating/space_key.h"
 #include "widgets/joined_words.h"
 #include "widgets/panels/side_panel.h"
+#include "widgets/tip_of_text.h"
 
 #include <QDateTime>
 #include <QDir>
@@ -90,7 +91,7 @@ RecordPlace::RecordPlace(LiveSession& session, ReferenceInstaller installer, QWi
 }
 
 void RecordPlace::connect_parts() {
-  connect(file_, &QLineEdit::textChanged, file_, &QWidget::setToolTip);  // a path may be long
+  show_text_as_tip(*file_);
   connect(rest_, &QPushButton::clicked, this, &RecordPlace::set_rest);
   connect(record_, &QPushButton::clicked, this, &RecordPlace::start_or_stop);
   connect(browse_, &QPushButton::clicked, this, &RecordPlace::choose_file);

@@ -2,6 +2,7 @@
 
 #include "core/finger/finger.h"
 #include "widgets/joined_words.h"
+#include "widgets/tip_of_text.h"
 
 #include <QClipboard>
 #include <QDesktopServices>
@@ -58,7 +59,7 @@ ExportDialog::ExportDialog(const fs::path& finger, QWidget* parent)
   row->addStretch();
   row->addWidget(buttons_);
   column->addLayout(row);
-  connect(folder_, &QLineEdit::textChanged, folder_, &QWidget::setToolTip);  // a path may be long
+  for (QLineEdit* line : {folder_, command_}) show_text_as_tip(*line);
   folder_->setText(text_of(finger_.parent_path() / (finger_.filename().string() + "-export")));
   connect(folder_, &QLineEdit::textChanged, this, &ExportDialog::show_command);
   connect(choose_, &QPushButton::clicked, this, &ExportDialog::choose_folder);
@@ -185,7 +186,6 @@ void ExportDialog::choose_folder() {
 void ExportDialog::show_command() {
   const bool is_whole = !forms().empty() && !folder_->text().trimmed().isEmpty();
   command_->setText(is_whole ? command_line() : QString());
-  command_->setToolTip(command_->text());
   command_->setCursorPosition(0);
   copy_->setEnabled(is_whole);
 }

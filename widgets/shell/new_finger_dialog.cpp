@@ -1,5 +1,7 @@
 #include "widgets/shell/new_finger_dialog.h"
 
+#include "widgets/tip_of_text.h"
+
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -52,8 +54,7 @@ NewFingerDialog::NewFingerDialog(FingerMaker maker, QWidget* parent)
                          static_cast<QWidget*>(per_row_),
                          static_cast<QWidget*>(polarity_)})
     form_->addRow(new QLabel, field);
-  for (QLineEdit* line : {folder_, camera_})
-    connect(line, &QLineEdit::textChanged, line, &QWidget::setToolTip);  // a path may be long
+  for (QLineEdit* line : {folder_, camera_}) show_text_as_tip(*line);
   connect(kind_, &QComboBox::currentIndexChanged, this, &NewFingerDialog::show_kind);
   connect(choose_folder_, &QPushButton::clicked, this, &NewFingerDialog::choose_folder);
   connect(choose_camera_, &QPushButton::clicked, this, &NewFingerDialog::choose_camera);
