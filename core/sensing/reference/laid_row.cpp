@@ -49,14 +49,14 @@ using HalfAround = std::uint16_t __attribute__((vector_size(32)));
 constexpr std::size_t kHalf = sizeof(Half) / sizeof(std::int16_t);
 static_assert(kLaidPiece == 2 * kHalf);
 
-/// Of half a piece, `here`: the grey levels at its places' steps, `further`: by how much those of
-/// the steps behind them are brighter.
+/// Half a piece's grey levels: out[k] at its place k, which lies part[k] of 2^15 of a step behind
+/// steps[k]. Finished within the half: read as a whole, two stored halves would wait for memory.
 [[gnu::always_inline]] inline void take_half(const std::int16_t* from,
                                              std::ptrdiff_t step,
                                              int steps_apart,
                                              const std::int16_t* steps,
-                                             std::int16_t* __restrict here,
-                                             std::int16_t* __restrict further) {
+                                             const std::int16_t* part,
+                                             std::int16_t* __restrict out) {
   const auto at = [](const std::int16_t* place) __attribute__((always_inline)) {
     return reinterpret_cast<const HalfAt*>(place);
   };
@@ -69,26 +69,27 @@ static_assert(kLaidPiece == 2 * kHalf);
     now = (candidate & reaches) | (now & ~reaches);
     next = (beyond & reaches) | (next & ~reaches);
   }
-  *reinterpret_cast<HalfAt*>(here) = now;
+  alignas(Half) std::array<std::int16_t, kHalf> here, further;
+  *reinterpret_cast<HalfAt*>(here.data()) = now;
   // Places that nobody asked for hold anything: their difference may wrap around.
-  *reinterpret_cast<HalfAt*>(further) = reinterpret_cast<Half>(reinterpret_cast<HalfAround>(next) -
-                                                               reinterpret_cast<HalfAround>(now));
+  *reinterpret_cast<HalfAt*>(further.data()) = reinterpret_cast<Half>(
+      reinterpret_cast<HalfAround>(next) - reinterpret_cast<HalfAround>(now));
+#pragma GCC unroll 1  // as a loop it runs in vectors
+  for (std::size_t k = 0; k < kHalf; ++k)
+    out[k] = static_cast<std::int16_t>(here[k] + times(further[k], part[k]));
 }
 
 [[gnu::always_inline]] inline void take_piece(const std::int16_t* from,
                                               std::ptrdiff_t step,
                                               const PieceSteps& piece,
                                               std::int16_t* __restrict out) {
-  alignas(64) std::array<std::int16_t, kLaidPiece> here, further;
   for (std::size_t k = 0; k < kLaidPiece; k += kHalf)
     take_half(from + k,
               step,
               piece.most - piece.least,
               piece.steps.data() + k,
-              here.data() + k,
-              further.data() + k);
-  for (std::size_t k = 0; k < kLaidPiece; ++k)
-    out[k] = static_cast<std::int16_t>(here[k] + times(further[k], piece.part[k]));
+              piece.part.data() + k,
+              out + k);
 }
 
 /// Of the last place that lies before the picture's last pixel.
@@ -111,8 +112,12 @@ using Nodes = std::array<int, kGroup + 3>;
   const float* constant = places.constant.data() + first;
   const float* slope = places.slope.data() + first;
   const float* bow = places.bow.data() + first;
-  for (int i = 0; i < count; ++i)
-    nodes[static_cast<std::size_t>(i)] = place_in(constant[i], slope[i], bow[i], row, origin);
+  constexpr int kFar = 1 << 27;  // far outside every picture; 8 of them still are an int
+  for (int i = 0; i < count; ++i) {
+    const int exact = place_in(constant[i], slope[i], bow[i], row, origin);
+    const int above = exact > -kFar ? exact : -kFar;
+    nodes[static_cast<std::size_t>(i)] = above < kFar ? above : kFar;
+  }
 }
 
 /// The parabola through a piece's first place and that behind its last, by its place k: of their
@@ -141,8 +146,6 @@ constexpr PieceShares kShares = [] {
                                                      PieceSteps& piece) {
   constexpr int kMostSpread = INT16_MAX - (1 << kPlaceBits);
   constexpr int kMostThird = 15 * (1 << kPlaceBits) / 500;
-  for (int k = -1; k < 4; ++k)
-    if (nodes[k] < 0 || nodes[k] > last) return false;
   const int begin = nodes[0], end = nodes[2];
   for (const int third :
        {end - nodes[-1] + 3 * (begin - nodes[1]), nodes[3] - begin + 3 * (nodes[1] - end)})
