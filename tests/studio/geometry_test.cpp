@@ -18,6 +18,7 @@
 #include "widgets/shell/new_finger_dialog.h"
 #include "widgets/shell/settings_dialog.h"
 
+#include <QElapsedTimer>
 #include <QPainter>
 #include <QProcess>
 #include <set>
@@ -144,10 +145,24 @@ class Geometry : public testing::Test {
   }
 
  private:
-  /// Layouts follow with the next turns of the loop; what is still cut then is a fault.
+  /// Layouts follow with the next turns of the loop, one within the other; what is still cut then
+  /// is a fault.
   static void settle(const QWidget& window) {
-    QTest::qWait(kSettling_ms);
+    QElapsedTimer clock;
+    clock.start();
+    std::vector<QRect> before, now;
+    do {
+      before = std::move(now);
+      QTest::qWait(kSettling_ms);
+      now = places_in(window);
+    } while (now != before && clock.elapsed() < kPatience_ms);
     wait_until([&] { return cut_texts(window).empty() && overlaps(window).empty(); }, kPatience_ms);
+  }
+  static std::vector<QRect> places_in(const QWidget& window) {
+    std::vector<QRect> places;
+    for (const QWidget* widget : window.findChildren<QWidget*>())
+      places.push_back(widget->geometry());
+    return places;
   }
   /// Each as it is, and all reduced on one sheet: sizes beside each other, languages and themes
   /// below.

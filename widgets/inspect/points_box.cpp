@@ -12,7 +12,7 @@ namespace alltact {
 namespace {
 
 enum MergeId { kPointA = 2011 };  // and the next three
-constexpr double kNotChosen_mm = -1000, kFurthest_mm = 1000;
+constexpr double kNotChosen_mm = -999, kFurthest_mm = 999;  // one digit more widens the column
 
 QDoubleSpinBox* place_box() {
   auto* box = new QDoubleSpinBox;
