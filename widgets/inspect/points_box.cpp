@@ -12,7 +12,8 @@ namespace alltact {
 namespace {
 
 enum MergeId { kPointA = 2011 };  // and the next three
-constexpr double kNotChosen_mm = -999, kFurthest_mm = 999;  // one digit more widens the column
+// A digit more would widen the column.
+constexpr double kNotChosen_mm = -999, kFurthest_mm = 999;
 
 QDoubleSpinBox* place_box() {
   auto* box = new QDoubleSpinBox;
