@@ -1,12 +1,10 @@
 #include "tests/fuzz/readers.h"
 
 #include "core/io/atomic_file.h"
+#include "tests/support/temporary_folder.h"
 
 #include <exception>
 #include <fstream>
-#include <stdexcept>
-
-#include <stdlib.h>
 
 namespace alltact::test {
 namespace {
@@ -15,26 +13,13 @@ constexpr std::size_t kLongestSentence = 2000;  // bytes
 
 /// In memory where there is such a place: a disk would be waited for at every fsync.
 const std::filesystem::path& scratch_folder() {
-  struct Folder {
-    std::filesystem::path path;
-    Folder() {
-      std::error_code absent;
-      const std::filesystem::path memory = "/dev/shm";
-      std::string pattern = ((std::filesystem::is_directory(memory, absent)
-                                  ? memory
-                                  : std::filesystem::temp_directory_path()) /
-                             "alltact-XXXXXX")
-                                .string();
-      if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no scratch folder");
-      path = pattern;
-    }
-    ~Folder() {
-      std::error_code ignored;
-      std::filesystem::remove_all(path, ignored);
-    }
-  };
-  static const Folder folder;
-  return folder.path;
+  static const TemporaryFolder folder([] {
+    const std::filesystem::path memory = "/dev/shm";
+    std::error_code absent;
+    return std::filesystem::is_directory(memory, absent) ? memory
+                                                         : std::filesystem::temp_directory_path();
+  }());
+  return folder.path();
 }
 
 bool has_control_characters(std::string_view text) {
