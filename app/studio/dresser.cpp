@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QLibraryInfo>
 #include <QLocale>
+#include <QWidget>
 
 namespace alltact {
 
@@ -19,6 +20,8 @@ void Dresser::speak(const QString& language) {
   QCoreApplication::removeTranslator(&qt_);
   const QLocale locale(language);
   QLocale::setDefault(locale);
+  // What stands already took the one before: its fields would go on writing numbers its way.
+  for (QWidget* window : QApplication::topLevelWidgets()) window->setLocale(locale);
   if (qt_.load(locale,
                QStringLiteral("qtbase"),
                QStringLiteral("_"),

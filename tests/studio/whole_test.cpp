@@ -13,6 +13,7 @@
 #include <QAccessible>
 #include <QComboBox>
 #include <QDialog>
+#include <QDoubleSpinBox>
 #include <QElapsedTimer>
 #include <QLineEdit>
 #include <QMenuBar>
@@ -28,7 +29,9 @@
 namespace alltact::test {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 /// A whole use of the window.
 void use_window(LoopWatch& watch) {
@@ -286,8 +289,17 @@ TEST(NewFinger, IsMadeWithTheSameChecksAsByTheCommandLine) {
   EXPECT_NE(studio.find<QToolButton>("Finger: left-07"), nullptr);
 }
 
+/// What the window's fields show of numbers with decimals.
+std::string decimals_in(const QWidget& window) {
+  QString all;
+  for (const auto* field : window.findChildren<QDoubleSpinBox*>())
+    if (field->text() != field->specialValueText()) all += field->text() + QLatin1Char(' ');
+  return all.toStdString();
+}
+
 TEST(Settings, ThemeAndLanguageChangeAtOnce) {
   Studio studio;
+  for (const char* place : {"inspect", "live"}) studio.window().go_to(place);
   QTest::keyClick(&studio.window(), Qt::Key_Comma, Qt::ControlModifier);
   auto* dialog = studio.window().findChild<SettingsDialog*>();
   ASSERT_NE(dialog, nullptr);
@@ -300,6 +312,7 @@ TEST(Settings, ThemeAndLanguageChangeAtOnce) {
   boxes[1]->setCurrentIndex(2);
   QTest::qWait(100);
   EXPECT_NE(studio.find<QPushButton>("Simulierter Finger"), nullptr);
+  EXPECT_THAT(decimals_in(studio.window()), AllOf(HasSubstr("1,00"), Not(HasSubstr("1.00"))));
   boxes[1]->setCurrentIndex(3);
   QTest::qWait(100);
   EXPECT_EQ(QLocale().language(), QLocale::Chinese);
@@ -307,6 +320,7 @@ TEST(Settings, ThemeAndLanguageChangeAtOnce) {
   boxes[1]->setCurrentIndex(1);
   QTest::qWait(100);
   EXPECT_NE(studio.find<QPushButton>("Simulated finger"), nullptr);
+  EXPECT_THAT(decimals_in(studio.window()), AllOf(HasSubstr("1.00"), Not(HasSubstr("1,00"))));
 }
 
 TEST(Program, SaysHowItIsUsed) {

@@ -30,6 +30,7 @@ TimeLine::TimeLine(QWidget* parent)
   row->addWidget(slider_, 1);
   row->addWidget(number_);
   row->addWidget(of_);
+  row->addSpacing(6);
   row->addWidget(name_);
   number_->setKeyboardTracking(false);
   connect(play_, &QToolButton::clicked, this, [this] { play(!is_playing()); });
