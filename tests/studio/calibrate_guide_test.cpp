@@ -1,9 +1,12 @@
 // What the place Calibrate tells while somebody works at it: where to press, what a ball's place
 // means, what the presses come to, what no longer holds.
 #include "calibration/checks/check_history.h"
+#include "core/finger/finger_store.h"
 #include "core/io/atomic_file.h"
 #include "tests/studio/calibrate_rig.h"
 #include "widgets/calibrating/verdict_sheet.h"
+
+#include <QThread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -175,6 +178,23 @@ TEST(CalibrateGuide, SizesCanBeChangedAfterwardsAndTheMappingIsOldThen) {
   QTest::keyClick(&rig.studio().window(), Qt::Key_Z, Qt::ControlModifier);
   ASSERT_TRUE(wait_until([&] { return Finger::load(rig.finger()).value().face.width_mm == 24; }));
   EXPECT_TRUE(wait_until([&] { return rig.run().state() == CalibrationState::kCurrent; }, 20000));
+}
+
+TEST(CalibrateGuide, AFingerThatChangesWhileItIsReadIsReadAgain) {
+  CalibrateStudio rig(3);
+  open_presses(rig, 3);
+  rig.run().start();
+  ASSERT_TRUE(wait_until([&] { return rig.run().result() != nullptr; }, 60000));
+  ASSERT_TRUE(wait_until([&] { return rig.run().state() == CalibrationState::kCurrent; }));
+  QTest::qWait(500);  // what follows a calibration has been read
+  rig.run().reload();
+  QThread::msleep(500);  // read, and not taken: the window's loop stands
+  const auto changed = FingerStore::of(rig.finger())->update([](Finger& finger) {
+    finger.face.width_mm = 23.5;
+    return Status();
+  });
+  ASSERT_TRUE(changed) << changed.error().sentence();
+  EXPECT_TRUE(wait_until([&] { return rig.run().state() == CalibrationState::kStale; }, 20000));
 }
 
 TEST(CalibrateGuide, TheVerdictFillsOneSheetOfPaper) {
