@@ -24,6 +24,13 @@ void open_presses(CalibrateStudio& rig, int count) {
   ASSERT_TRUE(rig.wait_until_looked_at(count));
 }
 
+void calibrate(CalibrateStudio& rig, int count) {
+  open_presses(rig, count);
+  rig.run().start();
+  ASSERT_TRUE(wait_until([&] { return rig.run().result() != nullptr; }, 60000));
+  ASSERT_TRUE(wait_until([&] { return rig.run().state() == CalibrationState::kCurrent; }));
+}
+
 bool wait_for_forecast(CalibrateStudio& rig) {
   return wait_until([&] { return rig.place().forecast().result() != nullptr; }, 60000);
 }
@@ -159,10 +166,7 @@ TEST(CalibrateGuide, ACheckIsOfItsOwnCalibration) {
 
 TEST(CalibrateGuide, SizesCanBeChangedAfterwardsAndTheMappingIsOldThen) {
   CalibrateStudio rig(3);
-  open_presses(rig, 3);
-  rig.run().start();
-  ASSERT_TRUE(wait_until([&] { return rig.run().result() != nullptr; }, 60000));
-  ASSERT_TRUE(wait_until([&] { return rig.run().state() == CalibrationState::kCurrent; }));
+  ASSERT_NO_FATAL_FAILURE(calibrate(rig, 3));
   rig.go_to_step("Finger");
   auto* width = rig.studio().find<QDoubleSpinBox>("Width of the face");
   ASSERT_NE(width, nullptr);
@@ -182,10 +186,7 @@ TEST(CalibrateGuide, SizesCanBeChangedAfterwardsAndTheMappingIsOldThen) {
 
 TEST(CalibrateGuide, AFingerThatChangesWhileItIsReadIsReadAgain) {
   CalibrateStudio rig(3);
-  open_presses(rig, 3);
-  rig.run().start();
-  ASSERT_TRUE(wait_until([&] { return rig.run().result() != nullptr; }, 60000));
-  ASSERT_TRUE(wait_until([&] { return rig.run().state() == CalibrationState::kCurrent; }));
+  ASSERT_NO_FATAL_FAILURE(calibrate(rig, 3));
   QTest::qWait(500);  // what follows a calibration has been read
   rig.run().reload();
   QThread::msleep(500);  // read, and not taken: the window's loop stands
