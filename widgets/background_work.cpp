@@ -1,6 +1,7 @@
 #include "widgets/background_work.h"
 
 #include <thread>
+#include <utility>
 
 namespace alltact {
 
@@ -16,6 +17,7 @@ struct BackgroundWork::Shared {
   Message what;
   bool is_done = false;
   std::function<void()> at_end;
+  bool is_replaced = false;  // told and asked on the window's thread alone
   Job job{[this](double part, const Message& words) {
     const std::lock_guard lock(mutex);
     fraction = part;
@@ -46,7 +48,15 @@ void BackgroundWork::start(Work work) {
   }).detach();
 }
 
+void BackgroundWork::restart(Work work) {
+  if (!shared_) return start(std::move(work));
+  shared_->job.request_stop();
+  shared_->is_replaced = true;
+  waiting_ = std::move(work);
+}
+
 void BackgroundWork::stop() {
+  waiting_ = nullptr;
   if (shared_) shared_->job.request_stop();
 }
 
@@ -68,9 +78,12 @@ void BackgroundWork::look() {
   }
   if (!is_done) return Q_EMIT progressed();
   timer_.stop();
-  shared_.reset();
-  if (at_end) at_end();
-  Q_EMIT finished();
+  const bool is_replaced = std::exchange(shared_, nullptr)->is_replaced;
+  if (waiting_)
+    start(std::exchange(waiting_, nullptr));
+  else if (at_end && !is_replaced)
+    at_end();  // which may start what comes next
+  if (!shared_) Q_EMIT finished();
 }
 
 }  // namespace alltact

@@ -27,6 +27,11 @@ class BackgroundWork : public QObject {
 
   /// Does nothing while other work runs.
   void start(Work work);
+  /// In place of what runs: that is asked to stop, what it returns is not called, and this runs
+  /// when it has ended. Of several that wait only the last one runs. For readings of what may have
+  /// changed since the one before began.
+  void restart(Work work);
+  /// Asks what runs to stop, whose outcome is called; what waits does not run any more.
   void stop();
   [[nodiscard]] bool is_running() const { return shared_ != nullptr; }
   [[nodiscard]] double fraction() const { return fraction_; }
@@ -36,6 +41,7 @@ class BackgroundWork : public QObject {
 
  Q_SIGNALS:
   void progressed();
+  /// Nothing runs and nothing waits.
   void finished();
 
  private:
@@ -43,6 +49,7 @@ class BackgroundWork : public QObject {
   void look();
 
   std::shared_ptr<Shared> shared_;
+  Work waiting_;
   QTimer timer_;
   QElapsedTimer since_;
   double fraction_ = 0;

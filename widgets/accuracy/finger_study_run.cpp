@@ -30,9 +30,6 @@ FingerStudyRun::FingerStudyRun(QUndoStack& undo, std::string program_version, QO
     : QObject(parent), undo_(undo), version_(std::move(program_version)) {
   connect(&work_, &BackgroundWork::progressed, this, &FingerStudyRun::changed);
   connect(&work_, &BackgroundWork::finished, this, &FingerStudyRun::changed);
-  connect(&looking_, &BackgroundWork::finished, this, [this] {
-    if (std::exchange(must_look_again_, false)) look();
-  });
   connect(&writing_, &BackgroundWork::finished, this, &FingerStudyRun::write_next);
 }
 
@@ -64,11 +61,7 @@ FingerStudyRun::Looked FingerStudyRun::look_at(const std::filesystem::path& fold
 }
 
 void FingerStudyRun::look() {
-  if (looking_.is_running()) {
-    must_look_again_ = true;
-    return;
-  }
-  looking_.start([this, folder = folder_](const Job&) {
+  looking_.restart([this, folder = folder_](const Job&) {
     auto looked = std::make_shared<Looked>(look_at(folder));
     return std::function<void()>([this, folder, looked] {
       if (folder != folder_) return;

@@ -69,7 +69,6 @@ class FingerStudyRun : public QObject {
   std::shared_ptr<const FingerStudy> study_;
   InUse in_use_;
   std::optional<Error> problem_;
-  bool must_look_again_ = false;
   std::deque<std::pair<std::filesystem::path, InUse>> to_write_;  // in the order of what was done
   BackgroundWork work_, looking_, writing_;
 };

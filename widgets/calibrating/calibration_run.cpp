@@ -114,7 +114,7 @@ void CalibrationRun::reload() {
   }
   if (folder.empty()) return void(Q_EMIT changed());
   if (is_running()) return;  // which looks when it is done
-  loading_.start([this, folder, asked = ++asked_, disk = desk_.disk()](const Job&) {
+  loading_.restart([this, folder, disk = desk_.disk()](const Job&) {
     disk->wait();
     auto inputs = std::make_shared<Result<CalibrationInputs>>(CalibrationInputs::load(folder));
     const auto finger = open_finger(folder);
@@ -124,9 +124,8 @@ void CalibrationRun::reload() {
     std::shared_ptr<const FingerCalibration> recalled;
     if (auto kept = recall_calibration(folder))
       recalled = std::make_shared<const FingerCalibration>(std::move(*kept));
-    return std::function<void()>([this, folder, asked, inputs, opened, has_report, recalled] {
-      // What changed while it was read may not have been seen.
-      if (folder != desk_.folder() || asked != asked_) return reload();
+    return std::function<void()>([this, folder, inputs, opened, has_report, recalled] {
+      if (folder != desk_.folder()) return reload();
       if (*inputs) from_ = **inputs;
       if (opened) take_finger(opened);
       if (recalled) take_recalled(recalled);
@@ -290,7 +289,6 @@ std::vector<Round> CalibrationRun::rounds() const {
 void CalibrationRun::restore(const Files& files, const Made& made) {
   take(made);
   has_report_ = files.at(kReportPage).has_value();
-  ++asked_;
   desk_.disk()->add([folder = desk_.folder(), files, finger = made.finger]() -> Status {
     if (const Status written = write_written(folder, files); !written || !finger) return written;
     const auto changed = FingerStore::of(folder)->update([&](Finger& now) {
@@ -299,6 +297,7 @@ void CalibrationRun::restore(const Files& files, const Made& made) {
     });
     return changed ? Status() : changed.error();
   });
+  if (loading_.is_running()) reload();  // which reads what there was before
   Q_EMIT changed();
 }
 

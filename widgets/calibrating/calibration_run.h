@@ -92,7 +92,6 @@ class CalibrationRun : public QObject {
   bool lacks_residuals_ = false;  // result_ was recalled, and its presses were not read yet
   bool has_report_ = false;
   ReportWriter report_;
-  int asked_ = 0;                        // to read the finger, or put back: counts
   std::shared_ptr<HeardRounds> rounds_;  ///< the calibrating thread has a part in it
   BackgroundWork work_, loading_, recalling_;
 };

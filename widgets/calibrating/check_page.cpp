@@ -242,15 +242,7 @@ void CheckPage::write_history(const std::optional<std::string>& content) {
 }
 
 void CheckPage::load_history() {
-  if (loading_.is_running()) {
-    connect(&loading_,
-            &BackgroundWork::finished,
-            this,
-            &CheckPage::load_history,
-            Qt::SingleShotConnection);
-    return;
-  }
-  loading_.start([this, folder = folder_, disk = desk_.disk()](const Job&) {
+  loading_.restart([this, folder = folder_, disk = desk_.disk()](const Job&) {
     disk->wait();
     const auto checks = load_checks(folder, nullptr);
     return std::function<void()>([this, checks, folder] {

@@ -124,22 +124,13 @@ void PressDesk::open(const fs::path& folder) {
   presses_.clear();
   said_ = {};
   waiting_ = std::make_shared<Waiting>();
-  loading_.stop();
   load();
   Q_EMIT changed();
 }
 
 void PressDesk::load() {
-  if (folder_.empty()) return;
-  if (loading_.is_running()) {  // for another finger: it ends soon
-    connect(&loading_,
-            &BackgroundWork::finished,
-            this,
-            &PressDesk::load,
-            static_cast<Qt::ConnectionType>(Qt::SingleShotConnection | Qt::UniqueConnection));
-    return;
-  }
-  loading_.start([this, folder = folder_, opened = opened_, disk = disk_](const Job&) {
+  if (folder_.empty()) return loading_.stop();
+  loading_.restart([this, folder = folder_, opened = opened_, disk = disk_](const Job&) {
     disk->wait();
     auto found = std::make_shared<Found>(find_presses(folder));
     return std::function<void()>([this, found, opened] {
@@ -149,18 +140,13 @@ void PressDesk::load() {
       for (const fs::path& file : found->files)
         presses_.push_back({file.stem().string(), nullptr, {}, false});
       std::sort(presses_.begin(), presses_.end(), before);
-      connect(&loading_,
-              &BackgroundWork::finished,
-              this,
-              &PressDesk::load_looker,
-              Qt::SingleShotConnection);
+      load_looker();
     });
   });
 }
 
 /// Reads the reference, which takes seconds where it is long.
 void PressDesk::load_looker() {
-  if (folder_.empty() || loading_.is_running()) return;
   loading_.start([this, folder = folder_, opened = opened_](const Job& job) {
     auto made =
         std::make_shared<Result<std::shared_ptr<PressLooker>>>(PressLooker::create(folder, job));

@@ -29,7 +29,6 @@ FingerPair::FingerPair(const Inspection& first, QObject* parent) : QObject(paren
     Q_EMIT changed();
   });
   connect(&reading_, &BackgroundWork::finished, this, [this] {
-    if (must_read_) read_places();
     measure();
     Q_EMIT changed();
   });
@@ -74,9 +73,7 @@ void FingerPair::follow() {
 }
 
 void FingerPair::read_places() {
-  must_read_ = reading_.is_running();
-  if (must_read_) return;
-  reading_.start([this, folders = folders_, disk = disk_](const Job&) {
+  reading_.restart([this, folders = folders_, disk = disk_](const Job&) {
     disk->wait();
     auto places = std::make_shared<std::map<fs::path, FingerPlace>>();
     auto problem = std::make_shared<std::optional<Error>>();

@@ -84,7 +84,6 @@ class FingerPair : public QObject {
     std::optional<NearestPoints> gap;
   };
   std::optional<Measured> measured_;
-  bool must_read_ = false;
   std::shared_ptr<DiskQueue> disk_ = std::make_shared<DiskQueue>();
   BackgroundWork reading_, measuring_;
 };

@@ -5,7 +5,6 @@ namespace alltact {
 LivePair::LivePair(LiveSession& first, QObject* parent) : QObject(parent), first_(first) {
   connect(&first_, &LiveSession::view_ready, this, [this] { add(0); });
   connect(&loading_, &BackgroundWork::finished, this, [this] {
-    load_gripper();  // another one may be wanted by now
     measure();
     Q_EMIT changed();
   });
@@ -57,14 +56,15 @@ void LivePair::add(std::size_t which) {
 
 void LivePair::load_gripper() {
   const std::filesystem::path wanted = opened_ ? opened_->gripper : std::filesystem::path();
-  if (wanted == gripper_of_ || loading_.is_running()) return;
+  if (wanted == gripper_of_) return;
   gripper_.reset();
   gripper_problem_.reset();
   gripper_of_ = wanted;
-  if (wanted.empty()) return;
-  loading_.start([this, wanted](const Job&) {
+  if (wanted.empty()) return loading_.stop();
+  loading_.restart([this, wanted](const Job&) {
     auto loaded = OpenGripper::load(wanted);
-    return std::function<void()>([this, loaded = std::move(loaded)] {
+    return std::function<void()>([this, wanted, loaded = std::move(loaded)] {
+      if (wanted != gripper_of_) return;
       if (loaded)
         gripper_ = std::make_shared<const OpenGripper>(*loaded);
       else

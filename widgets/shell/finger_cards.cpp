@@ -66,15 +66,7 @@ void FingerCards::set_fingers(const std::vector<std::filesystem::path>& folders)
 }
 
 void FingerCards::read() {
-  if (reading_.is_running()) {
-    connect(&reading_,
-            &BackgroundWork::finished,
-            this,
-            &FingerCards::read,
-            static_cast<Qt::ConnectionType>(Qt::SingleShotConnection | Qt::UniqueConnection));
-    return;
-  }
-  reading_.start([this, folders = folders_](const Job& job) {
+  reading_.restart([this, folders = folders_](const Job& job) {
     std::vector<FingerCard> cards;
     std::vector<std::filesystem::path> there;
     for (const auto& folder : folders) {

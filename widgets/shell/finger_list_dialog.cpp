@@ -102,10 +102,7 @@ FingerListDialog::FingerListDialog(std::vector<fs::path> known, QWidget* parent)
   row->addWidget(buttons_);
   column->addLayout(row);
   set_primary(*open_);
-  connect(&reading_, &BackgroundWork::finished, this, [this] {
-    if (std::exchange(is_read_again_, false)) return read();
-    fill();
-  });
+  connect(&reading_, &BackgroundWork::finished, this, &FingerListDialog::fill);
   connect(list_, &QTreeWidget::itemActivated, this, &FingerListDialog::open_chosen);
   connect(list_, &QTreeWidget::currentItemChanged, this, &FingerListDialog::follow_choice);
   connect(open_, &QPushButton::clicked, this, &FingerListDialog::open_chosen);
@@ -131,11 +128,7 @@ FingerListDialog::FingerListDialog(std::vector<fs::path> known, QWidget* parent)
 }
 
 void FingerListDialog::read() {
-  if (reading_.is_running()) {
-    is_read_again_ = true;
-    return;
-  }
-  reading_.start([this, folders = folders_, known = known_](const Job& job) {
+  reading_.restart([this, folders = folders_, known = known_](const Job& job) {
     auto cards = read_lab(folders, known, utc_now(), job);
     return std::function<void()>([this, cards = std::move(cards)] { cards_ = cards; });
   });

@@ -46,7 +46,6 @@ class FingerListDialog : public FittedDialog {
   QLabel* count_;
   QPushButton *open_, *folder_;
   QDialogButtonBox* buttons_;
-  bool is_read_again_ = false;
   BackgroundWork reading_;
 };
 
