@@ -103,7 +103,7 @@ class PressDesk::AddOrRemove : public UndoStep {
 
 PressDesk::PressDesk(QUndoStack& undo, QObject* parent)
     : QObject(parent), undo_(undo), disk_(std::make_shared<DiskQueue>()) {
-  connect(&loading_, &BackgroundWork::finished, this, &PressDesk::changed);
+  connect(&adding_, &BackgroundWork::finished, this, &PressDesk::add_next);
   connect(&looking_, &BackgroundWork::finished, this, &PressDesk::look_at_next);
 }
 
@@ -124,6 +124,7 @@ void PressDesk::open(const fs::path& folder) {
   presses_.clear();
   said_ = {};
   waiting_ = std::make_shared<Waiting>();
+  to_add_.clear();
   load();
   Q_EMIT changed();
 }
@@ -141,6 +142,7 @@ void PressDesk::load() {
         presses_.push_back({file.stem().string(), nullptr, {}, false});
       std::sort(presses_.begin(), presses_.end(), before);
       load_looker();
+      Q_EMIT changed();
     });
   });
 }
@@ -315,6 +317,14 @@ void PressDesk::erase(const std::vector<FramePtr>& frames) {
 }
 
 void PressDesk::add_files(const std::vector<fs::path>& inputs) {
+  to_add_.push_back(inputs);
+  add_next();
+}
+
+void PressDesk::add_next() {
+  if (adding_.is_running() || to_add_.empty()) return;
+  const auto inputs = to_add_.front();
+  to_add_.pop_front();
   adding_.start([this, inputs, opened = opened_](const Job& job) {
     auto frames = std::make_shared<std::vector<FramePtr>>();
     std::optional<Error> problem;

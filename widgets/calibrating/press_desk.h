@@ -11,6 +11,7 @@
 
 #include <QObject>
 #include <QUndoStack>
+#include <deque>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -80,7 +81,8 @@ class PressDesk : public QObject {
   /// Under the next free names press_1, press_2, ...; gives the first.
   std::string add(std::vector<FramePtr> frames);
   void remove(const std::string& name);
-  /// Reads pictures, folders or a video beside the window and adds them under their own names.
+  /// Reads pictures, folders or a video beside the window and adds them under their own names,
+  /// after those that are being read.
   void add_files(const std::vector<std::filesystem::path>& inputs);
 
   /// The disk, for whoever has to write or read after what is being written.
@@ -97,6 +99,7 @@ class PressDesk : public QObject {
   struct Waiting;
   void load();
   void load_looker();
+  void add_next();
   void look_at_next();
   void change(const StepWords& words, PressSet said, int merge_id = -1);
   void change_radii(const StepWords& words, PressSet said, int merge_id);
@@ -119,6 +122,7 @@ class PressDesk : public QObject {
   std::vector<DeskPress> presses_;
   PressSet said_;
   std::shared_ptr<Waiting> waiting_;
+  std::deque<std::vector<std::filesystem::path>> to_add_;
   BackgroundWork loading_, looking_, adding_;
 };
 
