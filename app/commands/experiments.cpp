@@ -1,6 +1,7 @@
 #include "calibration/experiments/experiments.h"
 
 #include "app/commands/commands.h"
+#include "app/commands/opencv_threads.h"
 #include "app/console/command_names.h"
 #include "app/console/flags.h"
 #include "app/console/passing_folder.h"
@@ -14,7 +15,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <opencv2/core/utility.hpp>
+#include <opencv2/core.hpp>
 
 namespace alltact {
 namespace {
@@ -200,7 +201,7 @@ Status run_experiments(const ExperimentsOptions& options, Console& console) {
   if (!chosen) return chosen.error();
   if (options.report)
     if (const Status possible = check_report(*options.report); !possible) return possible;
-  cv::setNumThreads(options.threads);
+  set_opencv_threads(options.threads);
   BenchOptions bench;
   bench.seed = options.seed;
   bench.threads = options.threads;

@@ -1,5 +1,6 @@
 #include "app/commands/commands.h"
 #include "app/commands/gauge_flags.h"
+#include "app/commands/opencv_threads.h"
 #include "app/console/command_names.h"
 #include "app/console/flags.h"
 #include "calibration/force/collect_force.h"
@@ -7,7 +8,6 @@
 #include "core/io/atomic_file.h"
 
 #include <fmt/format.h>
-#include <opencv2/core/utility.hpp>
 
 namespace alltact {
 namespace {
@@ -180,7 +180,7 @@ Status run_force(const ForceOptions& options, Console& console) {
     for (const std::string& name : table->passed_over) names += (names.empty() ? "" : ", ") + name;
     console.warn(fmt::format("Columns that are passed over: {}", names));
   }
-  cv::setNumThreads(options.threads);
+  set_opencv_threads(options.threads);
   const auto trained = give_force(options.finger, *table, *training, console.job());
   if (!trained) return trained.error();
   tell_training(*trained, console);

@@ -2,6 +2,7 @@
 #include "core/program.h"
 
 #include "app/commands/commands.h"
+#include "app/commands/opencv_threads.h"
 #include "app/console/command_names.h"
 #include "app/console/completions.h"
 #include "app/console/man_page.h"
@@ -114,7 +115,7 @@ Error as_error(const std::exception& thrown) {
 /// them next would wait without end.
 void begin_threads() {
 #if defined(__SANITIZE_THREAD__)
-  return cv::setNumThreads(1);  // it cannot see how TBB's threads hand memory over
+  return set_opencv_threads(1);
 #endif
   try {
     std::thread([] {}).join();

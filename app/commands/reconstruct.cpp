@@ -1,5 +1,6 @@
 #include "app/commands/commands.h"
 #include "app/commands/kept_settings.h"
+#include "app/commands/opencv_threads.h"
 #include "app/commands/reconstruct_part.h"
 #include "app/commands/recorded_depth.h"
 #include "app/commands/result_files.h"
@@ -193,7 +194,7 @@ Status run_reconstruct(const ReconstructOptions& options, Console& console) {
                  "",
                  en::say("without --json")};
   // Each thread has frames of its own.
-  cv::setNumThreads(options.live ? threads_of(options.threads) : 1);
+  set_opencv_threads(options.live ? threads_of(options.threads) : 1);
   const auto finger = open_finger(options.finger, console);
   if (!finger) return finger.error();
   if (!(*finger)->mapping) {

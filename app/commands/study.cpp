@@ -1,4 +1,5 @@
 #include "app/commands/commands.h"
+#include "app/commands/opencv_threads.h"
 #include "app/commands/study_files.h"
 #include "app/commands/study_use.h"
 #include "app/console/command_names.h"
@@ -15,7 +16,6 @@
 
 #include <fmt/format.h>
 #include <opencv2/core.hpp>
-#include <opencv2/core/utility.hpp>
 
 namespace alltact {
 namespace {
@@ -241,7 +241,7 @@ class StudyCommand {
 }  // namespace
 
 Status run_study(const StudyCommandOptions& options, Console& console) {
-  cv::setNumThreads(options.threads);
+  set_opencv_threads(options.threads);
   if (options.calibrating) return run_calibrating_study(options, console);
   if (options.simulating) return run_simulating_study(options, console);
   if (options.scaling) return run_scaling_study(options, console);

@@ -50,35 +50,25 @@ Result<bool> JudgedTake::install() const {
 TakeJudge::TakeJudge(ReferenceInstaller installer, QObject* parent)
     : QObject(parent), installer_(std::move(installer)) {
   connect(&work_, &BackgroundWork::progressed, this, &TakeJudge::changed);
-  connect(&work_, &BackgroundWork::finished, this, [this] {
-    begin();
-    Q_EMIT changed();
-  });
+  connect(&work_, &BackgroundWork::finished, this, &TakeJudge::changed);
 }
 
 void TakeJudge::judge(const fs::path& finger,
                       const fs::path& video,
                       const ReferenceChoices& choices) {
   forget();
-  asked_ = Asked{finger, video, choices};
-  if (!work_.is_running()) begin();
-}
-
-void TakeJudge::begin() {
-  if (!asked_) return;
-  const Asked now = *std::exchange(asked_, std::nullopt);
-  work_.start([this, now, number = number_, installer = installer_](const Job& job) {
-    const auto judged = std::make_shared<const JudgedTake>(
-        judge_take(installer, now.finger, now.video, now.choices, job));
-    return std::function<void()>([this, judged, number, is_stopped = job.stop_requested()] {
-      if (number == number_ && !is_stopped) judged_ = judged;
-    });
-  });
+  work_.restart(
+      [this, finger, video, choices, number = number_, installer = installer_](const Job& job) {
+        const auto judged =
+            std::make_shared<const JudgedTake>(judge_take(installer, finger, video, choices, job));
+        return std::function<void()>([this, judged, number, is_stopped = job.stop_requested()] {
+          if (number == number_ && !is_stopped) judged_ = judged;
+        });
+      });
   Q_EMIT changed();
 }
 
 void TakeJudge::stop() {
-  asked_.reset();
   work_.stop();
 }
 

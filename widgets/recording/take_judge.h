@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 
 namespace alltact {
@@ -54,14 +53,8 @@ class TakeJudge : public QObject {
   void changed();
 
  private:
-  void begin();
-  struct Asked {
-    std::filesystem::path finger, video;
-    ReferenceChoices choices;
-  };
   ReferenceInstaller installer_;
-  std::optional<Asked> asked_;  // and not begun yet
-  int number_ = 0;              // of what was asked for last
+  int number_ = 0;  // of what was asked for last
   std::shared_ptr<const JudgedTake> judged_;
   BackgroundWork work_, clearing_;
 };
