@@ -312,11 +312,11 @@ void RecordPlace::show_status() {
   }
   const bool is_recording = state == RecordingState::kRunning;
   if (was_recording_ && state == RecordingState::kDone) {
+    was_recording_ = false;  // before the offer, which comes back here
     if (status.recording.counts.recorded > 0) {
       offer(status.recording.file, coverage_.set_rest_pose());
       propose_file();
     }
-    was_recording_ = false;
   }
   was_recording_ = was_recording_ || is_recording;
   if (isVisible()) measure_space();
