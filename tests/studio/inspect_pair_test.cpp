@@ -2,6 +2,7 @@
 #include "core/finger/finger.h"
 #include "core/io/picture.h"
 #include "tests/studio/two_fingers.h"
+#include "tests/support/sanitized.h"
 #include "widgets/inspect/gripper_dialog.h"
 #include "widgets/inspect/second_finger_dialog.h"
 
@@ -194,8 +195,18 @@ class InspectIn3D : public InspectPair {
           return view != nullptr && view->isVisible() && view->renders() > 0;
         },
         20000);
-    QTest::qWait(500);  // what comes around it takes its room
-    return is_shown;
+    return is_shown && stands_still();
+  }
+  /// What comes around the view takes its room.
+  bool stands_still() {
+    constexpr int kTries = 20, kMoment_ms = kIsSanitized ? 2500 : 500;
+    for (int i = 0; i < kTries; ++i) {
+      const Look before = view().scene().look();
+      const QSize size = view().size();
+      QTest::qWait(kMoment_ms);
+      if (view().size() == size && view().scene().look() == before) return true;
+    }
+    return false;
   }
   void drag(QPoint from, QPoint to) {
     QTest::mousePress(&view(), Qt::LeftButton, {}, from);
