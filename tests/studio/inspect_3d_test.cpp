@@ -1,5 +1,6 @@
 // What only a screen with OpenGL shows of the place Inspect: the probe in 3D against the depth that
 // is exported, and pictures to look at.
+#include "tests/studio/standing_view.h"
 #include "tests/studio/two_fingers.h"
 #include "widgets/inspect/face_places.h"
 #include "widgets/inspect/reading_text.h"
@@ -25,14 +26,7 @@ class InspectIn3DView : public testing::Test {
   const InspectedFrame& frame() { return *place().inspection().frame(); }
   bool open(const std::filesystem::path& recording) {
     place().open(recording);
-    const bool is_shown = wait_until(
-        [&] {
-          auto* view = studio_->window().findChild<FacePane*>();
-          return view != nullptr && view->isVisible() && view->renders() > 0;
-        },
-        20000);
-    QTest::qWait(500);  // what comes around it takes its room
-    return is_shown;
+    return wait_for_standing_view(*studio_);
   }
   FacePane& view() { return *studio_->window().findChild<FacePane*>(); }
   void save(const std::string& name) {

@@ -1,8 +1,8 @@
 // Two fingers in the place Inspect, and the view that is turned by hand.
 #include "core/finger/finger.h"
 #include "core/io/picture.h"
+#include "tests/studio/standing_view.h"
 #include "tests/studio/two_fingers.h"
-#include "tests/support/sanitized.h"
 #include "widgets/inspect/gripper_dialog.h"
 #include "widgets/inspect/second_finger_dialog.h"
 
@@ -189,24 +189,7 @@ class InspectIn3D : public InspectPair {
   FacePane& view() { return *studio_.window().findChild<FacePane*>(); }
   bool open_one() {
     place().open(two_.left_video());
-    const bool is_shown = wait_until(
-        [&] {
-          auto* view = studio_.window().findChild<FacePane*>();
-          return view != nullptr && view->isVisible() && view->renders() > 0;
-        },
-        20000);
-    return is_shown && stands_still();
-  }
-  /// What comes around the view takes its room.
-  bool stands_still() {
-    constexpr int kTries = 20, kMoment_ms = kIsSanitized ? 2500 : 500;
-    for (int i = 0; i < kTries; ++i) {
-      const Look before = view().scene().look();
-      const QSize size = view().size();
-      QTest::qWait(kMoment_ms);
-      if (view().size() == size && view().scene().look() == before) return true;
-    }
-    return false;
+    return wait_for_standing_view(studio_);
   }
   void drag(QPoint from, QPoint to) {
     QTest::mousePress(&view(), Qt::LeftButton, {}, from);
