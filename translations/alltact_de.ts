@@ -13162,8 +13162,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>sein Datenträger lässt lange auf Antwort warten; es wird auf ihn gewartet</translation>
     </message>
     <message>
-        <source>wait; where it lasts, look after the network or the cable of that disk</source>
-        <translation>abzuwarten und, wenn es andauert, nach dem Netzwerk oder dem Kabel dieses Datenträgers zu sehen</translation>
+        <source>wait; if it lasts, check whether another program keeps that disk busy, then its network or cable</source>
+        <translation>warten; wenn es andauert, prüfen, ob ein anderes Programm diesen Datenträger auslastet, dann sein Netzwerk oder Kabel</translation>
     </message>
     <message>
         <source>the push on the back moves the markers too little, or bends the finger too far, to tell how far from the base it is</source>

@@ -13111,8 +13111,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>其磁盘响应缓慢，正在等待</translation>
     </message>
     <message>
-        <source>wait; where it lasts, look after the network or the cable of that disk</source>
-        <translation>请稍候；若持续如此，请检查网络或该磁盘的连接线</translation>
+        <source>wait; if it lasts, check whether another program keeps that disk busy, then its network or cable</source>
+        <translation>请稍候；若持续如此，请检查是否有其他程序占用该磁盘，再检查其网络或连接线</translation>
     </message>
     <message>
         <source>the push on the back moves the markers too little, or bends the finger too far, to tell how far from the base it is</source>

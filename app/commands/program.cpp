@@ -141,7 +141,7 @@ int run(int argc, char** argv) {
   Console console(json);
   try {
     begin_threads();
-    const DiskWatch slow_disks(kDiskPatience, say_slow_disk);
+    const DiskWatch slow_disks(kDiskTimeout, say_slow_disk);
     return console.finish(chosen(console));
   } catch (const std::exception& error) {
     return console.finish(as_error(error));

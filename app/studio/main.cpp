@@ -85,7 +85,7 @@ int main(int argc, char** argv) {
       QStandardPaths::writableLocation(QStandardPaths::AppDataLocation).toStdString();
   int status = 0;
   {
-    const DiskWatch disks(kDiskPatience, [](const std::filesystem::path&) {});
+    const DiskWatch disks(kDiskTimeout, [](const std::filesystem::path&) {});
     options.slow_files = [&disks] { return disks.slow(); };
     MainWindow window(options, dresser);
     window.show();

@@ -4,6 +4,7 @@
 #include "calibration/reference/settings_record.h"
 #include "core/finger/finger_store.h"
 #include "core/io/atomic_file.h"
+#include "core/io/disk_wait.h"
 #include "core/sources/open/open_source.h"
 #include "core/utc_time.h"
 
@@ -79,6 +80,7 @@ Status give_reference_of(const std::filesystem::path& copy, const std::filesyste
   for (const char* name : {kReferenceVideo, kReferenceTable}) {
     const Status copied = write_file_atomically(
         files->staged() / name, [&](const std::filesystem::path& temporary) -> Status {
+          const DiskWait waiting(folder / name);
           std::error_code failed;
           std::filesystem::copy_file(
               copy / name, temporary, std::filesystem::copy_options::overwrite_existing, failed);

@@ -4,6 +4,8 @@
 #include "core/io/system_error.h"
 
 #include <cerrno>
+#include <optional>
+#include <regex>
 #include <system_error>
 
 #include <fcntl.h>
@@ -78,6 +80,12 @@ bool write_all(int number, std::string_view content) {
   return true;
 }
 
+Status fill(int number, const fs::path& file, std::string_view content) {
+  const DiskWait waiting(file);
+  if (!write_all(number, content)) return system_error(kWriting, file, errno);
+  return {};
+}
+
 /// A link stays a link: what it points to is replaced.
 fs::path without_links(const fs::path& file) {
   std::error_code ignored;
@@ -98,7 +106,7 @@ void copy_permissions(const fs::path& from, int to) {
 Status replace(const fs::path& wanted,
                const std::function<Status(int number, const fs::path& temporary)>& fill,
                bool waits_for_disk = true) {
-  const DiskWait waiting(wanted);
+  std::optional<DiskWait> waiting(std::in_place, wanted);
   const fs::path file = without_links(wanted);
   std::error_code ignored;
   if (file.filename().empty() || fs::is_directory(file, ignored))
@@ -114,7 +122,9 @@ Status replace(const fs::path& wanted,
   Descriptor descriptor(number);
   Temporary temporary(path);
   copy_permissions(file, number);
+  waiting.reset();  // what fills it may compute for minutes
   if (Status status = fill(number, temporary.path()); !status) return status;
+  waiting.emplace(wanted);
   if ((waits_for_disk && ::fsync(number) != 0) || !descriptor.close() ||
       ::rename(temporary.path().c_str(), file.c_str()) != 0)
     return system_error(kWriting, wanted, errno);
@@ -125,18 +135,12 @@ Status replace(const fs::path& wanted,
 }  // namespace
 
 Status write_file_atomically(const fs::path& file, std::string_view content) {
-  return replace(file, [&](int number, const fs::path&) -> Status {
-    if (!write_all(number, content)) return system_error(kWriting, file, errno);
-    return {};
-  });
+  return replace(file, [&](int number, const fs::path&) { return fill(number, file, content); });
 }
 
 Status write_file_of_many(const fs::path& file, std::string_view content) {
-  const auto fill = [&](int number, const fs::path&) -> Status {
-    if (!write_all(number, content)) return system_error(kWriting, file, errno);
-    return {};
-  };
-  return replace(file, fill, false);
+  return replace(
+      file, [&](int number, const fs::path&) { return fill(number, file, content); }, false);
 }
 
 Status sync_folder(const fs::path& folder) {
@@ -162,6 +166,7 @@ Status write_file_atomically(const fs::path& file,
                              const std::function<Status(const fs::path& temporary)>& write) {
   return replace(file, [&](int, const fs::path& temporary) -> Status {
     if (Status status = write(temporary); !status) return status;
+    const DiskWait waiting(file);
     // The other library may have put a new file in place of ours.
     const Descriptor written(::open(temporary.c_str(), O_RDONLY | O_CLOEXEC));
     if (written.number() < 0 || ::fsync(written.number()) != 0)
@@ -199,6 +204,14 @@ Result<std::string> read_file(const fs::path& file, std::size_t limit_bytes) {
   }
   content.resize(filled);
   return content;
+}
+
+fs::path target_of_temporary(const fs::path& path) {
+  static const std::regex pattern(R"(\.(.+)\.[0-9]+-[0-9]+\.tmp(\.[^.]*)?)");
+  std::smatch parts;
+  const std::string name = path.filename().string();
+  if (!std::regex_match(name, parts, pattern)) return path;
+  return path.parent_path() / (parts[1].str() + parts[2].str());
 }
 
 Status make_folder(const fs::path& folder) {

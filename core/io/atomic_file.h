@@ -40,6 +40,10 @@ namespace alltact {
 [[nodiscard]] Result<std::string> read_file(const std::filesystem::path& file,
                                             std::size_t limit_bytes = std::size_t{1} << 30);
 
+/// The file that a temporary of write_file_atomically() becomes; any other path as it is. The name
+/// alone decides, no disk is asked. Names of over 100 characters come back cut.
+[[nodiscard]] std::filesystem::path target_of_temporary(const std::filesystem::path& path);
+
 /// Makes the folder (and its parents) if it is not there. The error says why it could not.
 [[nodiscard]] Status make_folder(const std::filesystem::path& folder);
 

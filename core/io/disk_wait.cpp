@@ -1,22 +1,84 @@
 #include "core/io/disk_wait.h"
 
+#include "core/io/folder_change.h"
+
 #include <algorithm>
 #include <atomic>
 #include <cassert>
+#include <cinttypes>
 #include <condition_variable>
+#include <cstdio>
+#include <fstream>
 #include <map>
 #include <mutex>
+#include <optional>
+#include <sstream>
 #include <thread>
+
+#include <fmt/format.h>
+#include <pthread.h>
+#include <time.h>
+#include <unistd.h>
 
 namespace alltact {
 namespace {
 
+namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
+using std::chrono::nanoseconds;
+
+/// A thread within this process.
+struct ThreadId {
+  pid_t number = ::gettid();
+  pthread_t handle = ::pthread_self();
+};
+
+/// How a thread spent its life until now.
+struct ThreadUse {
+  nanoseconds on_processor{0};  ///< running or queued for it, as far as the system counts both
+  bool is_blocked = true;       ///< neither runs nor queues at this moment
+};
+
+/// Text of a small file in /proc; empty where it is absent.
+std::string proc_text(const ThreadId& thread, const char* name) {
+  std::FILE* file =
+      std::fopen(fmt::format("/proc/self/task/{}/{}", thread.number, name).c_str(), "re");
+  if (file == nullptr) return {};
+  char text[512];
+  const std::size_t size = std::fread(text, 1, sizeof text, file);
+  std::fclose(file);
+  return {text, size};
+}
+
+/// Source: proc(5) for `stat`, Documentation/scheduler/sched-stats.rst of Linux for `schedstat`
+/// (nanoseconds run, nanoseconds queued, turns). A kernel may leave out either.
+ThreadUse use_of(const ThreadId& thread) {
+  ThreadUse use;
+  std::uint64_t run = 0, queued = 0;
+  if (std::sscanf(proc_text(thread, "schedstat").c_str(), "%" SCNu64 " %" SCNu64, &run, &queued) ==
+      2) {
+    use.on_processor = nanoseconds(run + queued);
+  } else {
+    clockid_t clock = 0;
+    timespec time{};
+    if (::pthread_getcpuclockid(thread.handle, &clock) == 0 && ::clock_gettime(clock, &time) == 0)
+      use.on_processor = std::chrono::seconds(time.tv_sec) + nanoseconds(time.tv_nsec);
+  }
+  // "NUMBER (NAME) STATE ...", where NAME may hold anything.
+  const std::string stat = proc_text(thread, "stat");
+  const std::size_t name_end = stat.rfind(") ");
+  // A queue that lasts until now is counted only at its end: R says that it lasts.
+  if (name_end != std::string::npos && name_end + 2 < stat.size())
+    use.is_blocked = std::string_view("RTt").find(stat[name_end + 2]) == std::string_view::npos;
+  return use;
+}
 
 struct Wait {
-  std::filesystem::path file;
-  Clock::time_point since;
-  bool is_told = false;
+  fs::path file;
+  ThreadId thread;
+  std::optional<ThreadUse> last_use;  ///< empty until the watch first sees it
+  Clock::time_point last_seen;
+  nanoseconds blocked{0};
 };
 
 std::mutex& mutex() {
@@ -31,13 +93,47 @@ std::map<const DiskWait*, Wait>& waits() {
 std::atomic<bool> is_watched{false};
 thread_local const DiskWait* outermost = nullptr;
 
+/// Adds what passed since the last call. No more than `limit`: a program that was stopped as a
+/// whole, or whose watch got no turn, knows nothing of the time between.
+void update(Wait& wait, nanoseconds limit) {
+  const ThreadUse use = use_of(wait.thread);
+  const auto now = Clock::now();
+  if (wait.last_use && use.is_blocked) {
+    const nanoseconds passed = std::min<nanoseconds>(now - wait.last_seen, limit);
+    wait.blocked +=
+        std::max(nanoseconds(0), passed - (use.on_processor - wait.last_use->on_processor));
+  }
+  wait.last_use = use;
+  wait.last_seen = now;
+}
+
+/// Where the disk that holds `file` stands in the tree of files. Neither is asked: both may stall.
+std::string mount_point_of(const fs::path& file) {
+  std::error_code ignored;
+  const fs::path whole = fs::absolute(file, ignored).lexically_normal();
+  std::ifstream mounts("/proc/self/mountinfo");
+  std::string line, best = "/";
+  while (std::getline(mounts, line)) {
+    std::istringstream words(line);
+    std::string word, mount_point;
+    // Source: proc(5): number, parent, device, root, mount point.
+    words >> word >> word >> word >> word >> mount_point;
+    const fs::path point(mount_point);
+    const bool holds_file =
+        std::mismatch(point.begin(), point.end(), whole.begin(), whole.end()).first == point.end();
+    if (holds_file && mount_point.size() > best.size()) best = mount_point;
+  }
+  return best;
+}
+
 }  // namespace
 
-DiskWait::DiskWait(const std::filesystem::path& file) {
+DiskWait::DiskWait(const fs::path& file) {
   if (!is_watched || outermost != nullptr) return;
   outermost = this;
   const std::lock_guard lock(mutex());
-  waits()[this] = {file, Clock::now()};
+  Wait& wait = waits()[this];
+  wait.file = file;
 }
 
 DiskWait::~DiskWait() {
@@ -48,28 +144,55 @@ DiskWait::~DiskWait() {
 }
 
 struct DiskWatch::State {
-  std::chrono::milliseconds patience;
-  std::function<void(const std::filesystem::path&)> on_slow;
+  std::chrono::milliseconds timeout;
+  std::function<void(const fs::path&)> on_slow;
   std::condition_variable ending;
   bool is_ending = false;
+  std::map<std::string, Clock::time_point> last_slow;  ///< by mount point
   std::thread thread;
 
   void run() {
+    const auto poll_interval = timeout / 8;
     std::unique_lock lock(mutex());
-    while (!ending.wait_for(lock, patience / 4, [&] { return is_ending; })) {
-      for (auto& [key, wait] : waits()) {
-        if (wait.is_told || Clock::now() - wait.since < patience) continue;
-        wait.is_told = true;
-        on_slow(wait.file);
-      }
+    while (!ending.wait_for(lock, poll_interval, [&] { return is_ending; })) {
+      for (auto& [key, wait] : waits()) update(wait, 2 * poll_interval);
+      const std::vector<fs::path> files = slow_files();
+      lock.unlock();  // a report may block where nobody reads it
+      for (const fs::path& file : files) report(file);
+      lock.lock();
     }
+  }
+
+  /// With the mutex held.
+  [[nodiscard]] std::vector<fs::path> slow_files() const {
+    std::vector<const Wait*> found;
+    for (const auto& [key, wait] : waits())
+      if (wait.blocked >= timeout) found.push_back(&wait);
+    std::stable_sort(found.begin(), found.end(), [](const Wait* one, const Wait* other) {
+      return std::tie(other->blocked, one->file) < std::tie(one->blocked, other->file);
+    });
+    std::vector<fs::path> files;
+    for (const Wait* wait : found) {
+      fs::path file = final_path(wait->file);
+      if (std::find(files.begin(), files.end(), file) == files.end())
+        files.push_back(std::move(file));
+    }
+    return files;
+  }
+
+  void report(const fs::path& file) {
+    const auto now = Clock::now();
+    const auto [disk, is_first] = last_slow.try_emplace(mount_point_of(file), now);
+    const bool is_new = is_first || now - disk->second > kDiskQuiet;
+    disk->second = now;
+    if (is_new) on_slow(file);
   }
 };
 
-DiskWatch::DiskWatch(std::chrono::milliseconds patience,
-                     std::function<void(const std::filesystem::path&)> on_slow)
+DiskWatch::DiskWatch(std::chrono::milliseconds timeout,
+                     std::function<void(const fs::path&)> on_slow)
     : state_(std::make_unique<State>()) {
-  state_->patience = patience;
+  state_->timeout = timeout;
   state_->on_slow = std::move(on_slow);
   assert(!is_watched);
   is_watched = true;
@@ -87,20 +210,16 @@ DiskWatch::~DiskWatch() {
   state_->thread.join();
 }
 
-std::vector<std::filesystem::path> DiskWatch::slow() const {
-  std::vector<std::filesystem::path> files;
+std::vector<fs::path> DiskWatch::slow() const {
   const std::lock_guard lock(mutex());
-  for (const auto& [key, wait] : waits())
-    if (Clock::now() - wait.since >= state_->patience) files.push_back(wait.file);
-  std::sort(files.begin(), files.end());
-  files.erase(std::unique(files.begin(), files.end()), files.end());
-  return files;
+  return state_->slow_files();
 }
 
-Error slow_disk(const std::filesystem::path& file) {
+Error slow_disk(const fs::path& file) {
   return {en::say("its disk takes long to answer and is waited for"),
           file.string(),
-          en::say("wait; where it lasts, look after the network or the cable of that disk")};
+          en::say("wait; if it lasts, check whether another program keeps that disk busy, then its "
+                  "network or cable")};
 }
 
 }  // namespace alltact

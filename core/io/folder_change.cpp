@@ -186,6 +186,13 @@ Status FolderChange::commit() {
   return carry_out(folder_, list);
 }
 
+fs::path final_path(const fs::path& path) {
+  fs::path known;
+  for (const fs::path& part : target_of_temporary(path))
+    if (!part.string().starts_with(kStagedPrefix) && part != kList) known /= part;
+  return known;
+}
+
 bool has_open_change(const fs::path& folder) {
   std::error_code absent;
   return fs::exists(folder / kList, absent);

@@ -42,6 +42,10 @@ class FolderChange {
   std::vector<std::string> removed_;
 };
 
+/// The path under which a person knows what is written here: that of the final file in place of a
+/// temporary or a staged one, the folder in place of the list of a change. No disk is asked.
+[[nodiscard]] std::filesystem::path final_path(const std::filesystem::path& path);
+
 /// A change of this folder was decided and is not complete.
 [[nodiscard]] bool has_open_change(const std::filesystem::path& folder);
 

@@ -134,11 +134,11 @@ Status MatroskaFile::State::cut_back(int number) {
 }
 
 Status MatroskaFile::State::finish() {
-  const DiskWait waiting(file);
   if (!is_open) return error(AVERROR(EPIPE));
   if (Status status = flush(av_write_trailer(context)); !status) return status;
   is_open = false;
   whole_bytes = static_cast<std::uint64_t>(::lseek(descriptor, 0, SEEK_END));
+  const DiskWait waiting(file);
   // A removed file is about to be copied: waiting for its bytes to reach the disk would be in vain.
   if (!is_removed(descriptor) && ::fsync(descriptor) != 0) return error(AVERROR(errno));
   return {};

@@ -33,6 +33,8 @@ class Morning {
     return (folder_ / name).string();
   }
   [[nodiscard]] const std::string& trouble() const { return trouble_; }
+  /// What the steps of the demonstration wrote to standard error.
+  [[nodiscard]] const std::string& errors() const { return errors_; }
 
  private:
   Morning() {
@@ -69,12 +71,13 @@ class Morning {
   void step(const std::vector<std::string>& arguments) {
     if (!trouble_.empty()) return;
     const ProgramRun run = run_alltact(arguments);
+    errors_ += run.errors;
     if (run.status != 0)
       trouble_ = testing::PrintToString(arguments) + "\n" + run.errors + run.output;
   }
 
   TemporaryFolder folder_;
-  std::string trouble_;
+  std::string trouble_, errors_;
 };
 
 /// All steps of a day below one folder, which begins with what the morning made.
@@ -222,6 +225,12 @@ void expect_python_agrees(const Day& day) {
   EXPECT_LT(difference.part(difference.in_contact, 0.5), 0.01);
   EXPECT_LT(difference.part(difference.in_contact, 0.95), 0.1);
   EXPECT_LT(difference.missing_part(), 0.01);
+}
+
+TEST(SimulatedFinger, IsMadeWithoutAnAlarm) {
+  const Morning& morning = Morning::get();
+  EXPECT_EQ(morning.trouble(), "");
+  EXPECT_THAT(morning.errors(), testing::Not(testing::HasSubstr("takes long to answer")));
 }
 
 TEST(SimulatedFinger, IsMeasuredAsWellAsPromised) {
