@@ -143,7 +143,9 @@ TEST_F(DiskFaults, ADiskThatStallsIsToldOfAndCanBeLeft) {
       finger(),
       ALLTACT_FAULTY_DISK,
       ALLTACT_PROGRAM));
-  EXPECT_THAT(run.errors, HasSubstr("finger.yaml: its disk takes long to answer"));
+  const std::string alarm = "its disk takes long to answer";
+  EXPECT_THAT(run.errors, HasSubstr("finger.yaml: " + alarm));
+  EXPECT_EQ(run.errors.find(alarm), run.errors.rfind(alarm)) << run.errors;
   EXPECT_EQ(run.status, 128 + SIGINT);
 }
 
