@@ -5,6 +5,7 @@
 #include "app/pictures/pictures.h"
 #include "calibration/finger/calibrate_finger.h"
 #include "calibration/finger/calibration_report.h"
+#include "calibration/verdict/verdict_json.h"
 #include "core/program.h"
 #include "core/utc_time.h"
 
@@ -142,6 +143,8 @@ Status run_calibrate(const CalibrateOptions& options, Console& console) {
   console.say("Again, from what is kept with the finger: " + repeat_command(options.finger));
   Console::Json& answer = console.answer();
   answer["verdict"] = done->verdict.sentence.english();
+  answer["grade"] = to_string(done->verdict.grade);
+  answer["evidence"] = verdict_json(done->verdict);
   answer["residual_mm"] = done->calibration.residual_mm;
   if (done->calibration.held_out_mm > 0) answer["held_out_mm"] = done->calibration.held_out_mm;
   answer["expected_error_mm"] = done->verdict.error_mm;

@@ -138,7 +138,7 @@ Status run_check_untouched(const Path& folder,
 Status run_check(const Path& folder, Console& console) {
   const auto finger = open_finger(folder, console);
   if (!finger) return finger.error();
-  const FingerCheck check = check_finger(**finger, console.job());
+  const FingerCheck check = check_finger(**finger, console.job(), utc_now());
   Console::Json items = Console::Json::array();
   for (const CheckItem& item : check.items) {
     console.say(fmt::format("{:<12} {:<8} {}", item.what, to_string(item.state), item.sentence));

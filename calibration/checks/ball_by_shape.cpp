@@ -51,7 +51,9 @@ Result<BallByShape> ball_by_shape(const Press& press,
   if (!fit.converged)
     return Error{en::say("{}: no ball fits the contact", press.name), "", en::say("a clean ball")};
 
-  BallByShape ball{fit.centres_mm[0], fit.curve.values()[0], 0, {}};
+  BallByShape ball{fit.centres_mm[0], fit.curve.values()[0], 0, Eigen::Vector2d::Zero(), {}};
+  if (const Sample* nearest = nearest_sample(samples, ball.centre_mm))
+    ball.on_face_mm = nearest->place_mm;
   const ContactDisc disc(samples, options.along, ball.centre_mm);
   for (const Sample& sample : samples.samples) {
     const double depth = ball_depth_mm(sample, options.along, ball.centre_mm, press.ball_radius_mm);

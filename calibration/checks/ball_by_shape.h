@@ -13,9 +13,10 @@
 namespace alltact {
 
 struct BallByShape {
-  Eigen::Vector3d centre_mm;  ///< camera frame
-  double factor = 1;          ///< true depth / depth read
-  double depth_mm = 0;        ///< of its deepest point
+  Eigen::Vector3d centre_mm;                             ///< camera frame
+  double factor = 1;                                     ///< true depth / depth read
+  double depth_mm = 0;                                   ///< of its deepest point
+  Eigen::Vector2d on_face_mm = Eigen::Vector2d::Zero();  ///< of its contact, along and across
   /// Mapping minus ball, mm, of the samples in the inner part of the contact (kSureRim); never
   /// empty.
   std::vector<double> errors_mm;

@@ -59,8 +59,10 @@ std::optional<CheckEntry> entry_from(const std::string& line) {
   CheckEntry entry;
   entry.time = parts[0];
   bool is_verdict = false;
-  for (const auto verdict :
-       {CheckVerdict::kPass, CheckVerdict::kDrifting, CheckVerdict::kRecalibrate}) {
+  for (const auto verdict : {CheckVerdict::kPass,
+                             CheckVerdict::kDrifting,
+                             CheckVerdict::kRecalibrate,
+                             CheckVerdict::kTooFew}) {
     if (parts[1] != to_string(verdict)) continue;
     entry.verdict = verdict;
     is_verdict = true;

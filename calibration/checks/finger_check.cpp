@@ -2,7 +2,7 @@
 
 #include "calibration/finger/calibration_inputs.h"
 #include "calibration/finger/calibration_report.h"
-#include "calibration/joint/verdict.h"
+#include "calibration/verdict/finger_state.h"
 #include "core/finger/force_model.h"
 #include "core/sensing/reference/reference_library.h"
 
@@ -30,6 +30,10 @@ CheckItem check_reference(const FingerSnapshot& snapshot, const Job& job) {
             flat ? en::say("no untouched picture; give one to calibrate with --reference")
                  : en::say("no recording of the bending, untouched finger; run alltact reference")};
   }
+  const ReferenceState state = reference_state(snapshot);
+  if (state == ReferenceState::kMissing || state == ReferenceState::kCut ||
+      state == ReferenceState::kOtherImage)
+    return {"reference", CheckState::kMissing, sentence(state)};
   const auto library = ReferenceLibrary::load(snapshot, job);
   if (!library)
     return {"reference", CheckState::kMissing, en::say("{}.", library.error().message())};
@@ -60,7 +64,7 @@ CheckItem check_markers(const Finger& finger) {
                   finger.contact->threshold_px)};
 }
 
-CheckItem check_mapping(const Finger& finger) {
+CheckItem check_mapping(const Finger& finger, const CalibrationEvidence& evidence) {
   if (!finger.mapping) {
     return {"mapping",
             CheckState::kMissing,
@@ -72,28 +76,35 @@ CheckItem check_mapping(const Finger& finger) {
         CheckState::kWeak,
         en::say("nothing says how it came about or how good it is; run alltact calibrate again")};
   }
-  const MappingRecord& record = *finger.mapping_record;
-  const Verdict worth = verdict({record.residual_mm,
-                                 record.held_out_mm,
-                                 record.spread_mm,
-                                 static_cast<int>(record.presses.size()),
-                                 record.pixel_mm});
+  const Verdict worth = verdict(evidence);
   const CheckState state = worth.grade == Grade::kUnfit  ? CheckState::kMissing
                            : worth.grade == Grade::kGood ? CheckState::kFine
                                                          : CheckState::kWeak;
   return {"mapping", state, worth.sentence};
 }
 
+/// What was given for the calibration must be what is given now.
+CheckItem check_numbers(const CalibrationEvidence& evidence) {
+  const Verdict worth = verdict(evidence);
+  for (std::size_t i = 0; i < worth.missing.size(); ++i)
+    if (worth.missing_names[i] == "numbers_unchanged")
+      return {"numbers", CheckState::kMissing, worth.missing[i]};
+  return {"numbers",
+          CheckState::kFine,
+          worth.rests_on.empty() ? en::say("unchanged since the calibration") : worth.rests_on};
+}
+
 /// Both dates are UTC in one format, so their order as text is their order in time.
-CheckItem check_age(const Finger& finger) {
+CheckItem check_age(const Finger& finger, const CalibrationEvidence& evidence) {
   const std::string reference = value_or_empty(finger, "reference_date");
   const std::string calibration = value_or_empty(finger, "calibration_date");
-  if (!reference.empty() && reference > calibration) {
+  if (evidence.reference_is_newer) {
     return {"calibration",
             CheckState::kStale,
-            en::say("the reference ({}) is newer than the calibration ({}); calibrate again",
+            en::say("the reference ({}) is newer than the calibration ({}): {}",
                     reference,
-                    calibration)};
+                    calibration,
+                    evidence.repeat_command)};
   }
   return {
       "calibration",
@@ -155,8 +166,9 @@ std::string_view to_string(CheckState state) {
   return "";
 }
 
-FingerCheck check_finger(const FingerSnapshot& snapshot, const Job& job) {
+FingerCheck check_finger(const FingerSnapshot& snapshot, const Job& job, const std::string& now) {
   const Finger& finger = snapshot.finger;
+  const CalibrationEvidence evidence = evidence_in(snapshot, now);
   FingerCheck check;
   check.items.push_back({"camera",
                          CheckState::kFine,
@@ -166,8 +178,9 @@ FingerCheck check_finger(const FingerSnapshot& snapshot, const Job& job) {
                                  finger.camera.height_px)});
   check.items.push_back(check_reference(snapshot, job));
   if (finger.face.kind == FaceKind::kFinRay) check.items.push_back(check_markers(finger));
-  check.items.push_back(check_mapping(finger));
-  if (finger.mapping) check.items.push_back(check_age(finger));
+  check.items.push_back(check_mapping(finger, evidence));
+  if (finger.mapping_record) check.items.push_back(check_numbers(evidence));
+  if (finger.mapping) check.items.push_back(check_age(finger, evidence));
   if (finger.mapping_record) check.items.push_back(check_inputs(snapshot.folder, finger));
   if (!finger.force_model.empty() && (snapshot.force || snapshot.force_problem))
     check.items.push_back(check_force(snapshot));

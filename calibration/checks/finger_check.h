@@ -30,6 +30,9 @@ struct FingerCheck {
 };
 
 /// Looks at everything a finger needs to measure, and reads the reference recording.
-[[nodiscard]] FingerCheck check_finger(const FingerSnapshot& snapshot, const Job& job);
+///   now: UTC, as utc_now() writes it; empty: how old things are does not count
+[[nodiscard]] FingerCheck check_finger(const FingerSnapshot& snapshot,
+                                       const Job& job,
+                                       const std::string& now = {});
 
 }  // namespace alltact

@@ -62,6 +62,8 @@ Result<CheckedPress> measure(const Press& press,
   result.light_change = light_change;
   result.factor = ball->factor;
   result.depth_mm = ball->depth_mm;
+  const double radius2 = ball->depth_mm * (2 * press.ball_radius_mm - ball->depth_mm);
+  result.spot = {ball->on_face_mm.x(), ball->on_face_mm.y(), std::sqrt(std::max(0.0, radius2)), 0};
   for (const double error_mm : ball->errors_mm) result.error_mm += std::abs(error_mm);
   result.error_mm /= static_cast<double>(ball->errors_mm.size());
   return result;
@@ -81,17 +83,25 @@ Result<CheckedPress> measure_step(const Press& press,
   line.set_line(1.0);
   const double height_mm =
       read_step(read, line, line.values().data(), mapping.parameters().along).height_mm;
-  return CheckedPress{press.name,
+  CheckedPress result{press.name,
                       std::abs(height_mm - step->step_mm),
                       step->step_mm / height_mm,
                       step->step_mm,
-                      light_change};
+                      light_change,
+                      {}};
+  const auto count = static_cast<double>(read.samples.samples.size());
+  for (const Sample& sample : read.samples.samples) {
+    result.spot.along_mm += sample.place_mm.x() / count;
+    result.spot.across_mm += sample.place_mm.y() / count;
+  }
+  return result;
 }
 
 struct Measured {
   std::set<std::string> names;  ///< of all that were read
   std::vector<CheckedPress> presses;
-  std::vector<Message> left_out;  ///< sentences, those with a full stop as "{}."
+  std::vector<Message> left_out;            ///< sentences, those with a full stop as "{}."
+  std::vector<std::string> left_out_names;  ///< in name order
 };
 
 /// An error adds a full stop of its own.
@@ -131,6 +141,7 @@ Result<Measured> measure_all(const PressInput& presses,
     auto result = pipeline(*frame);
     if (!result) return result.error();
     if (!result->difference || !result->shape || result->reference->by_shape) {
+      all.left_out_names.push_back((*frame)->name);
       const Message no_face = en::say("no face was found");
       all.left_out.push_back(
           refused((*frame)->name,
@@ -150,11 +161,13 @@ Result<Measured> measure_all(const PressInput& presses,
       all.presses.push_back(std::move(measured).value());
     } else {
       all.left_out.push_back(en::say("{}.", measured.error().message()));
+      all.left_out_names.push_back(press.name);
     }
   }
   std::sort(all.presses.begin(), all.presses.end(), [](const auto& a, const auto& b) {
     return std::tie(a.name, a.error_mm) < std::tie(b.name, b.error_mm);
   });
+  std::sort(all.left_out_names.begin(), all.left_out_names.end());
   std::sort(all.left_out.begin(), all.left_out.end(), [](const Message& a, const Message& b) {
     return a.english() < b.english();
   });
@@ -203,13 +216,17 @@ void judge(const std::vector<CheckedPress>& own, double held_out_mm, PressCheck&
   check.drifting_above_mm = std::max(kLeastErrorMm, error.mean + kChance * error.sd / std::sqrt(n));
   check.recalibrate_above_mm = std::max(2 * check.drifting_above_mm, kGoodErrorMm);
   check.light_limit = std::max(kLightLimit, kChance * light.sd / std::sqrt(n));
-  const double off = std::max(kLightOff, 3 * check.light_limit);
-  const double light_change = std::abs(check.light_change);
-  check.verdict = check.error_mm > check.recalibrate_above_mm || light_change > off
-                      ? CheckVerdict::kRecalibrate
-                  : check.error_mm > check.drifting_above_mm || light_change > check.light_limit
-                      ? CheckVerdict::kDrifting
-                      : CheckVerdict::kPass;
+  std::vector<ContactSpot> spots;
+  for (const CheckedPress& press : check.presses) spots.push_back(press.spot);
+  check.positions = coverage_of(std::move(spots)).positions;
+  check.verdict = check_verdict({static_cast<int>(check.presses.size()),
+                                 check.positions,
+                                 check.error_mm,
+                                 check.drifting_above_mm,
+                                 check.recalibrate_above_mm,
+                                 std::abs(check.light_change),
+                                 check.light_limit,
+                                 std::max(kLightOff, 3 * check.light_limit)});
 }
 
 Message why_depth_is_off(const PressCheck& check) {
@@ -236,6 +253,8 @@ Message word_of(CheckVerdict verdict) {
       return en::say("pass");
     case CheckVerdict::kDrifting:
       return en::say("drifting");
+    case CheckVerdict::kTooFew:
+      return en::say("too few to tell");
     case CheckVerdict::kRecalibrate:
       break;
   }
@@ -254,25 +273,22 @@ Message sentence_of(const PressCheck& check) {
   if (check.verdict == CheckVerdict::kDrifting) advice = en::say("calibrate again soon");
   if (check.verdict == CheckVerdict::kRecalibrate)
     advice = en::say("calibrate again before measuring with it");
+  if (check.verdict == CheckVerdict::kTooFew)
+    advice =
+        en::say("a check needs {} presses at different positions; these are at {}: press again",
+                kCheckPresses,
+                check.positions);
+  std::vector<Message> names;
+  for (const std::string& name : check.left_out_names) names.push_back(Message::typed(name));
+  const Message left_out = en::list(names);
   return en::clauses({en::at(word_of(check.verdict), figures),
                       why_depth_is_off(check),
                       why_light_is_off(check),
+                      names.empty() ? Message() : en::say("left out: {}", left_out),
                       advice});
 }
 
 }  // namespace
-
-std::string_view to_string(CheckVerdict verdict) {
-  switch (verdict) {
-    case CheckVerdict::kPass:
-      return "pass";
-    case CheckVerdict::kDrifting:
-      return "drifting";
-    case CheckVerdict::kRecalibrate:
-      break;
-  }
-  return "recalibrate";
-}
 
 Result<PressCheck> check_with_presses(const FingerSnapshot& snapshot,
                                       const PressInput& presses,
@@ -300,6 +316,7 @@ Result<PressCheck> check_with_presses(const FingerSnapshot& snapshot,
   if (!measured) return measured.error();
   check.presses = std::move(measured->presses);
   check.left_out = std::move(measured->left_out);
+  check.left_out_names = std::move(measured->left_out_names);
   for (const auto& [name, note] : said.notes)
     if (!measured->names.contains(name))
       return Error{en::say("no press is called '{}'", name),

@@ -20,8 +20,9 @@
 // error is what its step reads too high or too low.
 #pragma once
 
-#include "calibration/joint/verdict.h"
 #include "calibration/presses/press_input.h"
+#include "calibration/verdict/press_coverage.h"
+#include "calibration/verdict/verdict.h"
 #include "core/finger/finger_store.h"
 #include "core/job.h"
 #include "core/result.h"
@@ -32,16 +33,13 @@
 
 namespace alltact {
 
-enum class CheckVerdict { kPass = 1, kDrifting, kRecalibrate };
-/// "pass", "drifting", "recalibrate".
-[[nodiscard]] std::string_view to_string(CheckVerdict verdict);
-
 struct CheckedPress {
   std::string name;
   double error_mm = 0;
   double factor = 1;        ///< true depth / depth read: above 1 the mapping reads too shallow
   double depth_mm = 0;      ///< deepest point of the ball; of a punch the height of its step
   double light_change = 0;  ///< 0.02: the face is 2 % brighter than its reference
+  ContactSpot spot;         ///< where on the face
 };
 
 struct PressCheck {
@@ -52,9 +50,11 @@ struct PressCheck {
   double light_change = 0;  ///< against the presses of the calibration
   double light_limit = 0;   ///< drifting above
   double ball_radius_mm = 0;
-  std::vector<CheckedPress> presses;  ///< by name
-  std::vector<Message> left_out;      ///< "press_3: why"
-  Message sentence;                   ///< verdict, figures and what to do
+  std::vector<CheckedPress> presses;        ///< by name
+  int positions = 0;                        ///< distinct ones on the face (PressCoverage)
+  std::vector<Message> left_out;            ///< "press_3: why"
+  std::vector<std::string> left_out_names;  ///< "press_3"
+  Message sentence;                         ///< verdict, figures and what to do
 };
 
 /// The same for any order of the presses; nothing is written.
@@ -71,8 +71,5 @@ struct PressCheck {
 inline constexpr double kLightLimit = 0.02;  // lamps that are warm stay within
 inline constexpr double kLightOff = 0.06;
 inline constexpr double kLeastErrorMm = kGoodErrorMm / 3;
-
-/// How many presses a check should have; fewer only say so.
-inline constexpr int kCheckPresses = 3;
 
 }  // namespace alltact

@@ -48,6 +48,11 @@ Message sentence_of(const UntouchedCheck& check) {
           {en::at(en::say("drifting"), figures),
            en::say("let the lamps warm up, look at exposure and gain, and record the reference "
                    "again when it goes on")});
+    case CheckVerdict::kTooFew:
+      return en::clauses(
+          {en::at(en::say("too few to tell"), figures),
+           en::say(
+               "a check needs {} images, {} could be measured", kCheckPresses, check.pictures)});
     case CheckVerdict::kRecalibrate:
       break;
   }
@@ -108,11 +113,14 @@ Result<UntouchedCheck> check_untouched(const FingerSnapshot& snapshot,
        {&check.light_change, &check.false_depth_mm, &check.uncorrected_mm, &noise_mm})
     *mean /= check.pictures;
   check.limit_mm = std::max(kLeastErrorMm, 3.0 * noise_mm);
-  const double light = std::abs(check.light_change);
-  if (light > kLightOff || check.false_depth_mm > check.limit_mm)
-    check.verdict = CheckVerdict::kRecalibrate;
-  else if (light > kLightLimit)
-    check.verdict = CheckVerdict::kDrifting;
+  check.verdict = check_verdict({check.pictures,
+                                 check.pictures,
+                                 check.false_depth_mm,
+                                 check.limit_mm,
+                                 check.limit_mm,
+                                 std::abs(check.light_change),
+                                 kLightLimit,
+                                 kLightOff});
   check.sentence = sentence_of(check);
   return check;
 }

@@ -4,11 +4,11 @@
 
 #include "calibration/finger/calibration_inputs.h"
 #include "calibration/joint/calibrate.h"
-#include "calibration/joint/verdict.h"
 #include "calibration/presses/press_input.h"
 #include "calibration/report/fault_signs.h"
 #include "calibration/report/method_table.h"
 #include "calibration/report/press_residuals.h"
+#include "calibration/verdict/verdict.h"
 #include "core/finger/finger.h"
 #include "core/job.h"
 #include "core/message.h"
@@ -42,6 +42,11 @@ struct FingerCalibration {
   std::vector<ZoneError> zones;
   std::vector<MethodRow> methods;  ///< for the reports; empty without, or with another method
   double pixel_mm = 0;             ///< see contact_error.h
+  double pixel_sd_mm = 0;          ///< standard deviation, without the mapping's share
+  double halo_mm = 0;              ///< see CalibrationBasis
+  int failed_presses = 0;          ///< that no ball was found in, or that did not fit
+  bool is_complete = true;         ///< false: stopped before the solution had settled
+  std::vector<Contradiction> contradictions;  ///< between numbers given and presses
   Verdict verdict;
   std::vector<Message> fault_signs;       ///< see fault_signs.h
   std::vector<Message> made_of;           ///< what bursts were averaged, a sentence each

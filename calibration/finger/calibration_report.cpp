@@ -1,6 +1,7 @@
 #include "calibration/finger/calibration_report.h"
 
 #include "calibration/presses/press_sayings.h"
+#include "calibration/verdict/verdict_json.h"
 #include "core/io/message_json.h"
 
 #include <algorithm>
@@ -105,6 +106,8 @@ std::string calibration_report_json(const FingerCalibration& done) {
   report["program_version"] = done.inputs.program_version;
   report["ball_radius_mm"] = done.inputs.said.ball_radius_mm;
   report["verdict"] = done.verdict.sentence.english();
+  report["grade"] = to_string(done.verdict.grade);
+  report["evidence"] = verdict_json(done.verdict);
   report["residual_mm"] = calibration.residual_mm;
   if (calibration.held_out_mm > 0) report["held_out_mm"] = calibration.held_out_mm;
   Json zones = Json::array();

@@ -2,6 +2,7 @@
 
 #include "calibration/finger/calibration_report.h"
 #include "calibration/finger/take_presses.h"
+#include "calibration/verdict/finger_state.h"
 #include "core/finger/finger_store.h"
 #include "core/io/atomic_file.h"
 #include "core/io/message_json.h"
@@ -143,11 +144,11 @@ Result<FingerCalibration> recall_calibration(const fs::path& folder) {
   read_report(report, *record, recalled.calibration);
   recalled.calibration.mapping = *recalled.finger.mapping;
   recalled.pixel_mm = record->pixel_mm;
-  recalled.verdict = verdict({record->residual_mm,
-                              record->held_out_mm,
-                              record->spread_mm,
-                              static_cast<int>(record->presses.size()),
-                              record->pixel_mm});
+  recalled.pixel_sd_mm = record->basis ? record->basis->pixel_sd_mm : 0.0;
+  recalled.halo_mm = record->basis ? record->basis->halo_mm : 0.0;
+  const CalibrationEvidence evidence = evidence_in(**finger, "");
+  recalled.contradictions = evidence.contradictions;
+  recalled.verdict = verdict(evidence);
   return recalled;
 }
 

@@ -1,6 +1,8 @@
 #include "calibration/finger/solve_presses.h"
 
 #include "calibration/report/contact_error.h"
+#include "calibration/verdict/basis.h"
+#include "calibration/verdict/find_contradictions.h"
 
 #include <algorithm>
 
@@ -40,6 +42,20 @@ void leave_out_beyond(int most, std::vector<TakenPress>& presses) {
 
 }  // namespace
 
+MappingRecord record_of(const FingerCalibration& done) {
+  const Calibration& calibration = done.calibration;
+  MappingRecord record;
+  record.method = method_name(done.inputs.calibration.method);
+  for (const BallFit& ball : calibration.balls) record.presses.push_back(ball.press);
+  record.residual_mm = calibration.residual_mm;
+  record.held_out_mm = calibration.held_out_mm;
+  record.spread_mm = calibration.spread_mm;
+  record.pixel_mm = done.pixel_mm;
+  record.degree_choice = calibration.degree_choice.english();
+  record.basis = basis_of(done);
+  return record;
+}
+
 Status solve_presses(FingerCalibration& done,
                      const std::vector<std::optional<Reference>>& references,
                      const MeasureAsPaper& as_paper,
@@ -75,7 +91,14 @@ Status solve_presses(FingerCalibration& done,
       calibrate(used, *camera, done.finger.face, done.inputs.calibration, job, on_round);
   if (!calibration) return calibration.error();
   done.calibration = std::move(calibration).value();
-  if (job.stop_requested())
+  done.is_complete = !job.stop_requested();
+  done.failed_presses =
+      static_cast<int>(done.calibration.left_out.size() +
+                       static_cast<std::size_t>(std::count_if(
+                           done.presses.begin(), done.presses.end(), [](const TakenPress& press) {
+                             return !press.press;
+                           })));
+  if (!done.is_complete)
     done.calibration.remarks.push_back(
         en::say("stopped before the end: this is the best solution until then, without a report; "
                 "calibrating again from what is kept finishes it"));
@@ -96,12 +119,16 @@ Status solve_presses(FingerCalibration& done,
   for (std::size_t i = 0; i < done.presses.size(); ++i)
     if (done.presses[i].left_out.empty() && !done.presses[i].press->step_mm)
       compared.push_back({&*done.presses[i].press, &*references[i]});
-  done.pixel_mm = contact_error_mm(compared, done.residuals, done.calibration.mapping);
-  done.verdict = verdict({done.calibration.residual_mm,
-                          done.calibration.held_out_mm,
-                          done.calibration.spread_mm,
-                          static_cast<int>(done.calibration.balls.size()),
-                          done.pixel_mm});
+  const ContactError pixel = contact_error(compared, done.residuals, done.calibration.mapping);
+  done.pixel_mm = pixel.mean_mm;
+  done.pixel_sd_mm = pixel.sd_without_mapping_mm;
+  done.contradictions = find_contradictions(done);
+  Finger solved = done.finger;
+  solved.mapping = done.calibration.mapping;
+  solved.mapping_record = record_of(done);
+  CalibrationEvidence evidence = evidence_of(solved);
+  evidence.reference_is_newer = false;  // this calibration is made now
+  done.verdict = verdict(evidence);
   if (as_paper && done.inputs.calibration.method == CalibrationMethod::kJoint &&
       !job.stop_requested()) {
     job.report(0.9, en::say("comparing with other methods"));

@@ -23,4 +23,7 @@ using MeasureAsPaper = std::function<Result<std::vector<Press>>()>;
                                    const Job& job,
                                    const RoundListener& on_round);
 
+/// What finger.yaml stores of a calibration beside its mapping.
+[[nodiscard]] MappingRecord record_of(const FingerCalibration& done);
+
 }  // namespace alltact

@@ -8,7 +8,7 @@
 #include "calibration/joint/starting_balls.h"
 #include "calibration/joint/stored_curve.h"
 #include "calibration/joint/tangent_arc.h"
-#include "calibration/joint/verdict.h"
+#include "calibration/verdict/verdict.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "calibration/joint/cross_validation.h"
 
 #include "calibration/joint/stored_curve.h"
-#include "calibration/joint/verdict.h"
+#include "calibration/verdict/verdict.h"
 
 #include <algorithm>
 #include <cmath>

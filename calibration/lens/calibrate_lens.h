@@ -1,10 +1,10 @@
 // From the boards found in pictures to a lens and what it is worth.
 #pragma once
 
-#include "calibration/joint/verdict.h"
 #include "calibration/lens/lens_coverage.h"
 #include "calibration/lens/lens_fit.h"
 #include "calibration/lens/lens_judge.h"
+#include "calibration/verdict/verdict.h"
 #include "core/settings.h"
 
 #include <optional>

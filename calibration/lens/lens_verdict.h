@@ -1,9 +1,9 @@
 // What a lens calibration is worth, in millimetres at the finger and in words.
 #pragma once
 
-#include "calibration/joint/verdict.h"
 #include "calibration/lens/lens_coverage.h"
 #include "calibration/lens/lens_judge.h"
+#include "calibration/verdict/verdict.h"
 
 #include <optional>
 

@@ -1,6 +1,6 @@
 #include "calibration/report/contact_error.h"
 
-#include "calibration/joint/verdict.h"
+#include "calibration/verdict/verdict.h"
 #include "core/numerics/median.h"
 #include "core/sensing/depth/depth_sd.h"
 #include "core/sensing/depth/local_depth.h"
@@ -15,10 +15,13 @@ namespace {
 
 constexpr double kInContactMm = 0.1;
 
-/// Mean standard deviation at the middles of a contact's samples; NaN where there is none.
-double mean_sd_mm(const ComparedPress& compared,
-                  const PressResiduals& contact,
-                  const Mapping& mapping) {
+/// At the middles of a contact's samples; NaN where there is none.
+struct MeanSd {
+  double all_mm = 0, without_mapping_mm = 0;
+};
+MeanSd mean_sd(const ComparedPress& compared,
+               const PressResiduals& contact,
+               const Mapping& mapping) {
   const auto& [press, reference] = compared;
   Difference difference = press->difference;
   cv::Mat1b wanted = cv::Mat1b::zeros(difference.x.size());
@@ -41,37 +44,42 @@ double mean_sd_mm(const ComparedPress& compared,
   known.error_factor = std::min(known.error_factor, 1.0);
   known.outer_error_factor = std::min(known.outer_error_factor, 1.0);
   DepthError error(depth, known, press->shape, mapping);
-  double sum = 0;
+  MeanSd sum;
   int count = 0;
   for (int v = 0; v < wanted.rows; ++v) {
     if (cv::countNonZero(wanted.row(v)) == 0) continue;
     error.row(v, [&](int u, const DepthCauses& causes) {
       if (wanted(v, u) == 0) return;
-      sum += causes.total();
+      sum.all_mm += causes.total();
+      DepthCauses others = causes;
+      others.mapping = 0;
+      sum.without_mapping_mm += others.total();
       ++count;
     });
   }
-  return sum / count;
+  return {sum.all_mm / count, sum.without_mapping_mm / count};
 }
 
 }  // namespace
 
-double contact_error_mm(const std::vector<ComparedPress>& presses,
-                        const std::vector<PressResiduals>& contacts,
-                        const MappingParameters& parameters) {
+ContactError contact_error(const std::vector<ComparedPress>& presses,
+                           const std::vector<PressResiduals>& contacts,
+                           const MappingParameters& parameters) {
   const auto mapping = Mapping::create(parameters);
-  if (!mapping) return 0.0;
-  std::vector<double> errors_mm;
+  if (!mapping) return {};
+  std::vector<double> all_mm, others_mm;
   for (const PressResiduals& contact : contacts) {
     const auto compared =
         std::find_if(presses.begin(), presses.end(), [&](const ComparedPress& one) {
           return one.press->name == contact.press;
         });
     if (compared == presses.end()) continue;
-    const double sd_mm = mean_sd_mm(*compared, contact, *mapping);
-    if (std::isfinite(sd_mm)) errors_mm.push_back(kMeanOfSd * sd_mm);
+    const MeanSd sd = mean_sd(*compared, contact, *mapping);
+    if (!std::isfinite(sd.all_mm)) continue;
+    all_mm.push_back(kMeanOfSd * sd.all_mm);
+    others_mm.push_back(sd.without_mapping_mm);
   }
-  return upper_median(errors_mm);
+  return {upper_median(all_mm), upper_median(others_mm)};
 }
 
 }  // namespace alltact

@@ -2,6 +2,7 @@
 
 #include "core/camera/camera_range.h"
 #include "core/io/atomic_file.h"
+#include "core/numerics/checksum.h"
 
 namespace alltact {
 namespace {
@@ -118,6 +119,15 @@ Result<CameraParameters> load_camera(const std::filesystem::path& path, LensReco
     error.where = key.substr(key.find('.') + 1);
   }
   return file.located(error);
+}
+
+std::string camera_fingerprint(const CameraParameters& parameters) {
+  YamlBlock block("");
+  add_camera(parameters, {}, {}, block);
+  const std::string text = block.on_many_lines();
+  Checksum checksum;
+  checksum.add(text.data(), text.size());
+  return checksum.text();
 }
 
 Status save_camera(const std::filesystem::path& path,

@@ -79,6 +79,30 @@ std::optional<Error> mapping_problem(const MappingParameters& parameters, double
       en::say("calibrate again")};
 }
 
+std::optional<Error> basis_problem(const CalibrationBasis& basis) {
+  bool is_possible = is_in(basis.plane_z_mm, -1e6, 1e6) && is_in(basis.position_leverage, 0, 1e6) &&
+                     is_in(basis.depth_per_radius, -1000, 1000) && basis.positions >= 0 &&
+                     basis.left_out >= 0;
+  for (const double length_mm : {basis.layer_mm,
+                                 basis.width_mm,
+                                 basis.shallowest_mm,
+                                 basis.deepest_mm,
+                                 basis.scale_sd_mm,
+                                 basis.pixel_sd_mm,
+                                 basis.halo_mm})
+    is_possible = is_possible && is_in(length_mm, 0, 1000);
+  for (const double radius_mm : basis.ball_radii_mm)
+    is_possible = is_possible && is_in(radius_mm, 0, 1000);
+  for (const int third : basis.thirds) is_possible = is_possible && third >= 0;
+  for (const RecordedContradiction& one : basis.contradictions)
+    for (const double mm : {one.given_mm, one.measured_mm, one.measured_to_mm})
+      is_possible = is_possible && is_in(mm, -1e6, 1e6);
+  if (is_possible) return std::nullopt;
+  return Error{en::say("holds a number that no calibration has"),
+               std::string("mapping.basis"),
+               en::say("calibrate again")};
+}
+
 std::optional<Error> record_problem(const MappingRecord& record) {
   for (const auto& [value, key] : {std::pair{record.residual_mm, "mapping.residual_mm"},
                                    {record.held_out_mm, "mapping.held_out_mm"},
@@ -87,7 +111,7 @@ std::optional<Error> record_problem(const MappingRecord& record) {
     if (!is_in(value, 0, 1000))
       return Error{
           en::say("must be a number from 0 to 1000"), std::string(key), en::say("calibrate again")};
-  return std::nullopt;
+  return record.basis ? basis_problem(*record.basis) : std::nullopt;
 }
 
 std::optional<Error> file_problem(const std::string& name, const std::string& key) {

@@ -6,6 +6,7 @@
 #include "core/geometry/rigid_transform.h"
 #include "core/result.h"
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -45,6 +46,37 @@ struct PosePlaces {
   double step_mm = 0;  ///< (0, 500]
 };
 
+/// A statement of a calibration's data that contradicts a number which was given for it.
+struct RecordedContradiction {
+  std::string kind;           ///< as calibration/verdict/contradiction.h writes it
+  int presses = 0, of = 0;    ///< how many presses show it, of how many
+  double given_mm = 0;        ///< the number
+  double measured_mm = 0;     ///< what the presses show: least
+  double measured_to_mm = 0;  ///< greatest
+  bool operator==(const RecordedContradiction&) const = default;
+};
+
+/// What a calibration rests on: the numbers that were given for it, and what its presses cover.
+/// Standard deviations are of depth, in mm along z.
+struct CalibrationBasis {
+  std::vector<double> ball_radii_mm;                  ///< of the balls used, ascending, each once
+  double layer_mm = 0, width_mm = 0, plane_z_mm = 0;  ///< the face, as it was then
+  std::string camera;                                 ///< camera_fingerprint(), as it was then
+  std::string reference;           ///< checksum of the reference's files; empty: none
+  int positions = 0;               ///< distinct positions on the face: repeats at one count once
+  std::array<int, 3> thirds = {};  ///< of them in base, middle, tip (flat: left, middle, right)
+  double position_leverage = 0;    ///< mean over the face, of a line along it; 0: unknown
+  double shallowest_mm = 0, deepest_mm = 0;  ///< of the balls
+  double scale_sd_mm = 0;  ///< of the whole mapping, root mean square over its domain
+  double pixel_sd_mm = 0;  ///< of a pixel in a contact, without the mapping's share; 0: unknown
+  double halo_mm = 0;      ///< light that scatters sideways; 0: not significant
+  double depth_per_radius = 0;  ///< relative change of depth for one of the ball's radius
+  int left_out = 0;             ///< presses that were given and failed
+  bool is_complete = true;      ///< false: stopped before the solution had settled
+  std::vector<RecordedContradiction> contradictions;
+  bool operator==(const CalibrationBasis&) const = default;
+};
+
 /// How a calibration came about; written beside the mapping for people and for `check`.
 struct MappingRecord {
   std::string method;                ///< joint | paper | circle | cone
@@ -54,6 +86,7 @@ struct MappingRecord {
   double spread_mm = 0;       ///< how far depth may be off as a whole, mean absolute; 0: unknown
   double pixel_mm = 0;        ///< what a pixel in a contact may be off by, likewise; 0: unknown
   std::string degree_choice;  ///< a sentence
+  std::optional<CalibrationBasis> basis = {};  ///< absent in files of earlier versions
 };
 
 struct ReferenceFiles {
@@ -134,6 +167,9 @@ class Finger {
 /// without the `camera:` line above it). `record`: may be null.
 [[nodiscard]] Result<CameraParameters> load_camera(const std::filesystem::path& file,
                                                    LensRecord* record = nullptr);
+
+/// Sixteen hexadecimal digits that change with any number under `camera:` (FNV-1a).
+[[nodiscard]] std::string camera_fingerprint(const CameraParameters& parameters);
 
 /// Writes such a file, without the `camera:` line. Error: no valid camera, or not writable.
 [[nodiscard]] Status save_camera(const std::filesystem::path& file,

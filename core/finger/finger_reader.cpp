@@ -109,9 +109,57 @@ MappingParameters read_mapping(YamlSection& section) {
   return parameters;
 }
 
+CalibrationBasis read_basis(YamlSection section) {
+  constexpr Limits kLength{0, 1000};
+  constexpr int kMostPresses = 1'000'000;
+  CalibrationBasis basis;
+  basis.ball_radii_mm = section.numbers("ball_radii_mm", kLength);
+  basis.layer_mm = section.number("layer_mm", kLength);
+  basis.width_mm = section.number("width_mm", kLength);
+  basis.plane_z_mm = section.number("plane_z_mm", kAnyNumber);
+  basis.camera = section.text("camera");
+  basis.reference = section.text("reference");
+  basis.positions = section.whole_number("positions", 0, kMostPresses);
+  const auto thirds = section.numbers("thirds", 3, 3, {0, kMostPresses});
+  for (std::size_t i = 0; i < basis.thirds.size(); ++i)
+    basis.thirds[i] = static_cast<int>(thirds[i]);
+  basis.position_leverage = section.number("position_leverage", {0, 1e6});
+  const auto depths = section.numbers("depths_mm", 2, 2, kLength);
+  basis.shallowest_mm = depths[0];
+  basis.deepest_mm = depths[1];
+  basis.scale_sd_mm = section.number("scale_sd_mm", kLength);
+  basis.pixel_sd_mm = section.number("pixel_sd_mm", kLength);
+  basis.halo_mm = section.number("halo_mm", kLength);
+  basis.depth_per_radius = section.number("depth_per_radius", {-1000, 1000});
+  basis.left_out = section.whole_number("left_out", 0, kMostPresses);
+  basis.is_complete = section.choice("complete", {"false", "true"}) == 1;
+  if (!section.has("contradictions")) return basis;
+  const auto kinds = section.texts("contradictions");
+  const auto rows = section.rows("contradictions_mm");
+  if (rows.size() != kinds.size())
+    section.refuse("contradictions_mm", en::say("must have a row for each contradiction"), "");
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    if (rows[i].size() != 5)
+      section.refuse("contradictions_mm", en::say("must hold five numbers in each row"), "");
+    basis.contradictions.push_back({kinds[i],
+                                    static_cast<int>(std::clamp(rows[i][0], 0.0, 1e6)),
+                                    static_cast<int>(std::clamp(rows[i][1], 0.0, 1e6)),
+                                    rows[i][2],
+                                    rows[i][3],
+                                    rows[i][4]});
+  }
+  return basis;
+}
+
 std::optional<MappingRecord> read_record(YamlSection& section) {
-  const std::array keys{
-      "method", "presses", "residual_mm", "held_out_mm", "spread_mm", "pixel_mm", "degree_choice"};
+  const std::array keys{"method",
+                        "presses",
+                        "residual_mm",
+                        "held_out_mm",
+                        "spread_mm",
+                        "pixel_mm",
+                        "degree_choice",
+                        "basis"};
   if (std::none_of(keys.begin(), keys.end(), [&](const char* key) { return section.has(key); }))
     return std::nullopt;
   MappingRecord record;
@@ -124,6 +172,7 @@ std::optional<MappingRecord> read_record(YamlSection& section) {
   if (section.has("spread_mm")) record.spread_mm = section.number("spread_mm", en::say("in mm"));
   if (section.has("pixel_mm")) record.pixel_mm = section.number("pixel_mm", en::say("in mm"));
   if (section.has("degree_choice")) record.degree_choice = section.text("degree_choice");
+  if (section.has("basis")) record.basis = read_basis(section.section("basis"));
   return record;
 }
 

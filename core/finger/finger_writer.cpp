@@ -35,7 +35,42 @@ std::string markers_text(const MarkerRows& markers, const UnknownKeys& unknown) 
   return block.on_one_line();
 }
 
-void add_record(const MappingRecord& record, YamlBlock& block) {
+std::string basis_text(const CalibrationBasis& basis, const UnknownKeys& unknown) {
+  YamlBlock block("mapping.basis");
+  block.add("ball_radii_mm", yaml_numbers(basis.ball_radii_mm));
+  block.add("layer_mm", yaml_number(basis.layer_mm));
+  block.add("width_mm", yaml_number(basis.width_mm));
+  block.add("plane_z_mm", yaml_number(basis.plane_z_mm));
+  block.add("camera", '"' + basis.camera + '"');
+  block.add("reference", '"' + basis.reference + '"');
+  block.add("positions", fmt::format("{}", basis.positions));
+  block.add("thirds", fmt::format("[{}]", fmt::join(basis.thirds, ", ")));
+  block.add("position_leverage", yaml_number(basis.position_leverage));
+  block.add("depths_mm", yaml_numbers({basis.shallowest_mm, basis.deepest_mm}));
+  block.add("scale_sd_mm", yaml_number(basis.scale_sd_mm));
+  block.add("pixel_sd_mm", yaml_number(basis.pixel_sd_mm));
+  block.add("halo_mm", yaml_number(basis.halo_mm));
+  block.add("depth_per_radius", yaml_number(basis.depth_per_radius));
+  block.add("left_out", fmt::format("{}", basis.left_out));
+  block.add("complete", basis.is_complete ? "true" : "false");
+  if (!basis.contradictions.empty()) {
+    std::vector<std::string> kinds, rows;
+    for (const RecordedContradiction& one : basis.contradictions) {
+      kinds.push_back(yaml_text(one.kind));
+      rows.push_back(yaml_numbers({static_cast<double>(one.presses),
+                                   static_cast<double>(one.of),
+                                   one.given_mm,
+                                   one.measured_mm,
+                                   one.measured_to_mm}));
+    }
+    block.add("contradictions", yaml_list(kinds));
+    block.add("contradictions_mm", yaml_list(rows));
+  }
+  block.add_unknown(unknown);
+  return block.in_braces();
+}
+
+void add_record(const MappingRecord& record, const UnknownKeys& unknown, YamlBlock& block) {
   std::vector<std::string> presses;
   for (const std::string& press : record.presses) presses.push_back(yaml_text(press));
   block.add("method", yaml_text(record.method));
@@ -45,6 +80,7 @@ void add_record(const MappingRecord& record, YamlBlock& block) {
   if (record.spread_mm > 0) block.add("spread_mm", yaml_number(record.spread_mm));
   if (record.pixel_mm > 0) block.add("pixel_mm", yaml_number(record.pixel_mm));
   block.add("degree_choice", yaml_text(record.degree_choice));
+  if (record.basis) block.add("basis", basis_text(*record.basis, unknown));
 }
 
 std::string mapping_text(const MappingParameters& parameters,
@@ -76,7 +112,7 @@ std::string mapping_text(const MappingParameters& parameters,
       rows.push_back(yaml_numbers(std::vector<double>(row.begin(), row.end())));
     block.add("covariance", yaml_list(rows));
   }
-  if (record) add_record(*record, block);
+  if (record) add_record(*record, unknown, block);
   block.add_unknown(unknown);
   return block.on_many_lines();
 }

@@ -2,9 +2,10 @@
 #include "widgets/language.h"
 
 #include "app/studio/dresser.h"
-#include "calibration/joint/verdict.h"
 #include "calibration/report/press_residuals.h"
+#include "calibration/verdict/verdict.h"
 #include "core/result.h"
+#include "tests/support/good_evidence.h"
 #include "tests/support/ts_file.h"
 #include "tests/support/words_left.h"
 
@@ -132,15 +133,26 @@ TEST_F(InLanguage, EveryTemplateIsSaidAsItsTranslation) {
 TEST_F(InLanguage, NoEnglishIsLeftInWhatIsPutTogether) {
   const std::vector<ZoneError> zones{
       {en::say("base"), 3, 0.012}, {en::say("middle"), 1, 0.01}, {en::say("tip"), 0, std::nullopt}};
+  std::vector<Message> sentences{zone_sentence(zones), verdict(test::good_evidence()).sentence};
+  for (const double scale_mm : {0.07, 0.2}) {
+    CalibrationEvidence evidence = test::good_evidence();
+    evidence.scale_sd_mm = scale_mm;
+    sentences.push_back(verdict(evidence).sentence);
+  }
+  CalibrationEvidence poor = test::good_evidence();
+  poor.thirds = {1, 0, 0};
+  poor.positions = 1;
+  poor.held_out_mm = 0;
+  poor.changed = {en::say("width"), en::say("layer")};
+  poor.reference = ReferenceState::kCut;
+  for (int kind = 1; kind <= 5; ++kind)
+    sentences.push_back(
+        sentence({static_cast<ContradictionKind>(kind), {"a", "b"}, 4, 2.1, 2.4, 6}));
+  sentences.push_back(verdict(poor).sentence);
   for (const char* language : {"de", "zh_CN"}) {
     SCOPED_TRACE(language);
     speak(language);
-    for (const Message& message : {verdict({0.01, 0.02, 0.01, 4, 0.03}).sentence,
-                                   verdict({0.01, 0.09, 0.01, 4}).sentence,
-                                   verdict({0.01, 0, 0, 1}).sentence,
-                                   verdict({0.01, 0, 0, 3}).sentence,
-                                   verdict({1, 1, 1, 4}).sentence,
-                                   zone_sentence(zones)}) {
+    for (const Message& message : sentences) {
       const QString text = in_window_language(message);
       EXPECT_TRUE(words_left(text).isEmpty()) << text.toStdString() << "\n"
                                               << words_left(text).join("; ").toStdString();

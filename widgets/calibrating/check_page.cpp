@@ -29,6 +29,8 @@ QString verdict_text(CheckVerdict verdict) {
       return CheckPage::tr("Pass");
     case CheckVerdict::kDrifting:
       return CheckPage::tr("Drifting");
+    case CheckVerdict::kTooFew:
+      return CheckPage::tr("Too few to tell");
     case CheckVerdict::kRecalibrate:
       break;
   }
@@ -36,9 +38,9 @@ QString verdict_text(CheckVerdict verdict) {
 }
 
 Meaning meaning_of(CheckVerdict verdict) {
-  return verdict == CheckVerdict::kPass       ? Meaning::kGood
-         : verdict == CheckVerdict::kDrifting ? Meaning::kDoubtful
-                                              : Meaning::kBad;
+  return verdict == CheckVerdict::kPass          ? Meaning::kGood
+         : verdict == CheckVerdict::kRecalibrate ? Meaning::kBad
+                                                 : Meaning::kDoubtful;
 }
 
 /// As the window's language writes it, in the time of this place.

@@ -1,5 +1,7 @@
 #include "widgets/calibrating/verdict_words.h"
 
+#include "calibration/verdict/finger_state.h"
+#include "core/utc_time.h"
 #include "widgets/calibrating/press_model.h"
 #include "widgets/calibrating/verdict_page.h"
 #include "widgets/language.h"
@@ -45,12 +47,7 @@ QString error_word(Meaning meaning) {
 std::optional<Verdict> verdict_of(const CalibrationRun& run) {
   if (run.result()) return run.result()->verdict;
   if (!run.finger() || !run.finger()->finger.mapping_record) return std::nullopt;
-  const MappingRecord& record = *run.finger()->finger.mapping_record;
-  return verdict({record.residual_mm,
-                  record.held_out_mm,
-                  record.spread_mm,
-                  static_cast<int>(record.presses.size()),
-                  record.pixel_mm});
+  return verdict(evidence_in(*run.finger(), utc_now()));
 }
 
 QString forecast_text(const PressForecast& forecast, const CalibrationRun& run) {

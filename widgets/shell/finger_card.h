@@ -1,7 +1,7 @@
 // What is known of a finger that was worked with lately, for the page that one begins with.
 #pragma once
 
-#include "calibration/joint/verdict.h"
+#include "calibration/verdict/verdict.h"
 
 #include <QImage>
 #include <filesystem>
@@ -9,16 +9,6 @@
 #include <string>
 
 namespace alltact {
-
-enum class FingerDue {
-  kNothing = 1,
-  kRecording,    ///< it has no reference
-  kCalibration,  ///< it has no mapping
-  kFirstCheck,   ///< not checked since it was calibrated
-  kCheck,        ///< the last check is old
-  kLook,         ///< the last check found it drifting
-  kAgain,        ///< the last check asked for a new calibration
-};
 
 /// Of a folder, as its files stand; texts are worded where they are shown.
 struct FingerCard {
@@ -34,9 +24,6 @@ struct FingerCard {
 
   [[nodiscard]] bool operator==(const FingerCard&) const = default;
 };
-
-/// A check is due again after so many days.
-inline constexpr int kCheckEveryDays = 7;
 
 /// Reads a folder, on any thread; nullopt where no finger can be opened there.
 ///   now: UTC, as utc_now() writes it

@@ -71,12 +71,18 @@ QString due_text(FingerDue due) {
       return FingerCards::tr("Due: record it bending");
     case FingerDue::kCalibration:
       return FingerCards::tr("Due: calibrate it");
+    case FingerDue::kRepair:
+      return FingerCards::tr("Due: repair its reference");
+    case FingerDue::kEvidence:
+      return FingerCards::tr("Due: more presses");
     case FingerDue::kFirstCheck:
     case FingerDue::kCheck:
+    case FingerDue::kMorePresses:
       return FingerCards::tr("Due: a check");
     case FingerDue::kLook:
       return FingerCards::tr("Drifting: look at the last check");
     case FingerDue::kAgain:
+    case FingerDue::kRepeat:
       return FingerCards::tr("Due: calibrate it again");
     case FingerDue::kNothing:
       break;

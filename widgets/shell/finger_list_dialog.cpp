@@ -34,11 +34,15 @@ enum ListColumn {
 /// What has to be done first stands first.
 int urgency(const FingerCard& card) {
   switch (card.due) {
+    case FingerDue::kRepair:
     case FingerDue::kAgain:
+    case FingerDue::kRepeat:
       return 0;
     case FingerDue::kLook:
       return 1;
+    case FingerDue::kEvidence:
     case FingerDue::kCheck:
+    case FingerDue::kMorePresses:
       return 2;
     case FingerDue::kFirstCheck:
       return 3;

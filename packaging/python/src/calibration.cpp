@@ -49,19 +49,6 @@ class WatchedJob {
   std::unique_ptr<py::error_already_set> raised_;
 };
 
-const char* word_of(Grade grade) {
-  switch (grade) {
-    case Grade::kGood:
-      return "good";
-    case Grade::kUsable:
-      return "usable";
-    case Grade::kUnproven:
-      return "unproven";
-    default:
-      return "unfit";
-  }
-}
-
 py::list presses_of(const FingerCalibration& done) {
   py::list presses;
   for (const BallFit& ball : done.calibration.balls) {
@@ -174,7 +161,7 @@ void bind_calibration(py::module_& module) {
   using Done = FingerCalibration;
   Documented<Done>(module, "Calibration")
       .property("verdict", [](const Done& c) { return c.verdict.sentence.english(); })
-      .property("grade", [](const Done& c) { return word_of(c.verdict.grade); })
+      .property("grade", [](const Done& c) { return std::string(to_string(c.verdict.grade)); })
       .property("expected_error_mm", [](const Done& c) { return c.verdict.error_mm; })
       .property("residual_mm", [](const Done& c) { return c.calibration.residual_mm; })
       .property("presses", &presses_of)

@@ -2,7 +2,6 @@
 // layers, balls and skins drawn at random, six presses each, noise of a grey level.
 #include "calibration/joint/calibrate.h"
 #include "calibration/joint/joint_fit.h"
-#include "calibration/joint/verdict.h"
 #include "calibration/presses/press_samples.h"
 #include "tests/support/made_press.h"
 
@@ -108,8 +107,7 @@ Outcome outcome_of(const DrawnWorld& world) {
   if (!found) return outcome;
   EXPECT_EQ(found->balls.size(), presses.size());
   outcome.held_out_mm = found->held_out_mm;
-  outcome.expected_mm =
-      verdict({found->residual_mm, found->held_out_mm, found->spread_mm, kPresses}).error_mm;
+  outcome.expected_mm = std::hypot(found->held_out_mm, found->spread_mm);
   for (std::size_t i = kPresses; i < world.presses.size(); ++i) {
     const OnNewPress now = on_new_press(*found, world.presses[i], world.scenes[i]);
     outcome.new_shape_mm += now.shape_mm / kPresses;

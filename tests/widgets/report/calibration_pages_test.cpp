@@ -2,6 +2,7 @@
 
 #include "calibration/checks/check_history.h"
 #include "calibration/report/typical_faults.h"
+#include "tests/support/good_evidence.h"
 #include "tests/support/program.h"
 #include "widgets/report/document.h"
 #include "widgets/report/press_picture.h"
@@ -38,7 +39,10 @@ FingerCalibration some_calibration() {
   done.calibration.remarks = {en::say("something to <know>")};
   done.residuals = made->residuals;
   done.zones = zone_errors(done.residuals, done.calibration, FaceKind::kFlat);
-  done.verdict = verdict({done.calibration.residual_mm, done.calibration.held_out_mm, 0, 4});
+  CalibrationEvidence evidence = test::good_evidence();
+  evidence.residual_mm = done.calibration.residual_mm;
+  evidence.held_out_mm = done.calibration.held_out_mm;
+  done.verdict = verdict(evidence);
   for (const BallFit& ball : done.calibration.balls)
     done.presses.push_back({ball.press, cv::Mat(180, 240, CV_8UC1, cv::Scalar(120)), {}, "", {}});
   done.presses.push_back(

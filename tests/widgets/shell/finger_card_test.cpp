@@ -2,6 +2,7 @@
 #include "calibration/checks/check_history.h"
 #include "core/finger/finger_store.h"
 #include "core/io/picture.h"
+#include "tests/support/good_evidence.h"
 #include "tests/support/program.h"
 #include "widgets/shell/finger_cards.h"
 
@@ -34,11 +35,10 @@ class AFingersCard : public testing::Test {
     finger_.mapping->a_mm = 3.4;
     finger_.mapping->b = 1.0;
     finger_.mapping->x_max = 0.5;
-    finger_.mapping_record.emplace();
-    finger_.mapping_record->method = "joint";
-    finger_.mapping_record->presses = {"a", "b", "c", "d"};
-    finger_.mapping_record->residual_mm = 0.01;
-    finger_.mapping_record->held_out_mm = 0.01;
+    finger_.mapping_record = test::good_record(finger_);
+    finger_.reference = ReferenceFiles{"", "", "reference.png"};
+    ASSERT_TRUE(
+        write_picture(folder_ / "reference.png", cv::Mat(480, 640, CV_8UC1, cv::Scalar(99))));
     finger_.provenance["calibration_date"] = "2026-03-01T12:00:00Z";
     save();
   }
@@ -81,6 +81,28 @@ TEST_F(AFingersCard, SaysWhatIsDueFromTheFirstDayOn) {
   EXPECT_EQ(card().due, FingerDue::kLook);
   check(CheckVerdict::kRecalibrate);
   EXPECT_EQ(card().due, FingerDue::kAgain);
+}
+
+TEST_F(AFingersCard, SaysNothingGoodOfABrokenOrChangedFinger) {
+  calibrate();
+  check(CheckVerdict::kPass);
+  ASSERT_EQ(card().due, FingerDue::kNothing);
+  std::filesystem::rename(folder_ / "reference.png", folder_ / "elsewhere.png");
+  EXPECT_EQ(card().grade, Grade::kUnfit);
+  EXPECT_EQ(card().due, FingerDue::kRepair);
+  ASSERT_TRUE(write_picture(folder_ / "reference.png", cv::Mat(48, 64, CV_8UC1, cv::Scalar(99))));
+  EXPECT_EQ(card().grade, Grade::kUnfit) << "of another camera";
+  std::filesystem::rename(folder_ / "elsewhere.png", folder_ / "reference.png");
+  EXPECT_EQ(card().grade, Grade::kGood);
+  finger_.face.layer_mm = 15;
+  save();
+  EXPECT_EQ(card().grade, Grade::kUnfit);
+  EXPECT_EQ(card().due, FingerDue::kRepeat);
+  finger_.face.layer_mm = 1.5;
+  finger_.provenance["reference_date"] = "2026-03-02T12:00:00Z";
+  save();
+  EXPECT_EQ(card().grade, Grade::kUnproven) << "the reference is newer";
+  EXPECT_EQ(card().due, FingerDue::kRepeat);
 }
 
 TEST_F(AFingersCard, ACheckOfAnotherCalibrationDoesNotCount) {

@@ -1,0 +1,43 @@
+// A number that was given for a calibration and that its presses contradict.
+#pragma once
+
+#include "core/finger/finger.h"
+#include "core/message.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace alltact {
+
+enum class ContradictionKind {
+  kContactWiderThanBall = 1,  ///< a dark part is wider than the ball itself
+  kContactDeeperThanLayer,    ///< a ball lies deeper than the layer is thick
+  kDepthBeyondMapping,        ///< a press is darker than the mapping reaches
+  kFaceWidthAgainstCamera,    ///< the face's edges and the camera give another width
+  kReferenceTouched,          ///< the reference was touched where it should be untouched
+};
+/// As finger.yaml writes it: "contact_wider_than_ball", ...
+[[nodiscard]] std::string_view to_string(ContradictionKind kind);
+
+struct Contradiction {
+  ContradictionKind kind;
+  std::vector<std::string> presses;  ///< that show it, by name
+  double given_mm = 0;               ///< the number: a ball's radius, the layer, the width, a depth
+  double measured_mm = 0;            ///< what the presses show: least of them
+  double measured_to_mm = 0;         ///< greatest; 0: as measured_mm
+  int of = 0;                        ///< presses that were looked at
+};
+
+/// The number cannot be right, so that no depth can: nothing better than unfit.
+[[nodiscard]] bool rules_out_use(ContradictionKind kind);
+
+/// What contradicts what, and what to check.
+[[nodiscard]] Message sentence(const Contradiction& contradiction);
+
+/// For finger.yaml, where presses are counted, and back; nullopt for a kind of a later version.
+[[nodiscard]] RecordedContradiction recorded(const Contradiction& contradiction);
+[[nodiscard]] std::optional<Contradiction> from_record(const RecordedContradiction& recorded);
+
+}  // namespace alltact

@@ -1,0 +1,179 @@
+#include "calibration/verdict/finger_state.h"
+
+#include "calibration/finger/calibration_inputs.h"
+#include "calibration/finger/calibration_report.h"
+#include "core/finger/reduced_finger.h"
+#include "core/io/picture.h"
+#include "core/recording/matroska_index.h"
+#include "core/recording/video_file.h"
+#include "core/sensing/reference/flat_reference.h"
+#include "core/sensing/reference/marker_table.h"
+
+#include <algorithm>
+#include <map>
+#include <mutex>
+
+#include <fmt/format.h>
+
+namespace alltact {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kDay_s = 86400;
+
+bool has_content(const fs::path& file) {
+  std::error_code failed;
+  return fs::is_regular_file(file, failed) && fs::file_size(file, failed) > 0;
+}
+
+/// What a file is, as far as its folder tells without reading it.
+std::string stamp_of(const fs::path& file) {
+  std::error_code failed;
+  const auto size = fs::file_size(file, failed);
+  const auto written = fs::last_write_time(file, failed);
+  return failed ? file.string() + " absent"
+                : fmt::format("{} {} {}", file.string(), size, written.time_since_epoch().count());
+}
+
+/// States of references by the files they are of: asked for at every refresh of a window.
+class StateCache {
+ public:
+  [[nodiscard]] std::optional<ReferenceState> find(const std::string& key) {
+    const std::lock_guard lock(mutex_);
+    const auto found = states_.find(key);
+    return found == states_.end() ? std::nullopt : std::optional(found->second);
+  }
+  void put(const std::string& key, ReferenceState state) {
+    constexpr std::size_t kMost = 1000;
+    const std::lock_guard lock(mutex_);
+    if (states_.size() >= kMost) states_.clear();
+    states_[key] = state;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::map<std::string, ReferenceState> states_;
+};
+
+ReferenceState recording_state(const FingerSnapshot& snapshot) {
+  const ReferenceFiles& files = *snapshot.finger.reference;
+  const fs::path video = snapshot.folder / files.video, markers = snapshot.folder / files.markers;
+  std::error_code failed;
+  if (!fs::exists(video, failed) || !fs::exists(markers, failed)) return ReferenceState::kMissing;
+  if (!has_content(video) || !has_content(markers)) return ReferenceState::kCut;
+  // A recording that a crash cut off would be repaired where it is opened: its structure is looked
+  // at first.
+  if (const auto index = index_matroska(video);
+      index && (!index->has_length || !index->is_walkable || index->blocks.empty()))
+    return ReferenceState::kCut;
+  const auto table = MarkerTable::load(markers, snapshot.finger.marker_count());
+  if (!table || table->frames.empty()) return ReferenceState::kCut;
+  auto recording = VideoFile::open(video);
+  if (!recording ||
+      static_cast<std::size_t>(std::max(0, table->frames.back())) >= recording->frame_count())
+    return ReferenceState::kCut;
+  const auto frame = recording->frame(0);
+  if (!frame || (*frame)->grey.empty()) return ReferenceState::kCut;
+  const auto image = picture_for(snapshot, (*frame)->grey, "", video.string(), "");
+  return image ? ReferenceState::kWhole : ReferenceState::kOtherImage;
+}
+
+ReferenceState image_state(const FingerSnapshot& snapshot) {
+  const fs::path image = snapshot.folder / snapshot.finger.reference->image;
+  std::error_code failed;
+  if (!fs::exists(image, failed)) return ReferenceState::kMissing;
+  if (!read_grey_picture(image)) return ReferenceState::kCut;
+  return flat_reference(snapshot) ? ReferenceState::kWhole : ReferenceState::kOtherImage;
+}
+
+std::string noted(const Finger& finger, const char* key) {
+  const auto found = finger.provenance.find(key);
+  return found == finger.provenance.end() ? std::string() : found->second;
+}
+
+std::optional<double> days_between(const std::string& then, const std::string& now) {
+  const auto then_s = seconds_of(then), now_s = seconds_of(now);
+  if (!then_s || !now_s) return std::nullopt;
+  return (*now_s - *then_s) / kDay_s;
+}
+
+std::optional<CheckEntry> last_check(const FingerSnapshot& snapshot) {
+  const auto history = load_checks(snapshot.folder, nullptr);
+  if (!history) return std::nullopt;
+  const CheckEntry* latest = latest_check(*history, snapshot.finger);
+  if (latest == nullptr) return std::nullopt;
+  CheckEntry entry = *latest;
+  // Earlier versions passed with any number of presses.
+  if (entry.verdict == CheckVerdict::kPass && entry.presses < kCheckPresses)
+    entry.verdict = CheckVerdict::kTooFew;
+  return entry;
+}
+
+CalibrationEvidence evidence_with(const FingerSnapshot& snapshot,
+                                  const std::string& now,
+                                  const std::optional<CheckEntry>& check,
+                                  ReferenceState reference) {
+  CalibrationEvidence evidence = evidence_of(snapshot.finger);
+  evidence.reference = reference;
+  evidence.repeat_command = Message::typed(repeat_command(snapshot.folder));
+  // Files of earlier versions tell only that something is not what it was.
+  if (!evidence.has_basis && snapshot.finger.mapping_record)
+    if (const auto inputs = CalibrationInputs::load(snapshot.folder);
+        inputs && inputs->finger_checksum != finger_checksum(snapshot.finger))
+      evidence.changed.push_back(en::say("camera, face or markers"));
+  evidence.days_unchecked = days_between(noted(snapshot.finger, "calibration_date"), now);
+  if (check && check->verdict == CheckVerdict::kPass)
+    if (const auto days = days_between(check->time, now); days)
+      evidence.days_unchecked = std::min(*days, evidence.days_unchecked.value_or(*days));
+  return evidence;
+}
+
+}  // namespace
+
+ReferenceState reference_state(const FingerSnapshot& snapshot) {
+  const auto& reference = snapshot.finger.reference;
+  if (!reference) return ReferenceState::kAbsent;
+  std::string key = fmt::format("{} {} {}",
+                                snapshot.reduced_by,
+                                camera_fingerprint(snapshot.finger.camera),
+                                snapshot.finger.marker_count());
+  for (const std::string& name : {reference->image, reference->video, reference->markers})
+    if (!name.empty()) key += '\n' + stamp_of(snapshot.folder / name);
+  static StateCache cache;
+  if (const auto known = cache.find(key)) return *known;
+  const ReferenceState state =
+      reference->image.empty() ? recording_state(snapshot) : image_state(snapshot);
+  cache.put(key, state);
+  return state;
+}
+
+CalibrationEvidence evidence_in(const FingerSnapshot& snapshot, const std::string& now) {
+  return evidence_with(snapshot, now, last_check(snapshot), reference_state(snapshot));
+}
+
+FingerState state_of(const FingerSnapshot& snapshot, const std::string& now) {
+  FingerState state;
+  state.reference = reference_state(snapshot);
+  state.check = last_check(snapshot);
+  const Finger& finger = snapshot.finger;
+  if (finger.mapping && finger.mapping_record) {
+    const CalibrationEvidence evidence = evidence_with(snapshot, now, state.check, state.reference);
+    state.verdict = verdict(evidence);
+    state.must_repeat = !evidence.changed.empty() || evidence.reference_is_newer;
+  }
+  DueEvidence due;
+  due.needs_recording = finger.face.kind == FaceKind::kFinRay;
+  due.has_mapping = finger.mapping.has_value();
+  due.reference = state.reference;
+  if (state.verdict) due.grade = state.verdict->grade;
+  due.must_repeat = state.must_repeat;
+  if (state.check) {
+    due.check = state.check->verdict;
+    due.check_days = days_between(state.check->time, now);
+  }
+  state.due = due_of(due);
+  return state;
+}
+
+}  // namespace alltact

@@ -1,0 +1,509 @@
+#include "calibration/verdict/verdict.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace alltact {
+namespace {
+
+// A spread from n positions has n - 1 degrees of freedom. Its 95 % upper bound is 4.4 times the
+// estimate with 2, 2.9 with 3, 2.4 with 4: below 3 a small error on presses left out says nothing.
+constexpr int kGoodPresses = 4;
+// Two positions fix a line along the face, the third is the first that can contradict it.
+constexpr int kGoodPositions = 3;
+// Depths that differ by less than this part leave offset and scale of the curve apart only by the
+// balls' curvature: the ratio's sd is then above 1 at 2 % of error in each press.
+constexpr double kDepthRatio = 1.15;
+// The interval at which measuring instruments are calibrated where nothing else is known
+// (ILAC-G24, "staircase" method's usual start).
+constexpr double kCalibrationDays = 365;
+// Half of the presses may be wrong before a robust estimate breaks down.
+constexpr double kMostLeftOut = 0.5;
+
+double square(double x) {
+  return x * x;
+}
+
+/// The root mean square depth under a ball cap, as a part of its deepest: sqrt(1 / 3), as depth is
+/// spread evenly from 0 to the deepest over the contact's area.
+constexpr double kMeanDepth = 0.5773502691896258;
+
+std::vector<ErrorPart> parts_of(const CalibrationEvidence& e) {
+  const double student = student_factor(e.positions - 1);
+  const double on_presses = e.held_out_mm > 0 ? e.held_out_mm : e.residual_mm;
+  const double shape = student * on_presses / kMeanOfSd;
+  // Presses spread evenly over the face have 2 / n: of the mean and of the slope.
+  const double even = e.positions > 0 ? 2.0 / e.positions : 0.0;
+  const double leverage = std::max(0.0, e.position_leverage - even);
+  double radius = 0;
+  for (const double radius_mm : e.ball_radii_mm)
+    if (radius_mm > 0)
+      radius = std::max(
+          radius,
+          std::abs(e.depth_per_radius) * kRadiusSdMm / radius_mm * kMeanDepth * e.deepest_mm);
+  std::vector<ErrorPart> parts{{ErrorCause::kShape, shape},
+                               {ErrorCause::kScale, student * e.scale_sd_mm},
+                               {ErrorCause::kPixel, e.pixel_sd_mm},
+                               {ErrorCause::kZone, shape * std::sqrt(leverage)},
+                               {ErrorCause::kHalo, e.halo_mm},
+                               {ErrorCause::kRadius, radius}};
+  for (ErrorPart& part : parts)
+    if (!std::isfinite(part.sd_mm)) part.sd_mm = std::numeric_limits<double>::infinity();
+  std::erase_if(parts, [](const ErrorPart& part) { return part.sd_mm == 0; });
+  std::stable_sort(parts.begin(), parts.end(), [](const ErrorPart& a, const ErrorPart& b) {
+    return a.sd_mm > b.sd_mm;
+  });
+  return parts;
+}
+
+/// The largest part, and what makes it smaller.
+Message largest_cause(ErrorCause cause) {
+  switch (cause) {
+    case ErrorCause::kShape:
+      return en::say("mostly the curve's shape: add presses of different depth and position");
+    case ErrorCause::kScale:
+      return en::say("mostly scale: measure one press's depth");
+    case ErrorCause::kPixel:
+      return en::say(
+          "mostly noise and reference of single pixels: record the reference again, "
+          "with more light");
+    case ErrorCause::kZone:
+      return en::say("mostly parts of the face far from any press: press there");
+    case ErrorCause::kHalo:
+      return en::say("mostly light that scatters sideways: bodies other than the ball read wrong");
+    case ErrorCause::kRadius:
+      break;
+  }
+  return en::say("mostly the ball's radius: measure it to a hundredth of a millimetre");
+}
+
+Message third_name(bool is_flat, std::size_t third) {
+  if (third == 1) return en::say("middle");
+  if (third == 0) return is_flat ? en::say("left") : en::say("base");
+  return is_flat ? en::say("right") : en::say("tip");
+}
+
+Message missing_thirds(const CalibrationEvidence& e, double /*error_mm*/) {
+  std::vector<Message> empty;
+  for (std::size_t i = 0; i < e.thirds.size(); ++i)
+    if (e.thirds[i] == 0) empty.push_back(third_name(e.is_flat, i));
+  const Message names = en::list(empty);
+  return empty.size() == 1 ? en::say("no press in the {} third; press there once", names)
+                           : en::say("no press in these thirds: {}; press once in each", names);
+}
+
+Message worst_contradiction(const CalibrationEvidence& e, bool ruling_out) {
+  for (const Contradiction& one : e.contradictions)
+    if (rules_out_use(one.kind) == ruling_out) return sentence(one);
+  return {};
+}
+
+bool has_contradiction(const CalibrationEvidence& e, bool ruling_out) {
+  return std::any_of(e.contradictions.begin(), e.contradictions.end(), [&](const auto& one) {
+    return rules_out_use(one.kind) == ruling_out;
+  });
+}
+
+/// "width, camera and layer".
+Message enumerated(const std::vector<Message>& names) {
+  if (names.size() < 2) return en::list(names);
+  const Message first = en::list({names.begin(), names.end() - 1});
+  return en::say("{} and {}", first, names.back());
+}
+
+Message changed_numbers(const CalibrationEvidence& e, double /*error_mm*/) {
+  const Message names = enumerated(e.changed);
+  return e.changed.size() == 1
+             ? en::say("{} was changed since the calibration: {}", names, e.repeat_command)
+             : en::say("{} were changed since the calibration: {}", names, e.repeat_command);
+}
+
+Message newer_reference(const CalibrationEvidence& e, double /*error_mm*/) {
+  return en::say("the reference is newer than the calibration: {}", e.repeat_command);
+}
+
+using Evidence = CalibrationEvidence;
+
+}  // namespace
+
+Message sentence(ReferenceState state) {
+  switch (state) {
+    case ReferenceState::kAbsent:
+      return en::say("there is no reference: record one");
+    case ReferenceState::kMissing:
+      return en::say(
+          "a file of the reference is missing: restore it, or record the reference again");
+    case ReferenceState::kCut:
+      return en::say("the reference is cut off or unreadable: record it again");
+    case ReferenceState::kOtherImage:
+      return en::say("the reference has another image size than the camera: record it again");
+    case ReferenceState::kWhole:
+      break;
+  }
+  return {};
+}
+
+std::string_view to_string(Grade grade) {
+  switch (grade) {
+    case Grade::kGood:
+      return "good";
+    case Grade::kUsable:
+      return "usable";
+    case Grade::kUnproven:
+      return "unproven";
+    case Grade::kUnfit:
+      break;
+  }
+  return "unfit";
+}
+
+std::string_view to_string(ErrorCause cause) {
+  constexpr std::array<std::string_view, 6> kWords{
+      "shape", "scale", "pixel", "zone", "halo", "radius"};
+  return kWords.at(static_cast<std::size_t>(cause) - 1);
+}
+
+std::string_view to_string(CheckVerdict verdict) {
+  switch (verdict) {
+    case CheckVerdict::kPass:
+      return "pass";
+    case CheckVerdict::kDrifting:
+      return "drifting";
+    case CheckVerdict::kTooFew:
+      return "too_few";
+    case CheckVerdict::kRecalibrate:
+      break;
+  }
+  return "recalibrate";
+}
+
+std::string_view to_string(FingerDue due) {
+  constexpr std::array<std::string_view, 11> kWords{"nothing",
+                                                    "recording",
+                                                    "calibration",
+                                                    "first_check",
+                                                    "check",
+                                                    "look",
+                                                    "again",
+                                                    "repair",
+                                                    "repeat",
+                                                    "evidence",
+                                                    "more_presses"};
+  return kWords.at(static_cast<std::size_t>(due) - 1);
+}
+
+double student_factor(int freedom) {
+  const double n = std::max(1, freedom);
+  // Of z = 1: t = z + (z^3 + z) / 4n + (5 z^5 + 16 z^3 + 3 z) / 96 n^2 + (3 z^7 + 19 z^5 + 17 z^3 -
+  // 15 z) / 384 n^3.
+  return 1 + 0.5 / n + 0.25 / (n * n) + 0.0625 / (n * n * n);
+}
+
+CalibrationEvidence evidence_of(const Finger& finger) {
+  CalibrationEvidence evidence;
+  evidence.is_flat = finger.face.kind == FaceKind::kFlat;
+  evidence.layer_mm = finger.face.layer_mm;
+  if (!finger.mapping || !finger.mapping_record) return evidence;
+  const MappingRecord& record = *finger.mapping_record;
+  evidence.presses = static_cast<int>(record.presses.size());
+  evidence.residual_mm = record.residual_mm;
+  evidence.held_out_mm = record.held_out_mm;
+  evidence.scale_sd_mm = record.spread_mm / kMeanOfSd;
+  evidence.pixel_sd_mm =
+      std::sqrt(std::max(0.0, square(record.pixel_mm) - square(record.spread_mm))) / kMeanOfSd;
+  const auto date_of = [&](const char* key) {
+    const auto found = finger.provenance.find(key);
+    return found == finger.provenance.end() ? std::string() : found->second;
+  };
+  // Both are UTC in one format, so that their order as text is their order in time.
+  evidence.reference_is_newer = date_of("reference_date") > date_of("calibration_date");
+  if (!record.basis) return evidence;
+  const CalibrationBasis& basis = *record.basis;
+  evidence.has_basis = true;
+  evidence.positions = basis.positions;
+  evidence.thirds = basis.thirds;
+  evidence.shallowest_mm = basis.shallowest_mm;
+  evidence.deepest_mm = basis.deepest_mm;
+  evidence.scale_sd_mm = basis.scale_sd_mm;
+  evidence.pixel_sd_mm = basis.pixel_sd_mm;
+  evidence.halo_mm = basis.halo_mm;
+  evidence.position_leverage = basis.position_leverage;
+  evidence.depth_per_radius = basis.depth_per_radius;
+  evidence.ball_radii_mm = basis.ball_radii_mm;
+  evidence.layer_mm = basis.layer_mm;
+  evidence.left_out = basis.left_out;
+  evidence.is_complete = basis.is_complete;
+  for (const RecordedContradiction& recorded : basis.contradictions)
+    if (auto one = from_record(recorded)) evidence.contradictions.push_back(std::move(*one));
+  if (basis.width_mm != finger.face.width_mm) evidence.changed.push_back(en::say("width"));
+  if (basis.layer_mm != finger.face.layer_mm) evidence.changed.push_back(en::say("layer"));
+  if (basis.plane_z_mm != finger.face.plane_z_mm)
+    evidence.changed.push_back(en::say("distance of the face"));
+  if (basis.camera != camera_fingerprint(finger.camera))
+    evidence.changed.push_back(en::say("camera or lens"));
+  return evidence;
+}
+
+const std::vector<Requirement>& calibration_requirements() {
+  static const std::vector<Requirement> kRequirements{
+      {"reference_whole",
+       Grade::kUnfit,
+       [](const Evidence& e, double) { return e.reference == ReferenceState::kWhole; },
+       [](const Evidence& e, double) { return sentence(e.reference); }},
+      {"numbers_unchanged",
+       Grade::kUnfit,
+       [](const Evidence& e, double) { return e.changed.empty(); },
+       changed_numbers},
+      {"ball_possible",
+       Grade::kUnfit,
+       [](const Evidence& e, double) { return !has_contradiction(e, true); },
+       [](const Evidence& e, double) { return worst_contradiction(e, true); }},
+      {"error_usable",
+       Grade::kUnfit,
+       [](const Evidence&, double error_mm) { return error_mm <= kUsableErrorMm; },
+       [](const Evidence&, double) {
+         return en::say("press again with a clean ball of the radius given, whole on the face");
+       }},
+      {"numbers_consistent",
+       Grade::kUnproven,
+       [](const Evidence& e, double) { return !has_contradiction(e, false); },
+       [](const Evidence& e, double) { return worst_contradiction(e, false); }},
+      {"basis_stored",
+       Grade::kUnproven,
+       [](const Evidence& e, double) { return e.has_basis; },
+       [](const Evidence& e, double) {
+         return en::say("an earlier version calibrated it and stored too little: {}",
+                        e.repeat_command);
+       }},
+      {"reference_older",
+       Grade::kUnproven,
+       [](const Evidence& e, double) { return !e.reference_is_newer; },
+       newer_reference},
+      {"complete",
+       Grade::kUnproven,
+       [](const Evidence& e, double) { return e.is_complete; },
+       [](const Evidence& e, double) {
+         return en::say("the calibration was stopped before its end: {}", e.repeat_command);
+       }},
+      {"held_out",
+       Grade::kUnproven,
+       [](const Evidence& e, double) { return e.presses > 1 && e.held_out_mm > 0; },
+       [](const Evidence& e, double) {
+         return e.presses > 1 ? en::say("no press was left out to show what happens on others")
+                              : en::say(
+                                    "one press cannot show what happens on others; add presses "
+                                    "of different depth");
+       }},
+      {"presses",
+       Grade::kUnproven,
+       [](const Evidence& e, double) { return e.presses >= kGoodPresses; },
+       [](const Evidence& e, double) {
+         return en::say("{} of {} presses needed; add more", e.presses, kGoodPresses);
+       }},
+      {"positions",
+       Grade::kUnproven,
+       [](const Evidence& e, double) { return !e.has_basis || e.positions >= kGoodPositions; },
+       [](const Evidence& e, double) {
+         return en::count("all presses are at {0} positions, {1} are needed; press at others",
+                          "all presses are at {0} position, {1} are needed; press at others",
+                          e.positions,
+                          kGoodPositions);
+       }},
+      {"thirds",
+       Grade::kUnproven,
+       [](const Evidence& e, double) {
+         return !e.has_basis ||
+                std::none_of(e.thirds.begin(), e.thirds.end(), [](int n) { return n == 0; });
+       },
+       missing_thirds},
+      {"depths",
+       Grade::kUnproven,
+       [](const Evidence& e, double) {
+         return !e.has_basis || e.deepest_mm >= kDepthRatio * e.shallowest_mm;
+       },
+       [](const Evidence& e, double) {
+         return en::say("all presses are about {:.2f} mm deep; press shallower and deeper as well",
+                        e.deepest_mm);
+       }},
+      {"scale_known",
+       Grade::kUnproven,
+       [](const Evidence& e, double) { return !e.has_basis || e.scale_sd_mm > 0; },
+       [](const Evidence&, double) {
+         return en::say("the presses do not tell how certain the scale is; add presses");
+       }},
+      {"few_left_out",
+       Grade::kUnproven,
+       [](const Evidence& e, double) {
+         return e.left_out <= kMostLeftOut * (e.presses + e.left_out);
+       },
+       [](const Evidence& e, double) {
+         return en::say("{} of {} presses had to be left out; find out why",
+                        e.left_out,
+                        e.presses + e.left_out);
+       }},
+      {"fresh",
+       Grade::kUnproven,
+       [](const Evidence& e, double) {
+         return !e.days_unchecked || *e.days_unchecked <= kCalibrationDays;
+       },
+       [](const Evidence& e, double) {
+         return en::say("neither calibrated nor checked for {:.0f} days; check it with {} presses",
+                        e.days_unchecked.value_or(0.0),
+                        kCheckPresses);
+       }},
+      {"local_light",
+       Grade::kUsable,
+       [](const Evidence& e, double) { return !(e.halo_mm > 0); },
+       [](const Evidence& e, double) {
+         return en::say(
+             "light scatters sideways in the layer: beside contacts it reads {:.3f} mm "
+             "of depth that is not there",
+             e.halo_mm);
+       }},
+      {"error_good",
+       Grade::kUsable,
+       [](const Evidence&, double error_mm) { return error_mm <= kGoodErrorMm; },
+       [](const Evidence&, double error_mm) {
+         return error_mm <= kUsableErrorMm
+                    ? en::say("fine relief needs an error of at most {:.2f} mm", kGoodErrorMm)
+                    : Message();
+       }},
+  };
+  return kRequirements;
+}
+
+namespace {
+
+Message rests_on(const Evidence& e) {
+  std::vector<Message> numbers;
+  if (e.ball_radii_mm.size() == 1) {
+    numbers.push_back(en::say("ball of {:.2f} mm diameter", 2 * e.ball_radii_mm.front()));
+  } else if (e.ball_radii_mm.size() > 1) {
+    numbers.push_back(en::say("balls of {:.2f} to {:.2f} mm diameter",
+                              2 * e.ball_radii_mm.front(),
+                              2 * e.ball_radii_mm.back()));
+  }
+  if (e.has_basis) numbers.push_back(en::say("layer {:.2f} mm", e.layer_mm));
+  return en::list(numbers);
+}
+
+Message word_of(Grade grade) {
+  switch (grade) {
+    case Grade::kGood:
+      return en::say("good");
+    case Grade::kUsable:
+      return en::say("usable for contact and its place");
+    case Grade::kUnproven:
+      return en::say("unproven");
+    case Grade::kUnfit:
+      break;
+  }
+  return en::say("not fit to measure with");
+}
+
+}  // namespace
+
+Verdict verdict(const CalibrationEvidence& evidence) {
+  Verdict result;
+  result.parts = parts_of(evidence);
+  double squares = 0;
+  for (const ErrorPart& part : result.parts) squares += square(part.sd_mm);
+  result.error_mm = evidence.presses > 0 && std::isfinite(squares)
+                        ? std::sqrt(squares)
+                        : std::numeric_limits<double>::quiet_NaN();
+  result.grade = Grade::kGood;
+  for (const Requirement& requirement : calibration_requirements()) {
+    if (requirement.is_met(evidence, result.error_mm)) continue;
+    result.grade = std::max(result.grade, requirement.without);
+    const Message missing = requirement.missing(evidence, result.error_mm);
+    if (missing.empty()) continue;
+    result.missing.push_back(missing);
+    result.missing_names.push_back(requirement.name);
+  }
+  result.rests_on = rests_on(evidence);
+  std::vector<Message> clauses;
+  if (std::isfinite(result.error_mm)) {
+    const Message cause =
+        result.parts.empty() ? Message() : largest_cause(result.parts.front().cause);
+    clauses.push_back(cause.empty()
+                          ? en::say("expected error {:.3f} mm", result.error_mm)
+                          : en::say("expected error {:.3f} mm, {}", result.error_mm, cause));
+  } else {
+    clauses.push_back(en::say("no error can be expected of it"));
+  }
+  clauses.insert(clauses.end(), result.missing.begin(), result.missing.end());
+  clauses.push_back(result.rests_on);
+  result.reason = en::clauses(clauses);
+  result.sentence = en::at(word_of(result.grade), result.reason);
+  return result;
+}
+
+CheckVerdict check_verdict(const CheckEvidence& e) {
+  struct Rule {
+    CheckVerdict word;
+    bool (*holds)(const CheckEvidence& e);
+  };
+  // The first that holds. A clear failure is seen in one press; that all is well is not.
+  static constexpr Rule kRules[] = {
+      {CheckVerdict::kRecalibrate,
+       [](const CheckEvidence& of) {
+         return !(of.error <= of.recalibrate_above) ||
+                !(of.light_change <= of.light_recalibrate_above);
+       }},
+      {CheckVerdict::kTooFew,
+       [](const CheckEvidence& of) {
+         return of.count < kCheckPresses || of.positions < kCheckPresses;
+       }},
+      {CheckVerdict::kDrifting,
+       [](const CheckEvidence& of) {
+         return of.error > of.drifting_above || of.light_change > of.light_drifting_above;
+       }},
+  };
+  for (const Rule& rule : kRules)
+    if (rule.holds(e)) return rule.word;
+  return CheckVerdict::kPass;
+}
+
+FingerDue due_of(const DueEvidence& e) {
+  struct Rule {
+    FingerDue due;
+    bool (*holds)(const DueEvidence& e);
+  };
+  // The first that holds; "nothing" needs that none does.
+  static constexpr Rule kRules[] = {
+      {FingerDue::kRecording,
+       [](const DueEvidence& of) {
+         return of.needs_recording && of.reference == ReferenceState::kAbsent;
+       }},
+      {FingerDue::kRepair,
+       [](const DueEvidence& of) {
+         return of.reference != ReferenceState::kWhole && of.reference != ReferenceState::kAbsent;
+       }},
+      {FingerDue::kCalibration,
+       [](const DueEvidence& of) {
+         return !of.has_mapping || of.reference == ReferenceState::kAbsent;
+       }},
+      {FingerDue::kRepeat, [](const DueEvidence& of) { return of.must_repeat; }},
+      {FingerDue::kAgain,
+       [](const DueEvidence& of) {
+         return of.grade == Grade::kUnfit || of.check == CheckVerdict::kRecalibrate;
+       }},
+      {FingerDue::kEvidence,
+       [](const DueEvidence& of) { return !of.grade || of.grade == Grade::kUnproven; }},
+      {FingerDue::kFirstCheck, [](const DueEvidence& of) { return !of.check; }},
+      {FingerDue::kLook, [](const DueEvidence& of) { return of.check == CheckVerdict::kDrifting; }},
+      {FingerDue::kMorePresses,
+       [](const DueEvidence& of) { return of.check == CheckVerdict::kTooFew; }},
+      {FingerDue::kCheck,
+       [](const DueEvidence& of) {
+         // A check from tomorrow was stamped by a wrong clock.
+         return !of.check_days || *of.check_days > kCheckEveryDays || *of.check_days < -1;
+       }},
+  };
+  for (const Rule& rule : kRules)
+    if (rule.holds(e)) return rule.due;
+  return FingerDue::kNothing;
+}
+
+}  // namespace alltact
