@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <ctime>
 
 #include <fmt/chrono.h>
@@ -38,6 +39,27 @@ bool is_utc(std::string_view text) {
          std::equal(text.begin(), text.end(), kForm.begin(), [](char c, char form) {
            return form == '0' ? c >= '0' && c <= '9' : c == form;
          });
+}
+
+std::optional<double> seconds_of(const std::string& time) {
+  int year = 0, month = 0, day = 0, hour = 0, minute = 0, second = 0, read = 0;
+  if (std::sscanf(time.c_str(),
+                  "%4d-%2d-%2dT%2d:%2d:%2dZ%n",
+                  &year,
+                  &month,
+                  &day,
+                  &hour,
+                  &minute,
+                  &second,
+                  &read) != 6 ||
+      read != 20 || time.size() != 20)
+    return std::nullopt;
+  const std::chrono::year_month_day date{std::chrono::year(year),
+                                         std::chrono::month(static_cast<unsigned>(month)),
+                                         std::chrono::day(static_cast<unsigned>(day))};
+  if (!date.ok() || hour > 23 || minute > 59 || second > 60) return std::nullopt;
+  const auto days = std::chrono::sys_days(date).time_since_epoch().count();
+  return 86400.0 * static_cast<double>(days) + 3600.0 * hour + 60.0 * minute + second;
 }
 
 }  // namespace alltact

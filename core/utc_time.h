@@ -1,6 +1,7 @@
 // Times in files.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -16,5 +17,7 @@ namespace alltact {
 [[nodiscard]] bool is_ahead_of_clock(const std::string& date);
 /// Whether a text looks like that.
 [[nodiscard]] bool is_utc(std::string_view text);
+/// Seconds since 1970 of such a time; nullopt for anything else.
+[[nodiscard]] std::optional<double> seconds_of(const std::string& time);
 
 }  // namespace alltact

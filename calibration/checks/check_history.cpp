@@ -3,9 +3,7 @@
 #include "core/io/atomic_file.h"
 
 #include <charconv>
-#include <chrono>
 #include <cmath>
-#include <cstdio>
 
 #include <fmt/format.h>
 
@@ -145,27 +143,6 @@ Status append_check(const fs::path& folder, const CheckEntry& entry) {
   if (text.empty()) text = std::string(kHead) + "\n";
   if (!text.ends_with('\n')) text += '\n';
   return write_file_atomically(file, text + line_of(entry) + "\n");
-}
-
-std::optional<double> seconds_of(const std::string& time) {
-  int year = 0, month = 0, day = 0, hour = 0, minute = 0, second = 0, read = 0;
-  if (std::sscanf(time.c_str(),
-                  "%4d-%2d-%2dT%2d:%2d:%2dZ%n",
-                  &year,
-                  &month,
-                  &day,
-                  &hour,
-                  &minute,
-                  &second,
-                  &read) != 6 ||
-      read != 20 || time.size() != 20)
-    return std::nullopt;
-  const std::chrono::year_month_day date{std::chrono::year(year),
-                                         std::chrono::month(static_cast<unsigned>(month)),
-                                         std::chrono::day(static_cast<unsigned>(day))};
-  if (!date.ok() || hour > 23 || minute > 59 || second > 60) return std::nullopt;
-  const auto days = std::chrono::sys_days(date).time_since_epoch().count();
-  return 86400.0 * static_cast<double>(days) + 3600.0 * hour + 60.0 * minute + second;
 }
 
 }  // namespace alltact

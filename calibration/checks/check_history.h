@@ -6,6 +6,7 @@
 
 #include "calibration/checks/press_check.h"
 #include "core/result.h"
+#include "core/utc_time.h"
 
 #include <filesystem>
 #include <string>
@@ -45,8 +46,5 @@ inline constexpr const char* kCheckFile = "checks.csv";
 
 /// Adds a line to the file, whole or not at all; whatever else stands in it stays.
 [[nodiscard]] Status append_check(const std::filesystem::path& folder, const CheckEntry& entry);
-
-/// Seconds since 1970 of such a time; nullopt for anything else.
-[[nodiscard]] std::optional<double> seconds_of(const std::string& time);
 
 }  // namespace alltact

@@ -1,8 +1,8 @@
 #include "calibration/checks/finger_check.h"
 
+#include "calibration/checks/finger_condition.h"
 #include "calibration/finger/calibration_inputs.h"
 #include "calibration/finger/calibration_report.h"
-#include "calibration/verdict/finger_state.h"
 #include "core/finger/force_model.h"
 #include "core/sensing/reference/reference_library.h"
 
@@ -168,7 +168,10 @@ std::string_view to_string(CheckState state) {
 
 FingerCheck check_finger(const FingerSnapshot& snapshot, const Job& job, const std::string& now) {
   const Finger& finger = snapshot.finger;
-  const CalibrationEvidence evidence = evidence_in(snapshot, now);
+  const auto last = last_check(snapshot);
+  const bool has_passed = last && last->verdict == CheckVerdict::kPass;
+  const CalibrationEvidence evidence =
+      evidence_in(snapshot, now, has_passed ? last->time : std::string());
   FingerCheck check;
   check.items.push_back({"camera",
                          CheckState::kFine,

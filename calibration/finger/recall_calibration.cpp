@@ -1,8 +1,8 @@
 #include "calibration/finger/recall_calibration.h"
 
 #include "calibration/finger/calibration_report.h"
+#include "calibration/finger/finger_evidence.h"
 #include "calibration/finger/take_presses.h"
-#include "calibration/verdict/finger_state.h"
 #include "core/finger/finger_store.h"
 #include "core/io/atomic_file.h"
 #include "core/io/message_json.h"

@@ -1,8 +1,8 @@
 #include "calibration/finger/solve_presses.h"
 
+#include "calibration/finger/calibration_basis.h"
+#include "calibration/finger/find_contradictions.h"
 #include "calibration/report/contact_error.h"
-#include "calibration/verdict/basis.h"
-#include "calibration/verdict/find_contradictions.h"
 
 #include <algorithm>
 

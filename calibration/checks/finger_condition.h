@@ -4,6 +4,7 @@
 #pragma once
 
 #include "calibration/checks/check_history.h"
+#include "calibration/finger/finger_evidence.h"
 #include "calibration/verdict/verdict.h"
 #include "core/finger/finger_store.h"
 
@@ -13,23 +14,17 @@
 
 namespace alltact {
 
-/// Whether the files of a finger's reference are there, whole, and of its camera's image size.
-/// Decodes one frame at most: some milliseconds, and nothing is written.
-[[nodiscard]] ReferenceState reference_state(const FingerSnapshot& snapshot);
+/// The last check of the calibration that the finger has now; a pass with too few presses, which
+/// earlier versions gave, is none.
+[[nodiscard]] std::optional<CheckEntry> last_check(const FingerSnapshot& snapshot);
 
-/// evidence_of() with what the folder adds: the reference's files, the age of calibration and
-/// checks, and how to calibrate again.
-///   now: UTC, as utc_now() writes it; empty: ages are unknown
-[[nodiscard]] CalibrationEvidence evidence_in(const FingerSnapshot& snapshot,
-                                              const std::string& now);
-
-struct FingerState {
+struct FingerCondition {
   std::optional<Verdict> verdict;  ///< absent: not calibrated, or nothing is stored of how
   ReferenceState reference = ReferenceState::kAbsent;
   bool must_repeat = false;         ///< numbers or reference changed since the calibration
   std::optional<CheckEntry> check;  ///< the last of this calibration
   FingerDue due = FingerDue::kNothing;
 };
-[[nodiscard]] FingerState state_of(const FingerSnapshot& snapshot, const std::string& now);
+[[nodiscard]] FingerCondition condition_of(const FingerSnapshot& snapshot, const std::string& now);
 
 }  // namespace alltact

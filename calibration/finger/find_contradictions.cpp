@@ -1,4 +1,4 @@
-#include "calibration/verdict/find_contradictions.h"
+#include "calibration/finger/find_contradictions.h"
 
 namespace alltact {
 

@@ -1,4 +1,4 @@
-#include "calibration/verdict/basis.h"
+#include "calibration/finger/calibration_basis.h"
 
 #include "calibration/verdict/press_coverage.h"
 

@@ -1,4 +1,4 @@
-#include "calibration/verdict/finger_state.h"
+#include "calibration/finger/finger_evidence.h"
 
 #include "calibration/finger/calibration_inputs.h"
 #include "calibration/finger/calibration_report.h"
@@ -8,6 +8,7 @@
 #include "core/recording/video_file.h"
 #include "core/sensing/reference/flat_reference.h"
 #include "core/sensing/reference/marker_table.h"
+#include "core/utc_time.h"
 
 #include <algorithm>
 #include <map>
@@ -19,8 +20,6 @@ namespace alltact {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr double kDay_s = 86400;
 
 bool has_content(const fs::path& file) {
   std::error_code failed;
@@ -87,49 +86,14 @@ ReferenceState image_state(const FingerSnapshot& snapshot) {
   return flat_reference(snapshot) ? ReferenceState::kWhole : ReferenceState::kOtherImage;
 }
 
-std::string noted(const Finger& finger, const char* key) {
-  const auto found = finger.provenance.find(key);
-  return found == finger.provenance.end() ? std::string() : found->second;
-}
+}  // namespace
 
 std::optional<double> days_between(const std::string& then, const std::string& now) {
+  constexpr double kDay_s = 86400;
   const auto then_s = seconds_of(then), now_s = seconds_of(now);
   if (!then_s || !now_s) return std::nullopt;
   return (*now_s - *then_s) / kDay_s;
 }
-
-std::optional<CheckEntry> last_check(const FingerSnapshot& snapshot) {
-  const auto history = load_checks(snapshot.folder, nullptr);
-  if (!history) return std::nullopt;
-  const CheckEntry* latest = latest_check(*history, snapshot.finger);
-  if (latest == nullptr) return std::nullopt;
-  CheckEntry entry = *latest;
-  // Earlier versions passed with any number of presses.
-  if (entry.verdict == CheckVerdict::kPass && entry.presses < kCheckPresses)
-    entry.verdict = CheckVerdict::kTooFew;
-  return entry;
-}
-
-CalibrationEvidence evidence_with(const FingerSnapshot& snapshot,
-                                  const std::string& now,
-                                  const std::optional<CheckEntry>& check,
-                                  ReferenceState reference) {
-  CalibrationEvidence evidence = evidence_of(snapshot.finger);
-  evidence.reference = reference;
-  evidence.repeat_command = Message::typed(repeat_command(snapshot.folder));
-  // Files of earlier versions tell only that something is not what it was.
-  if (!evidence.has_basis && snapshot.finger.mapping_record)
-    if (const auto inputs = CalibrationInputs::load(snapshot.folder);
-        inputs && inputs->finger_checksum != finger_checksum(snapshot.finger))
-      evidence.changed.push_back(en::say("camera, face or markers"));
-  evidence.days_unchecked = days_between(noted(snapshot.finger, "calibration_date"), now);
-  if (check && check->verdict == CheckVerdict::kPass)
-    if (const auto days = days_between(check->time, now); days)
-      evidence.days_unchecked = std::min(*days, evidence.days_unchecked.value_or(*days));
-  return evidence;
-}
-
-}  // namespace
 
 ReferenceState reference_state(const FingerSnapshot& snapshot) {
   const auto& reference = snapshot.finger.reference;
@@ -148,32 +112,25 @@ ReferenceState reference_state(const FingerSnapshot& snapshot) {
   return state;
 }
 
-CalibrationEvidence evidence_in(const FingerSnapshot& snapshot, const std::string& now) {
-  return evidence_with(snapshot, now, last_check(snapshot), reference_state(snapshot));
-}
-
-FingerState state_of(const FingerSnapshot& snapshot, const std::string& now) {
-  FingerState state;
-  state.reference = reference_state(snapshot);
-  state.check = last_check(snapshot);
-  const Finger& finger = snapshot.finger;
-  if (finger.mapping && finger.mapping_record) {
-    const CalibrationEvidence evidence = evidence_with(snapshot, now, state.check, state.reference);
-    state.verdict = verdict(evidence);
-    state.must_repeat = !evidence.changed.empty() || evidence.reference_is_newer;
-  }
-  DueEvidence due;
-  due.needs_recording = finger.face.kind == FaceKind::kFinRay;
-  due.has_mapping = finger.mapping.has_value();
-  due.reference = state.reference;
-  if (state.verdict) due.grade = state.verdict->grade;
-  due.must_repeat = state.must_repeat;
-  if (state.check) {
-    due.check = state.check->verdict;
-    due.check_days = days_between(state.check->time, now);
-  }
-  state.due = due_of(due);
-  return state;
+CalibrationEvidence evidence_in(const FingerSnapshot& snapshot,
+                                const std::string& now,
+                                const std::string& passed) {
+  Finger finger = snapshot.finger;
+  if (snapshot.reduced_by > 1) finger.camera = snapshot.whole_camera;
+  CalibrationEvidence evidence = evidence_of(finger);
+  evidence.reference = reference_state(snapshot);
+  evidence.repeat_command = Message::typed(repeat_command(snapshot.folder));
+  // Files of earlier versions tell only that something is not what it was.
+  if (!evidence.has_basis && snapshot.finger.mapping_record)
+    if (const auto inputs = CalibrationInputs::load(snapshot.folder);
+        inputs && inputs->finger_checksum != finger_checksum(snapshot.finger))
+      evidence.changed.push_back(en::say("camera, face or markers"));
+  const auto made = snapshot.finger.provenance.find("calibration_date");
+  for (const std::string& time :
+       {made == snapshot.finger.provenance.end() ? std::string() : made->second, passed})
+    if (const auto days = days_between(time, now))
+      evidence.days_unchecked = std::min(*days, evidence.days_unchecked.value_or(*days));
+  return evidence;
 }
 
 }  // namespace alltact
