@@ -6,6 +6,7 @@
 #include "calibration/joint/calibrate.h"
 #include "calibration/presses/press_input.h"
 #include "calibration/report/fault_signs.h"
+#include "calibration/report/halo.h"
 #include "calibration/report/method_table.h"
 #include "calibration/report/press_residuals.h"
 #include "calibration/verdict/verdict.h"
@@ -43,7 +44,7 @@ struct FingerCalibration {
   std::vector<MethodRow> methods;  ///< for the reports; empty without, or with another method
   double pixel_mm = 0;             ///< see contact_error.h
   double pixel_sd_mm = 0;          ///< standard deviation, without the mapping's share
-  double halo_mm = 0;              ///< see CalibrationBasis
+  Halo halo;                       ///< light that scatters sideways
   int failed_presses = 0;          ///< that no ball was found in, or that did not fit
   bool is_complete = true;         ///< false: stopped before the solution had settled
   std::vector<Contradiction> contradictions;  ///< between numbers given and presses

@@ -51,7 +51,7 @@ CalibrationBasis basis_of(const FingerCalibration& done) {
   basis.position_leverage = coverage.leverage;
   basis.scale_sd_mm = scale_sd_mm(calibration.mapping);
   basis.pixel_sd_mm = done.pixel_sd_mm;
-  basis.halo_mm = done.halo_mm;
+  basis.halo_mm = done.halo.is_seen ? done.halo.excess_mm : 0.0;
   if (calibration.radius_sense) basis.depth_per_radius = 100 * calibration.radius_sense->depth_part;
   basis.left_out = done.failed_presses;
   basis.is_complete = done.is_complete;

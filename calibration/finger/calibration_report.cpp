@@ -120,6 +120,12 @@ std::string calibration_report_json(const FingerCalibration& done) {
   if (calibration.spread_mm > 0) report["spread_mm"] = calibration.spread_mm;
   if (done.pixel_mm > 0) report["pixel_mm"] = done.pixel_mm;
   report["expected_error_mm"] = done.verdict.error_mm;
+  if (done.halo.presses > 0)
+    report["beside_contacts"] = {{"near_mm", done.halo.near_mm},
+                                 {"far_mm", done.halo.far_mm},
+                                 {"beyond_skin_mm", done.halo.excess_mm},
+                                 {"beyond_skin_sd_mm", done.halo.excess_sd_mm},
+                                 {"is_scattered_light", done.halo.is_seen}};
   if (!done.methods.empty()) report["methods"] = methods_json(done.methods);
   report["condition"] = calibration.condition;
   report["degree_choice"] = calibration.degree_choice.english();

@@ -145,7 +145,10 @@ Result<FingerCalibration> recall_calibration(const fs::path& folder) {
   recalled.calibration.mapping = *recalled.finger.mapping;
   recalled.pixel_mm = record->pixel_mm;
   recalled.pixel_sd_mm = record->basis ? record->basis->pixel_sd_mm : 0.0;
-  recalled.halo_mm = record->basis ? record->basis->halo_mm : 0.0;
+  if (record->basis && record->basis->halo_mm > 0) {
+    recalled.halo.is_seen = true;
+    recalled.halo.excess_mm = record->basis->halo_mm;
+  }
   const CalibrationEvidence evidence = evidence_in(**finger, "");
   recalled.contradictions = evidence.contradictions;
   recalled.verdict = verdict(evidence);

@@ -3,6 +3,7 @@
 #include "calibration/finger/calibration_basis.h"
 #include "calibration/finger/find_contradictions.h"
 #include "calibration/report/contact_error.h"
+#include "calibration/report/halo.h"
 
 #include <algorithm>
 
@@ -122,6 +123,7 @@ Status solve_presses(FingerCalibration& done,
   const ContactError pixel = contact_error(compared, done.residuals, done.calibration.mapping);
   done.pixel_mm = pixel.mean_mm;
   done.pixel_sd_mm = pixel.sd_without_mapping_mm;
+  done.halo = measure_halo(presses, done.finger.face, done.calibration);
   done.contradictions = find_contradictions(done);
   Finger solved = done.finger;
   solved.mapping = done.calibration.mapping;

@@ -1,5 +1,6 @@
 #include "calibration/joint/calibrate.h"
 
+#include "calibration/joint/cross_validation.h"
 #include "calibration/joint/joint_fit.h"
 #include "calibration/joint/measured_presses.h"
 #include "calibration/joint/model_choice.h"
@@ -59,7 +60,8 @@ JointOptions surely_touching(JointOptions options) {
 std::vector<BallFit> balls_of(const std::vector<FoundBall>& found,
                               const ModelChoice& choice,
                               const JointFit& fit,
-                              const JointCovariance& covariance) {
+                              const JointCovariance& covariance,
+                              const Job& job) {
   std::vector<const PressSamples*> presses;
   for (const FoundBall& f : found) presses.push_back(&f.fine);
   const FitQuality quality = quality_of(presses, fit, surely_touching(choice.options));
@@ -75,7 +77,10 @@ std::vector<BallFit> balls_of(const std::vector<FoundBall>& found,
       ball.centre_sd_mm = covariance.covariance.diagonal().segment<3>(first).cwiseSqrt();
     }
     ball.depth_mm = deepest_mm(found[i], ball.centre_mm);
-    ball.residual_mm = quality.residual_mm[i];
+    // As of presses left out, on the same samples.
+    const double error_mm =
+        error_of_press(found[i].coarse, fit, fit.centres_mm[i], choice.options, job);
+    ball.residual_mm = std::isfinite(error_mm) ? error_mm : quality.residual_mm[i];
     ball.held_out_mm = i < choice.held_out_mm.size() ? choice.held_out_mm[i] : 0.0;
     ball.tangent_arc_deg = found[i].tangent_arc_deg;
     ball.cut_by_edge = found[i].guess.cut_by_edge;
@@ -259,7 +264,7 @@ Result<Calibration> solve_jointly(std::vector<FoundBall> found,
     calibration.radius_sense = sense_radius(coarse.presses, fit, choice->options, job);
   if (!job.stop_requested())
     calibration.next_press = advise(coarse.presses, fit, choice->options, face_length_mm(found));
-  calibration.balls = balls_of(found, *choice, fit, covariance);
+  calibration.balls = balls_of(found, *choice, fit, covariance, job);
   calibration.steps = steps_of(steps, fit.curve, choice->options.along);
   calibration.residual_mm = mean_of(calibration.balls, &BallFit::residual_mm);
   calibration.held_out_mm = mean_of(calibration.balls, &BallFit::held_out_mm);

@@ -81,8 +81,8 @@ struct BallFit {
   Eigen::Vector3d centre_mm;
   Eigen::Vector3d centre_sd_mm;
   double depth_mm = 0;         ///< greatest press depth along z
-  double residual_mm = 0;      ///< mean absolute, inside the contact
-  double held_out_mm = 0;      ///< the same with a mapping fitted without this press; 0: only press
+  double residual_mm = 0;      ///< joint method: error_of_press() of this mapping
+  double held_out_mm = 0;      ///< of one fitted without this press's position; 0: none was
   double tangent_arc_deg = 0;  ///< of the outline that entered the fit; 0: brightness alone
   bool cut_by_edge = false;
   std::optional<ToldDepth> told_depth = std::nullopt;  ///< as it was measured

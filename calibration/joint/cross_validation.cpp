@@ -1,11 +1,13 @@
 #include "calibration/joint/cross_validation.h"
 
 #include "calibration/joint/stored_curve.h"
+#include "calibration/verdict/press_coverage.h"
 #include "calibration/verdict/verdict.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace alltact {
@@ -13,33 +15,74 @@ namespace {
 
 constexpr double kTiePart = 0.1;  // of the better one: errors closer than this are the same
 
+/// Where a press's contact lies on the face, by the ball that was fitted to it.
+ContactSpot spot_of(const PressSamples& press, const Eigen::Vector3d& centre_mm) {
+  const Sample* nearest = nearest_sample(press, centre_mm);
+  if (nearest == nullptr) return {};
+  const double height_mm = plane_below(press, centre_mm).height_mm(centre_mm);
+  const double rim2 = (press.ball_radius_mm - height_mm) * (press.ball_radius_mm + height_mm);
+  return {nearest->place_mm.x(), nearest->place_mm.y(), std::sqrt(std::max(0.0, rim2)), 0};
+}
+
+/// The position of each press, numbered from 0; each its own where all are at one.
+std::vector<int> positions_of(const ChoiceInput& input, const JointFit& all) {
+  std::vector<ContactSpot> spots;
+  for (std::size_t i = 0; i < input.presses.size(); ++i)
+    spots.push_back(spot_of(*input.presses[i], all.centres_mm[i]));
+  std::vector<int> positions = position_numbers(spots);
+  if (std::all_of(positions.begin(), positions.end(), [](int n) { return n == 0; }))
+    std::iota(positions.begin(), positions.end(), 0);
+  return positions;
+}
+
 }  // namespace
+
+double error_of_press(const PressSamples& press,
+                      const JointFit& mapping,
+                      const Eigen::Vector3d& centre_mm,
+                      const JointOptions& options,
+                      const Job& job) {
+  // By the part that surely touches: what the rim does is not the mapping's shape.
+  JointOptions alone = options;
+  alone.fix_mapping = true;
+  alone.zone = kSureZone;
+  alone.watch = nullptr;
+  const std::vector<const PressSamples*> one{&press};
+  const JointFit ball =
+      fit_jointly(one, {mapping.curve, {centre_mm}, false, mapping.lift_mm}, alone, job);
+  return ball.converged ? quality_of(one, ball, alone).residual_mm.front()
+                        : std::numeric_limits<double>::infinity();
+}
 
 HeldOutPresses hold_out(const ChoiceInput& input,
                         const JointFit& all,
                         const JointOptions& options,
                         const Job& job) {
+  const std::vector<int> positions = positions_of(input, all);
+  const int count =
+      positions.empty() ? 0 : 1 + *std::max_element(positions.begin(), positions.end());
   HeldOutPresses result;
-  for (std::size_t left = 0; left < input.presses.size() && !job.stop_requested(); ++left) {
+  std::vector<double> errors_mm(input.presses.size(), -1.0);
+  for (int left = 0; left < count && !job.stop_requested(); ++left) {
     std::vector<const PressSamples*> others;
     JointFit fit{all.curve, {}, false, all.lift_mm};
     for (std::size_t i = 0; i < input.presses.size(); ++i) {
-      if (i == left) continue;
+      if (positions[i] == left) continue;
       others.push_back(input.presses[i]);
       fit.centres_mm.push_back(all.centres_mm[i]);
     }
     fit = fit_jointly(others, std::move(fit), options, job);
-    // The ball by the part that surely touches it: what the rim does is not the mapping's shape.
-    JointOptions alone = options;
-    alone.fix_mapping = true;
-    alone.zone = kSureZone;
-    const std::vector<const PressSamples*> one{input.presses[left]};
-    const JointFit ball =
-        fit_jointly(one, {fit.curve, {all.centres_mm[left]}, false, fit.lift_mm}, alone, job);
-    const bool is_good = fit.converged && ball.converged && increases(fit.curve, options.along);
-    result.errors_mm.push_back(is_good ? quality_of(one, ball, alone).residual_mm.front()
-                                       : std::numeric_limits<double>::infinity());
+    const bool is_good = fit.converged && increases(fit.curve, options.along);
+    for (std::size_t i = 0; i < input.presses.size(); ++i)
+      if (positions[i] == left)
+        errors_mm[i] = is_good
+                           ? error_of_press(*input.presses[i], fit, all.centres_mm[i], options, job)
+                           : std::numeric_limits<double>::infinity();
     result.curves.push_back(std::move(fit.curve));
+  }
+  for (const double error_mm : errors_mm) {
+    if (error_mm < 0) break;  // stopped before it
+    result.errors_mm.push_back(error_mm);
   }
   return result;
 }

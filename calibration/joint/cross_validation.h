@@ -15,15 +15,31 @@ inline constexpr int kDomainPlaces = 12;  // of the curve, where curves are comp
 inline constexpr double kTieMm = 0.001;
 inline constexpr double kSettledMm = 1e-5;  // enough to choose by
 
-/// What leaving presses out, one after the other, shows.
+/// What leaving positions on the face out, one after the other, shows.
 struct HeldOutPresses {
-  std::vector<double> errors_mm;  ///< in the inner part of the press left out, mean absolute
-  std::vector<MappingCurve> curves;
+  /// Of each press, mean absolute: error_of_press() of the mapping that its position was left out
+  /// of.
+  std::vector<double> errors_mm;
+  std::vector<MappingCurve> curves;  ///< one a position
 };
 
-/// One entry a press, fewer when the job was stopped. Errors are infinite where the others did not
-/// come to an increasing curve: a family that leaving one press out sends astray is not to be
-/// trusted with all of them either. `all`: the fit of all presses, to start from.
+/// What a mapping is off by in one press, mean absolute in the part of its contact that surely
+/// touches (kSureZone), mm. The ball is fitted to that part alone, with the mapping and the
+/// lift-off length of `mapping` fixed, from `centre_mm` on. The one measure of residuals (the press
+/// was among those that the mapping was fitted to) and of presses left out (it was not). Infinite
+/// where no ball fits.
+[[nodiscard]] double error_of_press(const PressSamples& press,
+                                    const JointFit& mapping,
+                                    const Eigen::Vector3d& centre_mm,
+                                    const JointOptions& options,
+                                    const Job& job);
+
+/// Presses whose contacts lie closer together than the larger one's radius are at one position and
+/// are left out together: a repeat would tell what its likes should show. Where all are at one,
+/// each is left out alone. One error a press, fewer when the job was stopped. Errors are infinite
+/// where the others did not come to an increasing curve: a family that leaving one press out sends
+/// astray is not to be trusted with all of them either. `all`: the fit of all presses, to start
+/// from.
 [[nodiscard]] HeldOutPresses hold_out(const ChoiceInput& input,
                                       const JointFit& all,
                                       const JointOptions& options,

@@ -2,10 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <tuple>
 
 namespace alltact {
 namespace {
+
+bool is_before(const ContactSpot& a, const ContactSpot& b) {
+  return std::tie(a.along_mm, a.across_mm, a.radius_mm) <
+         std::tie(b.along_mm, b.across_mm, b.radius_mm);
+}
 
 bool is_same_position(const ContactSpot& a, const ContactSpot& b) {
   return std::hypot(a.along_mm - b.along_mm, a.across_mm - b.across_mm) <=
@@ -14,19 +20,35 @@ bool is_same_position(const ContactSpot& a, const ContactSpot& b) {
 
 }  // namespace
 
-PressCoverage coverage_of(std::vector<ContactSpot> spots) {
-  std::sort(spots.begin(), spots.end(), [](const ContactSpot& a, const ContactSpot& b) {
-    return std::tie(a.along_mm, a.across_mm, a.radius_mm) <
-           std::tie(b.along_mm, b.across_mm, b.radius_mm);
+std::vector<int> position_numbers(const std::vector<ContactSpot>& spots) {
+  std::vector<std::size_t> order(spots.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+    return is_before(spots[i], spots[j]);
   });
+  std::vector<int> numbers(spots.size(), 0);
+  std::vector<std::size_t> first;  // of each position
+  for (const std::size_t i : order) {
+    const auto same = std::find_if(first.begin(), first.end(), [&](std::size_t other) {
+      return is_same_position(spots[i], spots[other]);
+    });
+    numbers[i] = static_cast<int>(same - first.begin());
+    if (same == first.end()) first.push_back(i);
+  }
+  return numbers;
+}
+
+PressCoverage coverage_of(std::vector<ContactSpot> spots) {
+  std::sort(spots.begin(), spots.end(), is_before);
+  const std::vector<int> numbers = position_numbers(spots);
   std::vector<ContactSpot> distinct;
   PressCoverage coverage;
   double length_mm = 0;
-  for (const ContactSpot& spot : spots) {
+  for (std::size_t i = 0; i < spots.size(); ++i) {
+    const ContactSpot& spot = spots[i];
     length_mm = std::max(length_mm, spot.face_length_mm);
-    if (std::any_of(distinct.begin(), distinct.end(), [&](const ContactSpot& other) {
-          return is_same_position(spot, other);
-        }))
+    if (std::find(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(i), numbers[i]) !=
+        numbers.begin() + static_cast<std::ptrdiff_t>(i))
       continue;
     distinct.push_back(spot);
     if (!(spot.face_length_mm > 0)) continue;

@@ -26,6 +26,10 @@ struct ContactSpot {
   double radius_mm = 0;       ///< of the contact's rim
   double face_length_mm = 0;  ///< that the camera sees
 };
+/// The distinct position of each, numbered from 0; which contacts share one does not depend on the
+/// order.
+[[nodiscard]] std::vector<int> position_numbers(const std::vector<ContactSpot>& spots);
+
 /// The order does not matter.
 [[nodiscard]] PressCoverage coverage_of(std::vector<ContactSpot> spots);
 
