@@ -5,6 +5,7 @@
 #include "core/message.h"
 #include "core/printable.h"
 #include "core/result.h"
+#include "core/typed_number.h"
 
 #include <charconv>
 #include <functional>
@@ -71,10 +72,13 @@ Setting<S> number_setting(std::string name, Message sentence, T S::*member, T lo
       static_cast<double>(low), static_cast<double>(high), std::is_integral_v<T>};
   setting.get = [member](const S& s) { return fmt::format("{}", s.*member); };
   setting.set = [member, low, high, name = setting.name](S& s, std::string_view text) -> Status {
+    if (const auto doubt = doubt_of_number(text)) return Error{*doubt, name, ""};
+    const auto plain = std::is_integral_v<T> ? plain_whole_number(text) : plain_number(text);
     T value{};
-    const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (status != std::errc{} || end != text.data() + text.size() ||
-        !(value >= low && value <= high))
+    const bool is_read =
+        plain &&
+        std::from_chars(plain->data(), plain->data() + plain->size(), value).ec == std::errc{};
+    if (!is_read || !(value >= low && value <= high))
       return Error{
           en::say("'{}' is not a number from {} to {}", printable(text), low, high), name, ""};
     s.*member = value;

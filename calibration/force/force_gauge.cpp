@@ -82,7 +82,7 @@ class GaugeReader {
   Result<ForceGauge> read() {
     if (Status head = read_head(); !head) return head.error();
     while (const auto line = next_line())
-      if (Status status = read_line(csv_cells(*line)); !status) return status.error();
+      if (Status status = read_line(lines_.cells(*line)); !status) return status.error();
     const bool any = std::any_of(gauge_.readings.begin(),
                                  gauge_.readings.end(),
                                  [](const GaugeReading& reading) { return reading.has_force; });
@@ -112,7 +112,7 @@ class GaugeReader {
   Status read_head() {
     const auto line = next_line();
     if (!line) return Error{en::say("the gauge's file is empty"), origin_, gauge_advice()};
-    for (const std::string_view cell : csv_cells(*line)) {
+    for (const std::string_view cell : lines_.cells(*line)) {
       std::string name = csv_column(cell);
       if (const auto time = time_column(cell)) {
         name = "t";
@@ -150,7 +150,7 @@ class GaugeReader {
     GaugeReading reading;
     if (Status status = read_force(cells, reading); !status) return status;
     if (gauge_.by_time) {
-      const auto time = csv_number(cell("t"));
+      const auto time = lines_.number_in(cell("t"));
       if (!time) return wrong(en::say("'{}' is no time", printable(cell("t"))));
       reading.time_s = *time * columns_.time_unit_s;
       if (!gauge_.readings.empty() && reading.time_s <= gauge_.readings.back().time_s)
@@ -158,7 +158,7 @@ class GaugeReader {
             en::say("{} s comes after {} s", reading.time_s, gauge_.readings.back().time_s));
     }
     if (!cell("along").empty() || !cell("across").empty()) {
-      const auto along = csv_number(cell("along")), across = csv_number(cell("across"));
+      const auto along = lines_.number_in(cell("along")), across = lines_.number_in(cell("across"));
       if (!along || !across) return wrong(en::say("the place of contact is no pair of numbers"));
       reading.place_mm = Eigen::Vector2d(*along, *across);
     }
@@ -175,7 +175,7 @@ class GaugeReader {
       return cells[static_cast<std::size_t>(columns_[name])];
     };
     const auto number = [&](const char* name, double unit_N) -> Result<double> {
-      const auto force = csv_number(cell(name));
+      const auto force = lines_.number_in(cell(name));
       if (!force || std::abs(*force * unit_N) > 1e5)
         return wrong(en::say("'{}' is no force", printable(cell(name))));
       return *force * unit_N;
@@ -196,7 +196,8 @@ class GaugeReader {
         reading.force_N[value] = *force;
     }
     if (columns_["sd"] >= 0)
-      reading.sd_N = csv_number(cell("sd")).value_or(std::numeric_limits<double>::quiet_NaN());
+      reading.sd_N =
+          lines_.number_in(cell("sd")).value_or(std::numeric_limits<double>::quiet_NaN());
     reading.holds = columns_["holds"] >= 0 && cell("holds") == "1";
     return {};
   }

@@ -5,6 +5,7 @@
 #include "core/message.h"
 #include "core/printable.h"
 
+#include <charconv>
 #include <limits>
 #include <map>
 
@@ -45,13 +46,13 @@ std::optional<std::pair<std::string, int>> numbered(const std::string& name) {
   return std::nullopt;
 }
 
-Result<TableColumns> columns_of(std::string_view line, const std::filesystem::path& origin) {
+Result<TableColumns> columns_of(const std::vector<std::string_view>& cells,
+                                const std::filesystem::path& origin) {
   const auto wrong = [&](Message what) {
     return Error{std::move(what), en::say("{}, line 1", origin), table_advice()};
   };
   std::map<std::string, int> plain, by_number;
   TableColumns columns;
-  const auto cells = csv_cells(line);
   columns.count = cells.size();
   int most = -1;
   for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -121,11 +122,11 @@ class TableReader {
   Result<ForceTable> read() {
     const auto first = lines_.next();
     if (!first) return Error{en::say("the table is empty"), origin_, table_advice()};
-    auto columns = columns_of(*first, origin_);
+    auto columns = columns_of(lines_.cells(*first), origin_);
     if (!columns) return columns.error();
     columns_ = std::move(*columns);
     while (const auto line = lines_.next())
-      if (Status status = read_row(csv_cells(*line)); !status) return status.error();
+      if (Status status = read_row(lines_.cells(*line)); !status) return status.error();
     return whole();
   }
 
@@ -142,7 +143,7 @@ class TableReader {
                         std::string_view column,
                         double greatest) const {
     const std::string_view cell = cells[static_cast<std::size_t>(at)];
-    const auto value = csv_number(cell);
+    const auto value = lines_.number_in(cell);
     if (!value) return wrong(en::say("'{}' is no number", printable(cell)), column);
     if (std::abs(*value) > greatest)
       return wrong(en::say("'{}' is beyond all that can be measured", printable(cell)), column);

@@ -1,8 +1,9 @@
 #include "calibration/presses/press_sayings.h"
 
 #include "core/printable.h"
+#include "core/typed_number.h"
 
-#include <charconv>
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 
@@ -15,11 +16,8 @@ using Text = std::optional<std::string>;
 
 /// The whole of a text as a number above 0 and up to `most`.
 std::optional<double> length_mm(std::string_view text, double most) {
-  double mm = 0;
-  const char* end = text.data() + text.size();
-  const auto [read, failed] = std::from_chars(text.data(), end, mm);
-  if (failed != std::errc{} || read != end || !(mm > 0.0) || !(mm <= most)) return std::nullopt;
-  return mm;
+  const auto mm = parse_typed_number(text, {DecimalMark::kPoint, "mm"});
+  return mm && *mm > 0.0 && *mm <= most ? std::optional(*mm) : std::nullopt;
 }
 
 Text number_text(const std::optional<double>& value) {
@@ -58,16 +56,18 @@ bool read_step(const std::string& value, PressNote& note) {
 
 bool read_ball(const std::string& value, PressNote& note) {
   std::string_view text = value;
+  // With semicolons between them, the numbers may have decimal commas.
+  const char parting = text.find(';') != std::string_view::npos ? ';' : ',';
   Eigen::Vector3d at;
   for (int i = 0; i < 3; ++i) {
-    const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), at[i]);
-    if (failed != std::errc() || !(std::abs(at[i]) <= 1e4)) return false;
-    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-    if (i == 2) break;
-    if (text.empty() || text.front() != ',') return false;
-    text.remove_prefix(1);
+    const std::size_t end = i < 2 ? text.find(parting) : text.size();
+    if (end == std::string_view::npos) return false;
+    const auto along = parse_typed_number(text.substr(0, end));
+    if (!along || !(std::abs(*along) <= 1e4)) return false;
+    at[i] = *along;
+    text.remove_prefix(std::min(end + 1, text.size()));
   }
-  if (!text.empty() || !(at.z() > 0)) return false;
+  if (!(at.z() > 0)) return false;
   note.ball_mm = at;
   return true;
 }

@@ -31,4 +31,25 @@ Status check_camera_range(const CameraParameters& p) {
   return {};
 }
 
+std::vector<Error> implausible_camera(const CameraParameters& p) {
+  std::vector<Error> all;
+  if (p.model == CameraModel::kOrthographic) return all;
+  constexpr double kShortest = 0.2, kLongest = 4;  // of the longer side
+  constexpr double kRim = 0.2;                     // of each side
+  const double side = std::max(p.width_px, p.height_px);
+  const auto look = [&all](const char* key, double value, double least, double most) {
+    if (!(value >= least && value <= most))
+      all.push_back(
+          {en::say(
+               "{:g} px is unusual ({:g} to {:g} px): check the decimal mark", value, least, most),
+           std::string(key),
+           ""});
+  };
+  look("camera.fx", p.fx_px, kShortest * side, kLongest * side);
+  look("camera.fy", p.fy_px, kShortest * side, kLongest * side);
+  look("camera.cx", p.cx_px, kRim * p.width_px, (1 - kRim) * p.width_px);
+  look("camera.cy", p.cy_px, kRim * p.height_px, (1 - kRim) * p.height_px);
+  return all;
+}
+
 }  // namespace alltact

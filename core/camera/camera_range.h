@@ -12,4 +12,9 @@ namespace alltact {
 /// Errors as of Camera::create(), which is asked first; `where` is the key ("camera.fx").
 [[nodiscard]] Status check_camera_range(const CameraParameters& parameters);
 
+/// What is possible and unusual of a camera in a finger: a focal length outside 0.2 to 4 times the
+/// longer side (14 to 136 degrees of view), a principal point outside the middle three fifths of
+/// the picture. Each with its key.
+[[nodiscard]] std::vector<Error> implausible_camera(const CameraParameters& parameters);
+
 }  // namespace alltact

@@ -2,6 +2,7 @@
 
 #include "core/camera/camera_range.h"
 #include "core/finger/place_yaml.h"
+#include "core/finger/quantity.h"
 #include "core/printable.h"
 
 namespace alltact {
@@ -13,13 +14,13 @@ bool is_in(double value, double low, double high) {
 }
 
 std::optional<Error> face_problem(const Face& face, bool is_perspective) {
-  if (!(face.layer_mm > 0 && face.layer_mm <= 50))
-    return Error{en::say("must be above 0 and at most 50"),
+  if (auto refused = kLayerThickness.refusal(face.layer_mm))
+    return Error{std::move(*refused),
                  std::string("face.layer_mm"),
                  en::say("the thickness of the translucent layer in mm, for example 1.5")};
   if (face.kind == FaceKind::kFinRay) {
-    if (!(face.width_mm > 0 && face.width_mm <= 500))
-      return Error{en::say("must be above 0 and at most 500"),
+    if (auto refused = kFaceWidth.refusal(face.width_mm))
+      return Error{std::move(*refused),
                    std::string("face.width_mm"),
                    en::say("the distance between the two edges of the view face in mm")};
     if (!is_perspective)
@@ -165,6 +166,20 @@ std::optional<Error> contact_problem(const ContactSettings& contact,
 }
 
 }  // namespace
+
+std::vector<Error> Finger::implausible() const {
+  std::vector<Error> all = implausible_camera(camera);
+  const auto look = [&all](const Quantity& quantity, double value) {
+    if (auto warning = quantity.warning(value))
+      all.push_back({std::move(*warning), "face." + std::string(quantity.key), ""});
+  };
+  look(kLayerThickness, face.layer_mm);
+  if (face.kind == FaceKind::kFinRay)
+    look(kFaceWidth, face.width_mm);
+  else if (camera.model != CameraModel::kOrthographic)
+    look(kPlaneDistance, face.plane_z_mm);
+  return all;
+}
 
 Status Finger::validate() const {
   if (name.empty() || name.size() > 200)

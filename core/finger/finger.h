@@ -23,8 +23,8 @@ enum class Polarity { kBright = 1, kDark, kAuto };
 
 struct Face {
   FaceKind kind = FaceKind::kFinRay;
-  double width_mm = 0;    ///< fin_ray: distance of the two edges of the view face, (0, 500]
-  double layer_mm = 0;    ///< thickness of the translucent layer along its normal, (0, 50]
+  double width_mm = 0;    ///< fin_ray: distance of the two edges of the view face, kFaceWidth
+  double layer_mm = 0;    ///< of the translucent layer along its normal, kLayerThickness
   double plane_z_mm = 0;  ///< flat: the view face is the plane z = plane_z_mm
 };
 
@@ -152,6 +152,9 @@ class Finger {
   /// no markers, and its plane lies in front of a perspective camera. rest_markers are as many as
   /// marker_count(). Named files lie inside the folder.
   [[nodiscard]] Status validate() const;
+
+  /// Numbers that are possible and unusual, by their keys (quantity.h); load() warns of them.
+  [[nodiscard]] std::vector<Error> implausible() const;
 
   /// Of the numbers, missing ones too; of the places that stand in for markers where these do.
   [[nodiscard]] int marker_count() const {

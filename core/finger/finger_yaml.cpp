@@ -25,7 +25,11 @@ Result<Finger> Finger::parse(const std::string& yaml,
   if (!read) return read.error();
   if (const Status status = finger.validate(); !status) return file.located(status.error());
   finger.unknown_ = std::make_shared<const Unknown>(Unknown{std::move(file.unknown())});
-  if (warnings != nullptr) *warnings = std::move(file.warnings());
+  if (warnings != nullptr) {
+    *warnings = std::move(file.warnings());
+    for (const Error& number : finger.implausible())
+      warnings->push_back(file.located(number).message());
+  }
   return finger;
 }
 

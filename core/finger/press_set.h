@@ -16,6 +16,7 @@
 //   excluded_because: [glove in the picture]
 #pragma once
 
+#include "core/finger/quantity.h"
 #include "core/result.h"
 #include "core/yaml/yaml_reader.h"
 #include "core/yaml/yaml_writer.h"
@@ -88,8 +89,8 @@ void add_all_presses(const PressSet& presses, YamlBlock& block);
 /// The rest.
 void add_single_presses(const PressSet& presses, YamlBlock& block);
 
-inline constexpr double kLargestBallMm = 1000;   ///< radius; a larger one is a slip of the pen
-inline constexpr double kDeepestMm = 100;        ///< and so is a deeper press or a higher step
-inline constexpr double kUsualDepthSdMm = 0.02;  ///< of a dial gauge and a hand
+inline constexpr double kLargestBallMm = kBallRadius.possible.high;
+inline constexpr double kDeepestMm = kPressDepth.possible.high;  ///< of steps of punches too
+inline constexpr double kUsualDepthSdMm = 0.02;                  ///< of a dial gauge and a hand
 
 }  // namespace alltact

@@ -3,9 +3,9 @@
 #include "core/finger/reduced_finger.h"
 #include "core/printable.h"
 #include "core/sensing/face/profile_degree.h"
+#include "core/typed_number.h"
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 
 #include <fmt/format.h>
@@ -50,11 +50,13 @@ std::string region_text(const FaceRegion& region) {
 std::optional<FaceRegion> region_from(std::string_view text) {
   if (text == kWholeFace) return FaceRegion{};
   FaceRegion region;
-  const char* end = text.data() + text.size();
-  const auto from = std::from_chars(text.data(), end, region.from_mm);
-  if (from.ec != std::errc{} || from.ptr == end || *from.ptr != '-') return std::nullopt;
-  const auto to = std::from_chars(from.ptr + 1, end, region.to_mm);
-  if (to.ec != std::errc{} || to.ptr != end) return std::nullopt;
+  const std::size_t dash = text.find('-');
+  if (dash == std::string_view::npos) return std::nullopt;
+  const auto from = parse_typed_number(text.substr(0, dash), {DecimalMark::kPoint, "mm"});
+  const auto to = parse_typed_number(text.substr(dash + 1), {DecimalMark::kPoint, "mm"});
+  if (!from || !to) return std::nullopt;
+  region.from_mm = *from;
+  region.to_mm = *to;
   const bool is_part =
       region.from_mm >= 0 && region.to_mm > region.from_mm && region.to_mm <= kLongestFace_mm;
   return is_part ? std::optional(region) : std::nullopt;

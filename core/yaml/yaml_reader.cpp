@@ -2,10 +2,10 @@
 
 #include "core/either.h"
 #include "core/printable.h"
+#include "core/typed_number.h"
 #include "core/yaml/yaml_parts.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <set>
@@ -23,13 +23,13 @@ Message shown(const YAML::Node& node) {
 /// Finite; nullopt for all that is not a number and nothing else.
 std::optional<double> parsed(const YAML::Node& node) {
   if (!node.IsScalar() || is_quoted(node)) return std::nullopt;
-  std::string_view text = node.Scalar();
-  if (text.starts_with('+')) text.remove_prefix(1);
-  double value = 0;
-  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (status != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
-    return std::nullopt;
-  return value;
+  const auto value = parse_typed_number(node.Scalar());
+  return value ? std::optional(*value) : std::nullopt;
+}
+
+/// Of a number that can be read in two ways, or has marks between its thousands.
+std::optional<Message> doubt_of(const YAML::Node& node) {
+  return node.IsScalar() && !is_quoted(node) ? doubt_of_number(node.Scalar()) : std::nullopt;
 }
 
 bool is_within(double value, const Limits& l) {
@@ -64,6 +64,10 @@ std::string slip_for(const std::string& key, const std::vector<std::string>& wri
   return nearest_word(key, alike);
 }
 
+bool is_all_digits(const std::string& text) {
+  return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+}
+
 Message number_advice() {
   return en::say("a number such as 24.0, with a point and without a unit");
 }
@@ -89,6 +93,13 @@ YamlSection::YamlSection(YamlFile& file, const YAML::Node& node, std::string nam
                                    here,
                                    here_->name,
                                    en::say("one word before each colon"))};
+    // In braces and brackets a comma parts entries: {layer_mm: 1,6} has a key '6' without a value.
+    if (entry.second.IsNull() && !seen.empty() && is_all_digits(key.Scalar()))
+      throw RefusedYaml{file.error(
+          en::say("a comma parts the entries here, and '{}' is none", printable(key.Scalar())),
+          here,
+          full_name(here_->entries.back().key),
+          number_advice())};
     if (!seen.insert(key.Scalar()).second)
       throw RefusedYaml{file.error(en::say("is given twice"),
                                    here,
@@ -221,6 +232,8 @@ double YamlSection::number(const std::string& key, const Message& meaning) {
   const Entry& entry = required(key);
   const auto value = parsed(entry.value);
   if (!value)
+    if (const auto doubt = doubt_of(entry.value)) refuse(key, *doubt, number_advice());
+  if (!value)
     refuse(
         key, en::say("must be a number, {}, not {}", meaning, shown(entry.value)), number_advice());
   return *value;
@@ -232,6 +245,8 @@ double YamlSection::checked(const std::string& key,
                             bool is_item) const {
   const auto value = parsed(node);
   if (value && is_within(*value, limits)) return *value;
+  if (!value)
+    if (const auto doubt = doubt_of(node)) refuse(key, *doubt, number_advice());
   const Message allowed = in_words(limits);
   if (value == 0.0 && limits.zero_is_absence)
     refuse(key,
@@ -254,6 +269,8 @@ double YamlSection::number_or(const std::string& key, double otherwise, Limits l
 int YamlSection::whole_number(const std::string& key, int low, int high) {
   const Entry& entry = required(key);
   const auto value = parsed(entry.value);
+  if (!value)
+    if (const auto doubt = doubt_of(entry.value)) refuse(key, *doubt, number_advice());
   if (!value || *value != std::floor(*value) || *value < low || *value > high)
     refuse(key,
            en::say("must be a whole number from {} to {}, not {}", low, high, shown(entry.value)),

@@ -61,8 +61,20 @@ TEST(Setting, TakesWhatIsInItsRangeToTheBorders) {
   }
 }
 
+TEST(Setting, TakesNumbersAsPeopleTypeThem) {
+  Choices choices;
+  for (const char* text : {"4 ", " 4", "+4", "４"}) {
+    choices.count = 1;
+    ASSERT_TRUE(kCount.set(choices, text)) << text;
+    EXPECT_EQ(choices.count, 4);
+  }
+  ASSERT_TRUE(kShare.set(choices, "0,25"));
+  EXPECT_EQ(choices.share, 0.25);
+  EXPECT_EQ(refusal(kCount, "1,000").english(), "'1,000' can mean 1 or 1000: write 1 or 1000");
+}
+
 TEST(Setting, RefusesEverythingElse) {
-  for (const char* text : {"", "0", "65", "-1", "1.5", "4 ", " 4", "0x4", "four", "99999999999999"})
+  for (const char* text : {"", "0", "65", "-1", "1.5", "0x4", "four", "99999999999999"})
     EXPECT_EQ(refusal(kCount, text).english(),
               fmt::format("'{}' is not a number from 1 to 64", text));
   for (const char* text : {"nan", "inf", "-0.001", "1.001", "1e999"})

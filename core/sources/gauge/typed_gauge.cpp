@@ -1,6 +1,7 @@
 #include "core/sources/gauge/typed_gauge.h"
 
 #include "core/printable.h"
+#include "core/typed_number.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -25,6 +26,18 @@ std::string typed_name(std::string name) {
   for (char& c : name)
     if (c == ',' || c == '"' || static_cast<unsigned char>(c) < ' ') c = ' ';
   return trimmed(name);
+}
+
+/// Of a number among them that can be read in two ways, as "1,200 N".
+std::optional<Message> doubt_of_words(std::string_view line) {
+  while (!line.empty()) {
+    const std::size_t end = std::min(line.find_first_of(" ;"), line.size());
+    const std::string_view word = line.substr(0, end);
+    const std::size_t digits = std::min(word.find_first_not_of("0123456789.,'_+-"), word.size());
+    if (auto doubt = doubt_of_number(word.substr(0, digits))) return doubt;
+    line.remove_prefix(std::min(end + 1, line.size()));
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -90,6 +103,10 @@ void TypedGauge::take(std::string line, double time_s, GaugeNews& news) {
   if (const auto axis = axis_named(rest.substr(0, blank))) {
     directions.of[0] = *axis, directions.told = 1;
     rest.remove_prefix(std::min(blank + 1, rest.size()));
+  }
+  if (const auto doubt = doubt_of_words(rest)) {
+    news.remarks.push_back(*doubt);
+    return;
   }
   const GaugeLine told = read_gauge_line(rest, rules_);
   if (told.kind != GaugeLine::Kind::kValues || (directions.told == 1 && told.count != 1)) {

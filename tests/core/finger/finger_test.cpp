@@ -206,7 +206,7 @@ TEST_F(FingerFile, AnyTextsAndNumbersSurvive) {
     finger.mapping_record->degree_choice = any_text();
     finger.mapping_record->presses = {any_text(), any_text()};
     finger.provenance = {{"k" + any_text().substr(0, 50), any_text()}, {"plain", "0.50"}};
-    finger.face.width_mm = *rc::gen::inRange(1, 1 << 30) / 7e7;
+    finger.face.width_mm = kFaceWidth.possible.low + *rc::gen::inRange(1, 1 << 30) / 7e7;
     finger.contact->rest_markers[2].x() = *rc::gen::inRange(-1000, 1000) * 1e-9;
     const std::string once = saved(finger);
     const auto loaded = load(once);
