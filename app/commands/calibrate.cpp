@@ -1,6 +1,7 @@
 #include "app/commands/commands.h"
 #include "app/console/command_names.h"
 #include "app/console/flags.h"
+#include "app/console/number_flags.h"
 #include "app/console/press_flags.h"
 #include "app/pictures/pictures.h"
 #include "calibration/finger/calibrate_finger.h"
@@ -173,7 +174,7 @@ void add_calibrate(CLI::App& program, Chosen& chosen) {
   CLI::Option* radius =
       command->add_option("--ball-radius-mm", options->ball_radius_mm, "Radius of the ball, mm")
           ->type_name("R")
-          ->check(CLI::PositiveNumber);
+          ->transform(typed_number(kBallRadius));
   PressFlags said;
   said.add_to(*command);
   CLI::Option* reference =

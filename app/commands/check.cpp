@@ -1,5 +1,6 @@
 #include "app/commands/commands.h"
 #include "app/console/command_names.h"
+#include "app/console/number_flags.h"
 #include "app/console/press_flags.h"
 #include "calibration/checks/check_history.h"
 #include "calibration/checks/finger_check.h"
@@ -227,7 +228,7 @@ void add_check(CLI::App& program, Chosen& chosen) {
                    said->ball_radius_mm,
                    "Radius of the ball that was pressed, mm (default: that of the calibration)")
       ->type_name("R")
-      ->check(CLI::PositiveNumber)
+      ->transform(typed_number(kBallRadius))
       ->needs(pictures);
   PressFlags steps;
   steps.add_to(*command, "step");

@@ -1,6 +1,7 @@
 #include "app/commands/commands.h"
 #include "app/console/command_names.h"
 #include "app/console/flags.h"
+#include "app/console/number_flags.h"
 #include "calibration/study/evaluate.h"
 #include "core/io/atomic_file.h"
 #include "core/program.h"
@@ -290,7 +291,9 @@ void add_demo(CLI::App& program, Chosen& chosen) {
       "--studio",
       options->studio,
       "Only makes and calibrates the finger, unless it is there, and opens the Studio on it");
-  command->add_option("--seed", options->seed, "Of everything random (default 1)")->type_name("S");
+  command->add_option("--seed", options->seed, "Of everything random (default 1)")
+      ->type_name("S")
+      ->transform(typed_whole_number(0));
   add_threads_flag(*command, options->threads);
   command->callback(
       [=, &chosen] { chosen = [=](Console& console) { return run_demo(*options, console); }; });

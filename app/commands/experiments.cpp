@@ -4,6 +4,7 @@
 #include "app/commands/opencv_threads.h"
 #include "app/console/command_names.h"
 #include "app/console/flags.h"
+#include "app/console/number_flags.h"
 #include "app/console/passing_folder.h"
 #include "app/pictures/pictures.h"
 #include "core/io/atomic_file.h"
@@ -250,13 +251,15 @@ void add_experiments(CLI::App& program, Chosen& chosen) {
                     options->fresh,
                     "Make the simulated fingers anew, and keep none for the next time (default: "
                     "kept in alltact/fingers of $XDG_CACHE_HOME or ~/.cache)");
-  command->add_option("--seed", options->seed, "Of everything random (default 1)")->type_name("S");
+  command->add_option("--seed", options->seed, "Of everything random (default 1)")
+      ->type_name("S")
+      ->transform(typed_whole_number(0));
   command
       ->add_option("--threads",
                    options->threads,
                    "The figures are the same for any number (1 to 64; default 2)")
       ->type_name("N")
-      ->check(CLI::Range(1, 64));
+      ->transform(typed_whole_number(1, 64));
   command->callback([=, &chosen] {
     if (!output->empty()) options->folder = *folder;
     if (!pages->empty()) options->report = *report;

@@ -3,6 +3,7 @@
 #include "app/commands/opencv_threads.h"
 #include "app/console/command_names.h"
 #include "app/console/flags.h"
+#include "app/console/number_flags.h"
 #include "calibration/force/collect_force.h"
 #include "calibration/force/new_force.h"
 #include "core/io/atomic_file.h"
@@ -216,7 +217,7 @@ void add_force(CLI::App& program, Chosen& chosen) {
                    options->creep_s,
                    "Creep as an input: displacements less their running mean over so many seconds, "
                    "0: none (default none; with --again as before)")
-      ->check(CLI::Range(0.0, 1e5));
+      ->transform(typed_number(0.0, 1e5));
   CLI::Option* again =
       command->add_flag("--again", options->again, "Trains with the table that the finger keeps");
   CLI::Option* undo = command->add_flag(

@@ -1,5 +1,6 @@
 #include "app/commands/gauge_flags.h"
 
+#include "app/console/number_flags.h"
 #include "core/sources/gauge/force_unit.h"
 #include "core/sources/gauge/serial_port.h"
 
@@ -40,14 +41,15 @@ void add_gauge_flags(CLI::App& command, GaugeChoice& gauge) {
       "mark10|imada|sauter")
       ->check(CLI::IsMember({"mark10", "imada", "sauter"}));
   add("--gauge-baud", gauge.baud, "Speed of a serial gauge, 8N1 (default 9600)", "BAUD")
-      ->check(CLI::IsMember(serial_speeds()));
+      ->check(CLI::IsMember(serial_speeds()))
+      ->transform(typed_whole_number(1));
   add("--gauge-ask",
       gauge.ask,
       "What a serial gauge is asked with for each reading, such as '?\\r' (default: it tells by "
       "itself)",
       "TEXT");
   add("--gauge-every-s", gauge.ask_every_s, "How often it is asked (default 0.05)", "S")
-      ->check(CLI::Range(0.001, 60.0));
+      ->transform(typed_number(0.001, 60.0));
   add("--gauge-report",
       gauge.report,
       "Of a HID gauge: where its reports tell the force, as 'id=3 at=1 type=s16 scale=0.01 "
@@ -93,7 +95,7 @@ void add_gauge_file_flags(CLI::App& command,
           "With --collect: the gauge's clock less the frames', at the first frame (default: "
           "by the markers' motion)")
       ->type_name("S")
-      ->check(CLI::Range(-1e12, 1e12))
+      ->transform(typed_number(-1e12, 1e12))
       ->needs(collect);
   command
       .add_option_function<double>(
@@ -102,7 +104,7 @@ void add_gauge_file_flags(CLI::App& command,
           "With --collect: by how much the gauge's clock is faster (default: by the markers' "
           "motion, where the clocks differ)")
       ->type_name("PPM")
-      ->check(CLI::Range(-1e4, 1e4))
+      ->transform(typed_number(-1e4, 1e4))
       ->needs(collect);
 }
 

@@ -3,6 +3,7 @@
 
 #include "app/commands/commands.h"
 #include "app/console/command_names.h"
+#include "app/console/number_flags.h"
 #include "core/gripper/face_gap.h"
 #include "core/gripper/held_object.h"
 #include "core/gripper/motor_log.h"
@@ -324,14 +325,15 @@ void add_gripper(CLI::App& program, Chosen& chosen) {
           ->add_option("--motor",
                        options->motor_turns,
                        "Motor position in turns: tells where both cameras are in the gripper")
-          ->type_name("M");
+          ->type_name("M")
+          ->transform(typed_number(-1e6, 1e6));
   CLI::Option* sd =
       command
           ->add_option("--motor-sd",
                        options->motor_sd_turns,
                        "Standard deviation of the motor position (default: that of gripper.yaml)")
           ->type_name("S")
-          ->check(CLI::Range(0.0, 1000.0));
+          ->transform(typed_number(0.0, 1000.0));
   CLI::Option* results =
       command
           ->add_option("--results",
@@ -355,13 +357,14 @@ void add_gripper(CLI::App& program, Chosen& chosen) {
                    options->tolerance_ms,
                    "Most that two frames of one moment are apart (default 20)")
       ->type_name("T")
-      ->check(CLI::Range(0.0, 1e6))
+      ->transform(typed_number(0.0, 1e6))
       ->needs(results);
   command
       ->add_option("--up",
                    *up,
                    "Which way is up, in the gripper's frame (default 0 0 -1: it points downwards)")
       ->type_name("X Y Z")
+      ->transform(typed_number(-1e6, 1e6))
       ->expected(3)
       ->needs(results);
   command->callback([=, &chosen] {

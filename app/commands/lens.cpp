@@ -1,6 +1,7 @@
 #include "app/commands/commands.h"
 #include "app/console/command_names.h"
 #include "app/console/flags.h"
+#include "app/console/number_flags.h"
 #include "calibration/lens/lens_views.h"
 #include "calibration/lens/measure_lens.h"
 #include "core/sources/open/open_source.h"
@@ -261,6 +262,17 @@ Status run_lens(const LensOptions& options, Console& console) {
   return {};
 }
 
+namespace {
+
+/// Throws CLI::ValidationError.
+std::vector<double> four_numbers(const char* flag, const std::string& text) {
+  const auto numbers = typed_numbers(text, 4);
+  if (!numbers) throw CLI::ValidationError(flag, numbers.error().what.english());
+  return *numbers;
+}
+
+}  // namespace
+
 void add_lens(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<LensOptions>();
   auto port = std::make_shared<std::vector<double>>();
@@ -282,7 +294,7 @@ void add_lens(CLI::App& program, Chosen& chosen) {
       ->add_option(
           "--square-mm", options->board.square_mm, "Side of a square, or distance of two dots, mm")
       ->type_name("S")
-      ->check(CLI::Range(0.01, 1000.0))
+      ->transform(typed_number(kBoardSquare))
       ->required();
   command->add_option("-o,--output", options->camera, "The camera file to write")
       ->type_name("CAMERA.yaml")
@@ -298,13 +310,12 @@ void add_lens(CLI::App& program, Chosen& chosen) {
           "How the camera's pictures are turned so that the finger lies along them (default none)")
       ->type_name("none|flip_u|flip_v|rotate_180|rotate_90|rotate_270");
   command
-      ->add_option("--port",
-                   *port,
-                   "What the finger is seen through, where the board was in air: air gap mm, "
-                   "plate mm, index of the plate (acrylic 1.49), index behind it (silicone 1.41)")
-      ->type_name("GAP,PLATE,INDEX,INDEX")
-      ->delimiter(',')
-      ->expected(4);
+      ->add_option_function<std::string>(
+          "--port",
+          [port](const std::string& text) { *port = four_numbers("--port", text); },
+          "What the finger is seen through, where the board was in air: air gap mm, "
+          "plate mm, index of the plate (acrylic 1.49), index behind it (silicone 1.41)")
+      ->type_name("GAP,PLATE,INDEX,INDEX");
   CLI::Option* length =
       command
           ->add_option("--known-length-mm",
@@ -312,13 +323,15 @@ void add_lens(CLI::App& program, Chosen& chosen) {
                        "A length on the finger, across the line of sight at --distance-mm, to "
                        "check the scale with")
           ->type_name("L")
-          ->check(CLI::PositiveNumber);
+          ->transform(typed_number(kKnownLength));
   command
-      ->add_option(
-          "--known-ends", options->known_ends_px, "Where the ends of that length are seen, px")
+      ->add_option_function<std::string>(
+          "--known-ends",
+          [options](const std::string& text) {
+            options->known_ends_px = four_numbers("--known-ends", text);
+          },
+          "Where the ends of that length are seen, px")
       ->type_name("U,V,U,V")
-      ->delimiter(',')
-      ->expected(4)
       ->needs(length);
   SettingFlags<LensSettings> settings;
   settings.add_to(*command, lens_settings());

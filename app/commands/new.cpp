@@ -1,5 +1,6 @@
 #include "app/commands/commands.h"
 #include "app/console/command_names.h"
+#include "app/console/number_flags.h"
 
 #include <fmt/format.h>
 
@@ -39,7 +40,7 @@ void add_new(CLI::App& program, Chosen& chosen) {
       ->required();
   command->add_option("--layer-mm", options->layer_mm, "Thickness of the translucent layer, mm")
       ->type_name("T")
-      ->check(CLI::PositiveNumber)
+      ->transform(typed_number(kLayerThickness))
       ->required();
   const std::map<std::string, FaceKind> kinds{{"fin_ray", FaceKind::kFinRay},
                                               {"flat", FaceKind::kFlat}};
@@ -55,7 +56,7 @@ void add_new(CLI::App& program, Chosen& chosen) {
           ->add_option(
               "--width-mm", options->width_mm, "Distance of the two edges of the view face, mm")
           ->type_name("W")
-          ->check(CLI::PositiveNumber);
+          ->transform(typed_number(kFaceWidth));
   CLI::Option* per_row =
       command
           ->add_option(
@@ -63,7 +64,7 @@ void add_new(CLI::App& program, Chosen& chosen) {
               options->per_row,
               "Engraved dots on each side face; 0: none, poses are told by the face's shape")
           ->type_name("N")
-          ->check(CLI::Range(0, 64));
+          ->transform(typed_whole_number(0, 64));
   const std::map<std::string, Polarity> polarities{
       {"auto", Polarity::kAuto}, {"bright", Polarity::kBright}, {"dark", Polarity::kDark}};
   command
@@ -73,11 +74,13 @@ void add_new(CLI::App& program, Chosen& chosen) {
           "Dots against their surroundings; auto: the reference recording tells (default auto)")
       ->type_name("auto|bright|dark")
       ->transform(CLI::Transformer(polarities));
-  CLI::Option* plane = command
-                           ->add_option("--plane-z-mm",
-                                        options->plane_z_mm,
-                                        "Flat: distance of the view face, mm (default 0)")
-                           ->type_name("Z");
+  CLI::Option* plane =
+      command
+          ->add_option("--plane-z-mm",
+                       options->plane_z_mm,
+                       "Flat: distance of the view face, mm (default 0)")
+          ->type_name("Z")
+          ->transform(typed_number(-kPlaneDistance.possible.high, kPlaneDistance.possible.high));
   command->add_option("--name", options->name, "Name of the finger (default: the folder's)")
       ->type_name("NAME");
   auto gripper = std::make_shared<std::vector<double>>();
@@ -88,6 +91,7 @@ void add_new(CLI::App& program, Chosen& chosen) {
                        "Where the camera sits in the gripper: its place in mm, and its turns about "
                        "the gripper's axes x, then y, then z, in degrees")
           ->type_name("X Y Z RX RY RZ")
+          ->transform(typed_number(-1e4, 1e4))
           ->expected(6);
   command->callback([=, &chosen] {
     if (!in_gripper->empty()) {

@@ -6,6 +6,7 @@
 #include "app/console/command_names.h"
 #include "app/console/completions.h"
 #include "app/console/man_page.h"
+#include "app/console/number_flags.h"
 #include "app/console/studio_arguments.h"
 #include "core/io/disk_wait.h"
 
@@ -139,6 +140,8 @@ int run(int argc, char** argv) {
     return usage_status(program, error);
   }
   Console console(json);
+  for (const Message& warning : number_warnings())
+    console.warn(fmt::format("Warning: {}", warning));
   try {
     begin_threads();
     const DiskWatch slow_disks(kDiskTimeout, say_slow_disk);

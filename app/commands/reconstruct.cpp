@@ -7,6 +7,7 @@
 #include "app/console/camera_remarks.h"
 #include "app/console/command_names.h"
 #include "app/console/flags.h"
+#include "app/console/number_flags.h"
 #include "calibration/finger/paper_pipeline.h"
 #include "calibration/reference/settings_record.h"
 #include "core/batch/batch.h"
@@ -312,7 +313,7 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
                    options->scene.top_mm,
                    "Depth at which the colours of pictures end (default 1)")
       ->type_name("MM")
-      ->check(CLI::Range(0.1, 10.0));
+      ->transform(typed_number(0.1, 10.0));
   command
       ->add_option_function<std::string>(
           "--shard",
@@ -338,7 +339,7 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
                    options->threads,
                    "The result is the same for any number (1 to 64; default all cores)")
       ->type_name("N")
-      ->check(CLI::Range(1, 64));
+      ->transform(typed_whole_number(1, 64));
   command
       ->add_option("--preset",
                    options->preset,

@@ -3,6 +3,7 @@
 #include "app/commands/source_reader.h"
 #include "app/console/command_names.h"
 #include "app/console/flags.h"
+#include "app/console/number_flags.h"
 #include "core/io/picture.h"
 #include "core/recording/journal.h"
 #include "core/sources/files/ending.h"
@@ -266,7 +267,7 @@ void add_light_flags(CLI::App& command, LightOptions& light) {
   CLI::Option* brightness =
       command.add_option("--brightness", light.brightness, "0 dark to 1 full")
           ->type_name("B")
-          ->check(CLI::Range(0.0, 1.0))
+          ->transform(typed_number(0.0, 1.0))
           ->needs(device);
   device->needs(control)->needs(brightness);
 }
@@ -342,13 +343,13 @@ void add_record(CLI::App& program, Chosen& chosen) {
           "Each recording ends after so many frames, or all after so many pictures (default: at "
           "the source's end)")
       ->type_name("N")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1000000000}));
+      ->transform(typed_whole_number(1, 1000000000));
   command
       ->add_option("--seconds",
                    options->seconds,
                    "Each recording ends after so much recorded time (default: at the source's end)")
       ->type_name("S")
-      ->check(CLI::Range(0.001, 1e7));
+      ->transform(typed_number(0.001, 1e7));
   command
       ->add_option("--pace",
                    *pace,
@@ -357,14 +358,15 @@ void add_record(CLI::App& program, Chosen& chosen) {
       ->type_name("recorded|asked")
       ->check(CLI::IsMember({"recorded", "asked"}));
   command->add_option("--seed", options->seed, "Of a simulated finger, 0 to 2^64 - 1 (default 1)")
-      ->type_name("S");
+      ->type_name("S")
+      ->transform(typed_whole_number(0));
   command
       ->add_option("--threads",
                    options->threads,
                    "That render a simulated finger; the pictures are the same for any number (1 to "
                    "64; default 1)")
       ->type_name("N")
-      ->check(CLI::Range(1, 64));
+      ->transform(typed_whole_number(1, 64));
   SettingFlags<RecorderSettings> recorder;
   recorder.add_to(*command, recorder_settings());
   command->callback([=, &chosen] {

@@ -1,5 +1,6 @@
 #include "app/commands/commands.h"
 #include "app/console/command_names.h"
+#include "app/console/number_flags.h"
 #include "calibration/reference/new_reference.h"
 
 #include <fmt/format.h>
@@ -105,7 +106,9 @@ void add_reference(CLI::App& program, Chosen& chosen) {
   command->add_option("RECORDING", options->inputs, "Video, folder of pictures, or pictures")
       ->required();
   const auto need = [&](const char* flag, double& value, const char* help) {
-    command->add_option(flag, value, help)->check(CLI::Range(0.1, 100.0))->capture_default_str();
+    command->add_option(flag, value, help)
+        ->transform(typed_number(0.1, 100.0))
+        ->capture_default_str();
   };
   need("--bend-mm",
        options->choices.need.bend_mm,
@@ -120,7 +123,7 @@ void add_reference(CLI::App& program, Chosen& chosen) {
                    "Frame of the recording that shows the finger at rest, counted from 0 (default: "
                    "the one in the middle of all poses)")
       ->type_name("N")
-      ->check(CLI::NonNegativeNumber);
+      ->transform(typed_whole_number(0, std::numeric_limits<int>::max()));
   command->callback([=, &chosen] {
     chosen = [=](Console& console) { return run_reference(*options, console); };
   });

@@ -1,6 +1,7 @@
 #include "app/commands/commands.h"
 #include "app/console/command_names.h"
 #include "app/console/flags.h"
+#include "app/console/number_flags.h"
 #include "core/finger/camera_yaml.h"
 #include "core/io/atomic_file.h"
 #include "core/io/picture.h"
@@ -280,11 +281,12 @@ void add_simulate(CLI::App& program, Chosen& chosen) {
                           "(default: {})",
                           kTimedFrames))
           ->type_name("N")
-          ->check(CLI::Range(1, 1000000));
+          ->transform(typed_whole_number(1, 1000000));
   CLI::Option* seed =
       command
           ->add_option("--seed", options->seed, "Of everything random, 0 to 2^64 - 1 (default 1)")
-          ->type_name("S");
+          ->type_name("S")
+          ->transform(typed_whole_number(0));
   CLI::Option* video = command->add_flag(
       "--video", options->video, "One lossless video, frames.mkv, instead of pictures");
   CLI::Option* maps = command->add_flag(
@@ -316,7 +318,7 @@ void add_simulate(CLI::App& program, Chosen& chosen) {
                    fit->ball_radius_mm,
                    "With --fit: radius of the ball, mm (default: what the finger keeps)")
       ->type_name("R")
-      ->check(CLI::PositiveNumber)
+      ->transform(typed_number(kBallRadius))
       ->needs(fitted);
   command
       ->add_option("--reference",

@@ -4,6 +4,7 @@
 #include "app/commands/study_use.h"
 #include "app/console/command_names.h"
 #include "app/console/flags.h"
+#include "app/console/number_flags.h"
 #include "app/console/passing_folder.h"
 #include "calibration/experiments/simulated_world.h"
 #include "calibration/finger/measuring_settings.h"
@@ -296,13 +297,13 @@ void add_study(CLI::App& program, Chosen& chosen) {
           ->add_option(
               "--within-ms", limits->first, "Also say what is most accurate in so much time")
           ->type_name("MS")
-          ->check(CLI::Range(1e-3, 1e4));
+          ->transform(typed_number(1e-3, 1e4));
   CLI::Option* keep = command
                           ->add_option("--keep-mm",
                                        limits->second,
                                        "Also say what is fastest with 95 % of depth within so much")
                           ->type_name("MM")
-                          ->check(CLI::Range(1e-6, 100.0));
+                          ->transform(typed_number(1e-6, 100.0));
   CLI::Option* place =
       command
           ->add_option("--place-mm",
@@ -310,8 +311,10 @@ void add_study(CLI::App& program, Chosen& chosen) {
                        "With both: how far off places may be told (default: a quarter more than "
                        "now)")
           ->type_name("MM")
-          ->check(CLI::Range(1e-6, 100.0));
-  command->add_option("--seed", options->seed, "Of everything random (default 1)")->type_name("S");
+          ->transform(typed_number(1e-6, 100.0));
+  command->add_option("--seed", options->seed, "Of everything random (default 1)")
+      ->type_name("S")
+      ->transform(typed_whole_number(0));
   add_use_flags(*command, *options);
   add_threads_flag(*command, options->threads);
   command->callback([=, &chosen] {

@@ -2,6 +2,7 @@
 
 #include "app/commands/commands.h"
 #include "app/console/command_names.h"
+#include "app/console/number_flags.h"
 #include "core/io/atomic_file.h"
 
 #include <fmt/format.h>
@@ -37,7 +38,7 @@ void add_thumbnail(CLI::App& program, Chosen& chosen) {
       ->add_option(
           "--size", options->size_px, "Of its longer side in pixels (16 to 4096; default 256)")
       ->type_name("PX")
-      ->check(CLI::Range(16, 4096));
+      ->transform(typed_whole_number(16, 4096));
   command->callback([=, &chosen] {
     chosen = [=](Console& console) { return run_thumbnail(*options, console); };
   });

@@ -1,6 +1,7 @@
 // Command-line flags made from the tables of settings: declared once there, never repeated here.
 #pragma once
 
+#include "app/console/number_flags.h"
 #include "core/settings.h"
 
 #include <map>
@@ -75,7 +76,7 @@ inline void add_threads_flag(CLI::App& command, int& threads) {
       .add_option(
           "--threads", threads, "The result is the same for any number (1 to 64; default 1)")
       ->type_name("N")
-      ->check(CLI::Range(1, 64));
+      ->transform(typed_whole_number(1, 64));
 }
 
 }  // namespace alltact
