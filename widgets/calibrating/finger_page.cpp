@@ -15,9 +15,6 @@ namespace alltact {
 namespace {
 
 constexpr int kFingerSideWidth = 280;
-// As the assistant for a new finger has them.
-constexpr double kLeastWidth_mm = 0.1, kMostWidth_mm = 500, kLeastLayer_mm = 0.01,
-                 kMostLayer_mm = 50;
 
 QString geometry_text(const Finger& finger) {
   const QLocale locale;
@@ -58,8 +55,8 @@ FingerPage::FingerPage(LiveSession& session, QUndoStack& undo, QWidget* parent)
       untouched_(new QPushButton),
       width_label_(new QLabel),
       layer_label_(new QLabel),
-      width_(new QDoubleSpinBox),
-      layer_(new QDoubleSpinBox),
+      width_(new NumberField),
+      layer_(new NumberField),
       sizes_(new QWidget),
       change_(new QPushButton) {
   auto* column = new QVBoxLayout(this);
@@ -82,12 +79,12 @@ QWidget* FingerPage::make_side() {
   geometry->addWidget(geometry_);
   auto* form = new QFormLayout(sizes_);
   form->setContentsMargins(0, 0, 0, 0);
-  for (QDoubleSpinBox* size : {width_, layer_}) {
-    size->setDecimals(2);
+  for (NumberField* size : {width_, layer_}) {
+    size->set_shown_decimals(2);
     size->setSingleStep(0.1);
   }
-  width_->setRange(kLeastWidth_mm, kMostWidth_mm);
-  layer_->setRange(kLeastLayer_mm, kMostLayer_mm);
+  width_->set_quantity(kFaceWidth);
+  layer_->set_quantity(kLayerThickness);
   width_label_->setBuddy(width_);
   layer_label_->setBuddy(layer_);
   form->addRow(width_label_, width_);
@@ -111,8 +108,8 @@ void FingerPage::connect_parts() {
   connect(record_, &QPushButton::clicked, this, &FingerPage::record_wanted);
   connect(untouched_, &QPushButton::clicked, this, &FingerPage::take_untouched);
   connect(change_, &QPushButton::clicked, this, &FingerPage::change_sizes);
-  for (QDoubleSpinBox* size : {width_, layer_})
-    connect(size, &QDoubleSpinBox::valueChanged, this, &FingerPage::show_sizes);
+  for (NumberField* size : {width_, layer_})
+    connect(size, &NumberField::text_changed, this, &FingerPage::show_sizes);
 }
 
 void FingerPage::name_parts() {
@@ -126,7 +123,7 @@ void FingerPage::name_parts() {
   width_->setAccessibleName(tr("Width of the face"));
   layer_label_->setText(tr("&Layer's thickness"));
   layer_->setAccessibleName(tr("Thickness of the layer"));
-  for (QDoubleSpinBox* size : {width_, layer_}) size->setSuffix(tr(" mm"));
+  for (NumberField* size : {width_, layer_}) size->setSuffix(tr(" mm"));
   change_->setText(tr("&Change"));
   change_->setToolTip(tr("A calibrated finger has to be calibrated again then."));
   show_status();
@@ -140,15 +137,17 @@ void FingerPage::show_sizes() {
   const Face& face = session_.status().finger.finger->face;
   width_->setVisible(face.kind == FaceKind::kFinRay);
   width_label_->setVisible(face.kind == FaceKind::kFinRay);
-  change_->setEnabled(width_->value() != face.width_mm || layer_->value() != face.layer_mm);
+  const auto width = width_->typed(), layer = layer_->typed();
+  change_->setEnabled(width && layer && (*width != face.width_mm || *layer != face.layer_mm));
 }
 
 void FingerPage::change_sizes() {
   if (!is_own()) return;
   const FingerStatus& finger = session_.status().finger;
   const Face& face = finger.finger->face;
-  const Sizes wanted(face.kind == FaceKind::kFinRay ? width_->value() : face.width_mm,
-                     layer_->value());
+  const auto width = width_->typed(), layer = layer_->typed();
+  if (!width || !layer) return;
+  const Sizes wanted(face.kind == FaceKind::kFinRay ? *width : face.width_mm, *layer);
   undo_.push(new ValueChange<Sizes>(
       [] { return tr("change the finger's sizes"); },
       Sizes(face.width_mm, face.layer_mm),

@@ -4,12 +4,12 @@
 #include "core/io/disk_queue.h"
 #include "widgets/background_work.h"
 #include "widgets/calibrating/step_page.h"
+#include "widgets/controls/number_field.h"
 #include "widgets/live/live_session.h"
 #include "widgets/panels/picture_panel.h"
 #include "widgets/shell/new_finger_dialog.h"
 #include "widgets/shell/problem_list.h"
 
-#include <QDoubleSpinBox>
 #include <QGroupBox>
 #include <QPushButton>
 #include <QUndoStack>
@@ -62,7 +62,7 @@ class FingerPage : public StepPage {
   QLabel *geometry_, *reference_;
   QPushButton *make_, *open_, *record_, *untouched_;
   QLabel *width_label_, *layer_label_;
-  QDoubleSpinBox *width_, *layer_;
+  NumberField *width_, *layer_;
   QWidget* sizes_;
   QPushButton* change_;
   std::filesystem::path shown_folder_;

@@ -5,10 +5,10 @@
 namespace alltact {
 namespace {
 
-QDoubleSpinBox* number(double low, double high, int decimals, double value) {
-  auto* box = new QDoubleSpinBox;
+NumberField* number(double low, double high, int decimals, double value) {
+  auto* box = new NumberField;
   box->setRange(low, high);
-  box->setDecimals(decimals);
+  box->set_shown_decimals(decimals);
   box->setValue(value);
   return box;
 }
@@ -20,8 +20,8 @@ LensForm::LensForm(QWidget* parent)
       form_(new QFormLayout(this)),
       pattern_(new QComboBox),
       model_(new QComboBox),
-      columns_(new QSpinBox),
-      rows_(new QSpinBox),
+      columns_(new WholeNumberField),
+      rows_(new WholeNumberField),
       square_(number(0.01, 1000, 3, 5)),
       distance_(number(1, 10000, 1, LensSettings().distance_mm)),
       gap_(number(0, 1000, 2, 0)),
@@ -39,11 +39,12 @@ LensForm::LensForm(QWidget* parent)
       plate_label_(new QLabel),
       plate_index_label_(new QLabel),
       medium_index_label_(new QLabel) {
+  square_->set_quantity(kBoardSquare);
   form_->setContentsMargins(0, 0, 0, 0);
   form_->setRowWrapPolicy(QFormLayout::WrapLongRows);
   for (int i = 0; i < 3; ++i) pattern_->addItem({});
   for (int i = 0; i < 2; ++i) model_->addItem({});
-  for (QSpinBox* count : {columns_, rows_}) count->setRange(3, 100);
+  for (WholeNumberField* count : {columns_, rows_}) count->setRange(3, 100);
   columns_->setValue(9);
   rows_->setValue(6);
   auto* size = new QHBoxLayout;
@@ -66,9 +67,9 @@ LensForm::LensForm(QWidget* parent)
   size_label_->setBuddy(columns_);
   square_label_->setBuddy(square_);
   connect(pattern_, &QComboBox::currentIndexChanged, this, &LensForm::board_changed);
-  for (QSpinBox* count : {columns_, rows_})
-    connect(count, &QSpinBox::valueChanged, this, &LensForm::board_changed);
-  connect(square_, &QDoubleSpinBox::valueChanged, this, &LensForm::board_changed);
+  for (WholeNumberField* count : {columns_, rows_})
+    connect(count, &WholeNumberField::valueChanged, this, &LensForm::board_changed);
+  connect(square_, &NumberField::valueChanged, this, &LensForm::board_changed);
   connect(has_port_, &QCheckBox::toggled, this, &LensForm::show_port);
   say([this] { name_parts(); });
 }
@@ -103,7 +104,7 @@ void LensForm::name_parts() {
   plate_index_->setAccessibleName(tr("Index of refraction of the window"));
   medium_index_label_->setText(tr("Index behind it"));
   medium_index_->setAccessibleName(tr("Index of refraction behind the window"));
-  for (QDoubleSpinBox* length : {square_, distance_, gap_, plate_}) length->setSuffix(tr(" mm"));
+  for (NumberField* length : {square_, distance_, gap_, plate_}) length->setSuffix(tr(" mm"));
   show_port();
 }
 

@@ -3,14 +3,13 @@
 
 #include "calibration/lens/calibrate_lens.h"
 #include "core/camera/flat_port.h"
+#include "widgets/controls/number_field.h"
 #include "widgets/translated.h"
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLabel>
-#include <QSpinBox>
 #include <QWidget>
 
 namespace alltact {
@@ -34,8 +33,8 @@ class LensForm : public Translated<QWidget> {
 
   QFormLayout* form_;
   QComboBox *pattern_, *model_;
-  QSpinBox *columns_, *rows_;
-  QDoubleSpinBox *square_, *distance_, *gap_, *plate_, *plate_index_, *medium_index_;
+  WholeNumberField *columns_, *rows_;
+  NumberField *square_, *distance_, *gap_, *plate_, *plate_index_, *medium_index_;
   QCheckBox* has_port_;
   QLabel *pattern_label_, *size_label_, *square_label_, *by_label_, *model_label_, *distance_label_;
   QLabel *gap_label_, *plate_label_, *plate_index_label_, *medium_index_label_;

@@ -9,9 +9,9 @@ namespace {
 constexpr double kLeastSdMm = 0.001;  // what the field can show
 
 /// Leaves alone what is being typed.
-void show_value(QDoubleSpinBox* field, double value) {
+void show_value(NumberField* field, double value) {
   const QSignalBlocker quiet(field);
-  if (field->value() != value) field->setValue(value);
+  field->setValue(value);
 }
 
 }  // namespace
@@ -23,44 +23,44 @@ PressForm::PressForm(PressDesk& desk, QWidget* parent)
       depth_label_(new QLabel),
       depth_sd_label_(new QLabel),
       step_label_(new QLabel),
-      radius_(new QDoubleSpinBox),
-      depth_(new QDoubleSpinBox),
-      depth_sd_(new QDoubleSpinBox),
-      step_(new QDoubleSpinBox) {
+      radius_(new NumberField),
+      depth_(new NumberField),
+      depth_sd_(new NumberField),
+      step_(new NumberField) {
   auto* form = new QFormLayout(this);
   form->setContentsMargins(0, 0, 0, 0);
-  const auto add = [form](QLabel* label, QDoubleSpinBox* field, double most, double step) {
-    field->setRange(0, most);
-    field->setDecimals(3);
+  const auto add = [form](QLabel* label, NumberField* field, const Quantity& is, double step) {
+    field->set_quantity(is);
+    field->setMinimum(0);  // not known
+    field->set_shown_decimals(3);
     field->setSingleStep(step);
-    field->setKeyboardTracking(false);
     label->setBuddy(field);
     form->addRow(label, field);
   };
-  add(radius_label_, radius_, kLargestBallMm, 0.1);
-  add(depth_label_, depth_, kDeepestMm, 0.1);
-  add(depth_sd_label_, depth_sd_, kDeepestMm, 0.005);
+  add(radius_label_, radius_, kBallRadius, 0.1);
+  add(depth_label_, depth_, kPressDepth, 0.1);
+  add(depth_sd_label_, depth_sd_, kDepthSd, 0.005);
   depth_sd_->setMinimum(kLeastSdMm);
-  add(step_label_, step_, kDeepestMm, 0.1);
-  connect(radius_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+  add(step_label_, step_, kStepHeight, 0.1);
+  connect(radius_, &NumberField::valueChanged, this, [this](double value) {
     desk_.set_radius_of(shown_, value);
   });
-  connect(depth_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+  connect(depth_, &NumberField::valueChanged, this, [this](double value) {
     const auto before = desk_.said().of(shown_).depth;
     desk_.set_depth_of(shown_, {value, before ? before->sd_mm : kUsualDepthSdMm});
   });
-  connect(depth_sd_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+  connect(depth_sd_, &NumberField::valueChanged, this, [this](double value) {
     if (const auto before = desk_.said().of(shown_).depth)
       desk_.set_depth_of(shown_, {before->mm, value});
   });
-  connect(step_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+  connect(step_, &NumberField::valueChanged, this, [this](double value) {
     desk_.set_step_of(shown_, value);
   });
   say([this] { name_parts(); });
 }
 
 void PressForm::name_parts() {
-  for (QDoubleSpinBox* field : {radius_, depth_, depth_sd_, step_}) field->setSuffix(tr(" mm"));
+  for (NumberField* field : {radius_, depth_, depth_sd_, step_}) field->setSuffix(tr(" mm"));
   radius_label_->setText(tr("&Its ball"));
   radius_->setAccessibleName(tr("Radius of this press' ball"));
   radius_->setToolTip(tr("Where this press was made with a ball of another radius"));
@@ -89,7 +89,7 @@ void PressForm::show_press(const std::string& name) {
   show_value(depth_, note.depth ? note.depth->mm : 0.0);
   show_value(depth_sd_, note.depth ? note.depth->sd_mm : kUsualDepthSdMm);
   show_value(step_, note.step_mm.value_or(0.0));
-  const auto enable = [](QLabel* label, QDoubleSpinBox* field, bool is_enabled) {
+  const auto enable = [](QLabel* label, NumberField* field, bool is_enabled) {
     label->setEnabled(is_enabled);
     field->setEnabled(is_enabled);
   };

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "widgets/calibrating/press_desk.h"
+#include "widgets/controls/number_field.h"
 #include "widgets/translated.h"
 
-#include <QDoubleSpinBox>
 #include <QLabel>
 
 namespace alltact {
@@ -22,7 +22,7 @@ class PressForm : public Translated<QWidget> {
   PressDesk& desk_;
   std::string shown_;
   QLabel *radius_label_, *depth_label_, *depth_sd_label_, *step_label_;
-  QDoubleSpinBox *radius_, *depth_, *depth_sd_, *step_;
+  NumberField *radius_, *depth_, *depth_sd_, *step_;
 };
 
 }  // namespace alltact

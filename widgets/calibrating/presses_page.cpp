@@ -49,7 +49,7 @@ PressesPage::PressesPage(LiveSession& session,
       press_group_(new QGroupBox),
       radius_label_(new QLabel),
       operator_label_(new QLabel),
-      radius_(new QDoubleSpinBox),
+      radius_(new NumberField),
       operator_(new QLineEdit),
       form_(new PressForm(desk)),
       more_(new QToolButton),
@@ -116,10 +116,10 @@ QWidget* PressesPage::make_side() {
 }
 
 void PressesPage::make_taking(QVBoxLayout& column) {
-  radius_->setRange(0, kLargestBallMm);
-  radius_->setDecimals(3);
+  radius_->set_quantity(kBallRadius);
+  radius_->setMinimum(0);  // unknown
+  radius_->set_shown_decimals(3);
   radius_->setSingleStep(0.1);
-  radius_->setKeyboardTracking(false);
   radius_label_->setBuddy(radius_);
   operator_label_->setBuddy(operator_);
   column.addWidget(take_);
@@ -202,9 +202,8 @@ void PressesPage::connect_parts() {
   connect(out_, &QPushButton::clicked, this, [this] { desk_.take_out_or_put_back(shown_); });
   connect(remove_, &QPushButton::clicked, this, [this] { desk_.remove(shown_); });
   connect(add_, &QPushButton::clicked, this, &PressesPage::choose_files);
-  connect(radius_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-    desk_.set_radius(value);
-  });
+  connect(
+      radius_, &NumberField::valueChanged, this, [this](double value) { desk_.set_radius(value); });
   connect(operator_, &QLineEdit::editingFinished, this, [this] {
     desk_.set_operator(operator_->text().trimmed().toStdString());
   });
@@ -322,11 +321,13 @@ void PressesPage::show_status() {
     taker_.forget();
     refused_.reset();
     taken_name_.clear();
+    const QSignalBlocker quiet(radius_);
+    radius_->setValue(0);  // nor what was typed for another finger
   }
   held_for_ = desk_.folder();
   show_problems();
   const PressSet& said = desk_.said();
-  if (!radius_->hasFocus() || radius_->value() != said.ball_radius_mm) {
+  {
     const QSignalBlocker quiet(radius_);
     radius_->setValue(said.ball_radius_mm);
   }

@@ -9,11 +9,11 @@
 #include "widgets/calibrating/press_list_view.h"
 #include "widgets/calibrating/press_model.h"
 #include "widgets/calibrating/step_page.h"
+#include "widgets/controls/number_field.h"
 #include "widgets/panels/picture_panel.h"
 #include "widgets/shell/problem_list.h"
 
 #include <QCheckBox>
-#include <QDoubleSpinBox>
 #include <QGroupBox>
 #include <QLineEdit>
 #include <QPushButton>
@@ -108,7 +108,7 @@ class PressesPage : public StepPage {
   QLabel* place_;
   QGroupBox *take_group_, *press_group_;
   QLabel *radius_label_, *operator_label_;
-  QDoubleSpinBox* radius_;
+  NumberField* radius_;
   QLineEdit* operator_;
   PressForm* form_;
   QToolButton* more_;

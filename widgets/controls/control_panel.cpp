@@ -1,11 +1,11 @@
 #include "widgets/controls/control_panel.h"
 
 #include "widgets/controls/control_names.h"
+#include "widgets/controls/number_field.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QSlider>
-#include <QSpinBox>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
@@ -40,35 +40,33 @@ QString unit_of(const CameraControl& control) {
 }
 
 /// Cameras count exposure in tenths of a millisecond; people in milliseconds.
-class TenthsBox : public QSpinBox {
+class TenthsBox : public WholeNumberField {
  protected:
-  [[nodiscard]] QString textFromValue(int value) const override {
+  [[nodiscard]] QString written(int value, bool /*is_exact*/) const override {
     return locale().toString(0.1 * value, 'f', 1);
   }
-  [[nodiscard]] int valueFromText(const QString& text) const override {
-    return static_cast<int>(std::lround(10 * locale().toDouble(bare(text))));
+  [[nodiscard]] Result<int> parsed(const QString& text) const override {
+    const auto value = parse_typed_number(
+        text.toStdString(), {window_decimal_mark(), suffix().trimmed().toStdString()});
+    if (!value) return value.error();
+    const double tenths = 10 * *value;
+    if (std::abs(tenths) < std::numeric_limits<int>::max() &&
+        std::abs(tenths - std::round(tenths)) < 1e-6)
+      return static_cast<int>(std::lround(tenths));
+    return Error{
+        en::say("'{}' has more than {} digits behind the decimal mark", text.toStdString(), 1),
+        "",
+        ""};
   }
-  QValidator::State validate(QString& text, int& /*position*/) const override {
-    bool is_number = false;
-    const double value = 10 * locale().toDouble(bare(text), &is_number);
-    return is_number && value >= minimum() && value <= maximum() ? QValidator::Acceptable
-                                                                 : QValidator::Intermediate;
-  }
-
- private:
-  [[nodiscard]] QString bare(const QString& text) const {
-    QString number = text;
-    if (number.endsWith(suffix())) number.chop(suffix().size());
-    return number.trimmed();
-  }
+  [[nodiscard]] double shown_number(int value) const override { return 0.1 * value; }
 };
 
 bool is_in_tenths(const CameraControl& control) {
   return control.id == V4L2_CID_EXPOSURE_ABSOLUTE;
 }
 
-QSpinBox* box_for(const CameraControl& control) {
-  return is_in_tenths(control) ? new TenthsBox : new QSpinBox;
+WholeNumberField* box_for(const CameraControl& control) {
+  return is_in_tenths(control) ? new TenthsBox : new WholeNumberField;
 }
 
 QString text_of(const CameraControl& control, std::int64_t value) {
@@ -135,7 +133,6 @@ class ControlPanel::Row : public QWidget {
     number_->setRange(as_int(control_.low), as_int(control_.high));
     number_->setSingleStep(as_int(std::max<std::int64_t>(control_.step, 1)));
     number_->setSuffix(unit_of(control_));
-    number_->setKeyboardTracking(false);
     number_->setAccessibleName(control_name(control_));
     label->setBuddy(number_);
     slider_ = new QSlider(Qt::Horizontal);
@@ -154,7 +151,7 @@ class ControlPanel::Row : public QWidget {
     head->addWidget(number_);
     layout.addLayout(head);
     layout.addWidget(slider_);
-    connect(number_, &QSpinBox::valueChanged, this, [this](int value) { change(value); });
+    connect(number_, &WholeNumberField::valueChanged, this, [this](int value) { change(value); });
     connect(slider_, &QSlider::valueChanged, this, [this](int value) { change(value); });
   }
 
@@ -190,7 +187,7 @@ class ControlPanel::Row : public QWidget {
 
   CameraControl control_;
   ControlPanel& panel_;
-  QSpinBox* number_ = nullptr;
+  WholeNumberField* number_ = nullptr;
   QSlider* slider_ = nullptr;
   QCheckBox* switch_ = nullptr;
   QComboBox* choice_ = nullptr;

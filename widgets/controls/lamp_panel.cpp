@@ -28,7 +28,7 @@ LampPanel::LampPanel(Lamp& lamp, QWidget* parent)
       report_(new QLineEdit),
       look_(new QPushButton),
       slider_(new QSlider(Qt::Horizontal)),
-      level_(new QSpinBox) {
+      level_(new WholeNumberField) {
   auto* form = new QFormLayout(this);
   form->setContentsMargins(0, 0, 0, 0);
   form->setRowWrapPolicy(QFormLayout::WrapLongRows);
@@ -42,7 +42,6 @@ LampPanel::LampPanel(Lamp& lamp, QWidget* parent)
     whole->setEnabled(false);
   slider_->setRange(0, kWhole);
   level_->setRange(0, kWhole);
-  level_->setKeyboardTracking(false);
   auto* levels = new QHBoxLayout;
   levels->addWidget(slider_, 1);
   levels->addWidget(level_);
@@ -64,7 +63,7 @@ LampPanel::LampPanel(Lamp& lamp, QWidget* parent)
     level_->setValue(value);
     ask();
   });
-  connect(level_, &QSpinBox::valueChanged, slider_, &QSlider::setValue);
+  connect(level_, &WholeNumberField::valueChanged, slider_, &QSlider::setValue);
   connect(&lamp_, &Lamp::changed, this, &LampPanel::show_lamp);
   say([this] { name_parts(); });
 }

@@ -1,6 +1,7 @@
 // The lamp's brightness in the window: which dimmer, and how bright.
 #pragma once
 
+#include "widgets/controls/number_field.h"
 #include "widgets/live/lamp.h"
 #include "widgets/translated.h"
 
@@ -9,7 +10,6 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSlider>
-#include <QSpinBox>
 #include <QWidget>
 
 namespace alltact {
@@ -40,7 +40,7 @@ class LampPanel : public Translated<QWidget> {
   QLineEdit* report_;
   QPushButton* look_;
   QSlider* slider_;
-  QSpinBox* level_;
+  WholeNumberField* level_;
 };
 
 }  // namespace alltact

@@ -6,18 +6,18 @@
 namespace alltact {
 namespace {
 
-QDoubleSpinBox* field(double most, int decimals) {
-  auto* box = new QDoubleSpinBox;
+NumberField* field(double most, int decimals) {
+  auto* box = new NumberField;
   box->setRange(-most, most);
-  box->setDecimals(decimals);
+  box->set_shown_decimals(decimals);
   return box;
 }
 
-Eigen::Vector3d values(const std::array<QDoubleSpinBox*, 3>& fields) {
+Eigen::Vector3d values(const std::array<NumberField*, 3>& fields) {
   return {fields[0]->value(), fields[1]->value(), fields[2]->value()};
 }
 
-void fill(const std::array<QDoubleSpinBox*, 3>& fields, const Eigen::Vector3d& values) {
+void fill(const std::array<NumberField*, 3>& fields, const Eigen::Vector3d& values) {
   for (std::size_t i = 0; i < 3; ++i) fields[i]->setValue(values[static_cast<Eigen::Index>(i)]);
 }
 
@@ -57,6 +57,10 @@ GripperDialog::GripperDialog(const QString& finger,
     fill(turn_, degrees_of(now->rotation));
   }
   connect(buttons_, &QDialogButtonBox::accepted, this, [this] {
+    for (NumberField* field : {at_[0], at_[1], at_[2], turn_[0], turn_[1], turn_[2]}) {
+      if (!field->typed()) return field->setFocus();
+      field->interpretText();
+    }
     Q_EMIT chosen(place());
     accept();
   });
@@ -96,7 +100,7 @@ GripperDialog::GripperDialog(const QString& finger,
 RigidTransform GripperDialog::place() const {
   if (!now_) return {rotation_of_degrees(values(turn_)), values(at_)};
   // The fields round; what was not touched must not change by that.
-  const auto kept = [](const std::array<QDoubleSpinBox*, 3>& fields, const Eigen::Vector3d& was) {
+  const auto kept = [](const std::array<NumberField*, 3>& fields, const Eigen::Vector3d& was) {
     constexpr double kRounded = 0.0051;
     const Eigen::Vector3d now = values(fields);
     return Eigen::Vector3d(((now - was).array().abs() < kRounded).select(was, now));

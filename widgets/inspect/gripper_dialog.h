@@ -2,11 +2,11 @@
 #pragma once
 
 #include "core/geometry/rigid_transform.h"
+#include "widgets/controls/number_field.h"
 #include "widgets/shell/fitted_dialog.h"
 
 #include <QDialog>
 #include <QDialogButtonBox>
-#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
 #include <array>
@@ -32,7 +32,7 @@ class GripperDialog : public FittedDialog {
   QString finger_;
   std::optional<RigidTransform> now_;
   QLabel *intro_, *at_label_, *turn_label_;
-  std::array<QDoubleSpinBox*, 3> at_, turn_;
+  std::array<NumberField*, 3> at_, turn_;
   QPushButton* forget_;
   QDialogButtonBox* buttons_;
 };

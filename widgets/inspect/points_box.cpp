@@ -15,12 +15,11 @@ enum MergeId { kPointA = 2011 };  // and the next three
 // A digit more would widen the column.
 constexpr double kNotChosen_mm = -999, kFurthest_mm = 999;
 
-QDoubleSpinBox* place_box() {
-  auto* box = new QDoubleSpinBox;
+NumberField* place_box() {
+  auto* box = new NumberField;
   box->setRange(kNotChosen_mm, kFurthest_mm);
   box->setSingleStep(0.1);
-  box->setDecimals(2);
-  box->setKeyboardTracking(false);
+  box->set_shown_decimals(2);
   box->setSpecialValueText(QString(QChar(0x2013)));
   return box;
 }
@@ -69,7 +68,7 @@ void PointsBox::connect_points() {
   int id = kPointA;
   for (const Point& point : points_)
     for (const std::size_t part : {0U, 1U}) {
-      connect(point.boxes[part], &QDoubleSpinBox::valueChanged, this, [this, point, part, id] {
+      connect(point.boxes[part], &NumberField::valueChanged, this, [this, point, part, id] {
         change_part(point, part, id);
       });
       ++id;
@@ -162,7 +161,7 @@ void PointsBox::name_parts() {
   for (std::size_t i = 0; i < points_.size(); ++i) {
     points_[i].label->setText(names[i]);
     for (std::size_t part = 0; part < 2; ++part) {
-      QDoubleSpinBox* box = points_[i].boxes[part];
+      NumberField* box = points_[i].boxes[part];
       box->setSuffix(tr(" mm"));
       box->setAccessibleName(spoken[i][part]);
       box->setToolTip(help[part]);

@@ -1,12 +1,12 @@
 // The two points that one measures with: where they are, and what is read there.
 #pragma once
 
+#include "widgets/controls/number_field.h"
 #include "widgets/inspect/inspect_options.h"
 #include "widgets/inspect/inspected_frame.h"
 #include "widgets/translated.h"
 #include "widgets/undo_step.h"
 
-#include <QDoubleSpinBox>
 #include <QGroupBox>
 #include <QLabel>
 #include <QPushButton>
@@ -36,7 +36,7 @@ class PointsBox : public Translated<QGroupBox> {
   struct Point {
     std::optional<FacePlace> InspectOptions::*member;
     QLabel* label;
-    std::array<QDoubleSpinBox*, 2> boxes;  // along, across
+    std::array<NumberField*, 2> boxes;  // along, across
   };
   void connect_points();
   void change_part(const Point& point, std::size_t part, int merge_id);

@@ -16,7 +16,7 @@ TimeLine::TimeLine(QWidget* parent)
       earlier_(new QToolButton),
       later_(new QToolButton),
       slider_(new QSlider(Qt::Horizontal)),
-      number_(new QSpinBox),
+      number_(new WholeNumberField),
       of_(new QLabel),
       name_(new QLabel),
       strip_(new EventStrip) {
@@ -32,10 +32,9 @@ TimeLine::TimeLine(QWidget* parent)
   row->addWidget(of_);
   row->addSpacing(6);
   row->addWidget(name_);
-  number_->setKeyboardTracking(false);
   connect(play_, &QToolButton::clicked, this, [this] { play(!is_playing()); });
   connect(slider_, &QSlider::valueChanged, this, &TimeLine::want);
-  connect(number_, &QSpinBox::valueChanged, this, [this](int value) { want(value - 1); });
+  connect(number_, &WholeNumberField::valueChanged, this, [this](int value) { want(value - 1); });
   connect(&timer_, &QTimer::timeout, this, &TimeLine::go_on);
   connect(earlier_, &QToolButton::clicked, this, [this] { go_to_event(false); });
   connect(later_, &QToolButton::clicked, this, [this] { go_to_event(true); });

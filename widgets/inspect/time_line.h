@@ -2,12 +2,12 @@
 // recording tells over time.
 #pragma once
 
+#include "widgets/controls/number_field.h"
 #include "widgets/inspect/event_strip.h"
 #include "widgets/translated.h"
 
 #include <QLabel>
 #include <QSlider>
-#include <QSpinBox>
 #include <QTimer>
 #include <QToolButton>
 
@@ -43,7 +43,7 @@ class TimeLine : public Translated<QWidget> {
 
   QToolButton *play_, *earlier_, *later_;
   QSlider* slider_;
-  QSpinBox* number_;
+  WholeNumberField* number_;
   QLabel *of_, *name_;
   EventStrip* strip_;
   QTimer timer_;

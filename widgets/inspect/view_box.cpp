@@ -16,12 +16,11 @@ namespace {
 
 enum MergeId { kTop = 2001, kTimes, kDifferenceTop, kFrameNumber };
 
-QDoubleSpinBox* spin(double low, double high, double step, int decimals) {
-  auto* box = new QDoubleSpinBox;
+NumberField* spin(double low, double high, double step, int decimals) {
+  auto* box = new NumberField;
   box->setRange(low, high);
   box->setSingleStep(step);
-  box->setDecimals(decimals);
-  box->setKeyboardTracking(false);
+  box->set_shown_decimals(decimals);
   return box;
 }
 
@@ -78,7 +77,7 @@ ViewBox::ViewBox(QWidget* parent)
       comparison_(new QComboBox),
       with_(new QComboBox),
       setting_(new QComboBox),
-      frame_(new QSpinBox),
+      frame_(new WholeNumberField),
       top_(spin(0.05, 10, 0.05, 2)),
       difference_top_(spin(0.01, 2, 0.01, 2)),
       times_(spin(1, 50, 1, 0)) {
@@ -92,7 +91,6 @@ ViewBox::ViewBox(QWidget* parent)
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(10);
   }
-  frame_->setKeyboardTracking(false);
   new QGridLayout(this);
   add_row(shown_as_, [] { return tr("Sho&w"); });
   add_row(standpoint_, [] { return tr("Look f&rom"); });
@@ -144,7 +142,7 @@ ViewBox::ViewBox(QWidget* parent)
     with_->setToolTip(
         tr("The paper's own formulas or another setting measure the same frame of the same finger "
            "a second time; of another frame the same places of the face are compared."));
-    for (QDoubleSpinBox* box : {top_, difference_top_}) box->setSuffix(tr(" mm"));
+    for (NumberField* box : {top_, difference_top_}) box->setSuffix(tr(" mm"));
     difference_top_->setPrefix(QStringLiteral("± "));
     top_->setAccessibleName(tr("Depth at which the colours end"));
     difference_top_->setAccessibleName(tr("Difference at which its colours end, to both sides"));
@@ -196,8 +194,8 @@ void ViewBox::connect_view() {
         next, [this, index] { return tr("look from: %1").arg(standpoint_->itemText(index)); }, -1);
   });
   const auto on_number =
-      [this](QDoubleSpinBox* box, double SceneOptions::*member, QString (*what)(), int merge_id) {
-        connect(box, &QDoubleSpinBox::valueChanged, this, [=, this](double value) {
+      [this](NumberField* box, double SceneOptions::*member, QString (*what)(), int merge_id) {
+        connect(box, &NumberField::valueChanged, this, [=, this](double value) {
           InspectOptions next = options_;
           next.scene.*member = value;
           Q_EMIT changed(next, what, merge_id);
@@ -254,7 +252,7 @@ void ViewBox::connect_comparison() {
     with.value = choice[1].toStdString();
     change_with(with, -1);
   });
-  connect(frame_, &QSpinBox::valueChanged, this, [this, change_with](int number) {
+  connect(frame_, &WholeNumberField::valueChanged, this, [this, change_with](int number) {
     Comparand with = options_.with;
     with.frame = static_cast<std::size_t>(number - 1);
     change_with(with, kFrameNumber);

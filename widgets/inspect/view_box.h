@@ -1,16 +1,15 @@
 // How the face is shown: where from, in which colours, beside what.
 #pragma once
 
+#include "widgets/controls/number_field.h"
 #include "widgets/inspect/inspect_options.h"
 #include "widgets/translated.h"
 #include "widgets/undo_step.h"
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QGroupBox>
 #include <QLabel>
-#include <QSpinBox>
 #include <vector>
 
 namespace alltact {
@@ -46,8 +45,8 @@ class ViewBox : public Translated<QGroupBox> {
   InspectOptions options_;
   std::size_t frame_count_ = 0;
   QComboBox *shown_as_, *standpoint_, *comparison_, *with_, *setting_;
-  QSpinBox* frame_;
-  QDoubleSpinBox *top_, *difference_top_, *times_;
+  WholeNumberField* frame_;
+  NumberField *top_, *difference_top_, *times_;
   std::vector<Row> rows_;
   struct Part {
     QCheckBox* box;

@@ -25,7 +25,7 @@ LivePairBox::LivePairBox(const LivePair& pair, const LiveSession& first, QWidget
       moment_(new QLabel),
       reading_(new QLabel),
       motor_label_(new QLabel),
-      motor_(new QDoubleSpinBox) {
+      motor_(new NumberField) {
   auto* grid = new QGridLayout(this);
   grid->addWidget(names_, 0, 0, 1, 2);
   grid->addWidget(reading_, 1, 0, 1, 2);
@@ -40,12 +40,11 @@ LivePairBox::LivePairBox(const LivePair& pair, const LiveSession& first, QWidget
   }
   reading_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   motor_label_->setBuddy(motor_);
-  motor_->setDecimals(3);
+  motor_->set_shown_decimals(3);
   motor_->setSingleStep(0.1);
-  motor_->setKeyboardTracking(false);
   connect(open_, &QPushButton::clicked, this, &LivePairBox::open_wanted);
   connect(close_, &QPushButton::clicked, this, &LivePairBox::close_wanted);
-  connect(motor_, &QDoubleSpinBox::valueChanged, this, &LivePairBox::motor_wanted);
+  connect(motor_, &NumberField::valueChanged, this, &LivePairBox::motor_wanted);
   say([this] { name_parts(); });
 }
 

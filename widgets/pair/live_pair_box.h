@@ -2,10 +2,10 @@
 // together.
 #pragma once
 
+#include "widgets/controls/number_field.h"
 #include "widgets/pair/live_pair.h"
 #include "widgets/translated.h"
 
-#include <QDoubleSpinBox>
 #include <QGroupBox>
 #include <QLabel>
 #include <QPushButton>
@@ -34,7 +34,7 @@ class LivePairBox : public Translated<QGroupBox> {
   const LiveSession& first_;
   QPushButton *open_, *close_;
   QLabel *names_, *moment_, *reading_, *motor_label_;
-  QDoubleSpinBox* motor_;
+  NumberField* motor_;
 };
 
 /// As it is called on the screen: the finger's name, or its folder's while that is read.

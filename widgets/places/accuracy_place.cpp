@@ -2,13 +2,16 @@
 
 #include "calibration/finger/calibration_inputs.h"
 #include "calibration/study/study_front.h"
+#include "widgets/language.h"
 #include "widgets/tip_of_text.h"
 
 #include <QApplication>
 #include <QClipboard>
 #include <QHBoxLayout>
-#include <QIntValidator>
+#include <QLineEdit>
+#include <QToolTip>
 #include <QVBoxLayout>
+#include <cmath>
 
 namespace alltact {
 namespace {
@@ -46,7 +49,7 @@ AccuracyPlace::AccuracyPlace(LiveSession& session,
       rate_label_(new QLabel),
       error_label_(new QLabel),
       rate_(new QComboBox),
-      error_(new QDoubleSpinBox),
+      error_(new NumberField),
       answer_(wrapping_words()),
       figures_(wrapping_words()),
       note_(wrapping_words()),
@@ -127,14 +130,12 @@ QLayout* AccuracyPlace::make_questions() {
   auto* line = new QHBoxLayout;
   rate_->setEditable(true);
   rate_->setInsertPolicy(QComboBox::NoInsert);
-  rate_->setValidator(new QIntValidator(kLeastRate, kMostRate, rate_));
   for (const int rate : kRates) rate_->addItem(QString::number(rate));
   rate_->setCurrentText(QString::number(question_.pictures_per_s));
   rate_label_->setBuddy(rate_);
   error_->setRange(0, 10);
-  error_->setDecimals(3);
+  error_->set_shown_decimals(3);
   error_->setSingleStep(kErrorStepMm);
-  error_->setKeyboardTracking(false);
   error_label_->setBuddy(error_);
   for (QWidget* widget : {static_cast<QWidget*>(rate_label_),
                           static_cast<QWidget*>(rate_),
@@ -173,7 +174,10 @@ void AccuracyPlace::connect_parts() {
   connect(&session_, &LiveSession::status_ready, this, &AccuracyPlace::follow);
   connect(&run_, &FingerStudyRun::changed, this, &AccuracyPlace::show_run);
   connect(rate_, &QComboBox::currentTextChanged, this, &AccuracyPlace::ask);
-  connect(error_, &QDoubleSpinBox::valueChanged, this, &AccuracyPlace::ask);
+  connect(rate_->lineEdit(), &QLineEdit::editingFinished, this, [this] {
+    finished_rate_ = question_.pictures_per_s;
+  });
+  connect(error_, &NumberField::valueChanged, this, &AccuracyPlace::ask);
   connect(plot_, &AccuracyPlot::point_picked, this, &AccuracyPlace::pick);
   connect(table_, &AccuracyTable::point_picked, this, &AccuracyPlace::pick);
   connect(plot_, &AccuracyPlot::point_taken, this, &AccuracyPlace::use);
@@ -234,9 +238,21 @@ void AccuracyPlace::follow() {
 }
 
 void AccuracyPlace::ask() {
-  bool is_number = false;
-  const int rate = rate_->currentText().toInt(&is_number);
-  if (is_number && rate >= kLeastRate && rate <= kMostRate) question_.pictures_per_s = rate;
+  const auto typed =
+      parse_typed_number(rate_->currentText().toStdString(), {window_decimal_mark(), {}});
+  const auto is_rate = [](double rate) {
+    return rate == std::round(rate) && rate >= kLeastRate && rate <= kMostRate;
+  };
+  question_.pictures_per_s = typed && is_rate(*typed) ? static_cast<int>(*typed) : finished_rate_;
+  const QString refused =
+      !typed ? window_sentence(typed.error().what)
+      : is_rate(*typed)
+          ? QString()
+          : window_sentence(en::say("must be a whole number from {} to {}", kLeastRate, kMostRate));
+  rate_->setToolTip(refused);
+  rate_->setAccessibleDescription(refused);
+  if (!refused.isEmpty() && rate_->isVisible())
+    QToolTip::showText(rate_->mapToGlobal(QPoint(0, rate_->height())), refused, rate_);
   question_.error_mm = error_->value() > 0 ? std::optional(error_->value()) : std::nullopt;
   picked_.reset();
   plot_->set_budget(question_.pictures_per_s);

@@ -6,12 +6,12 @@
 #include "widgets/accuracy/accuracy_table.h"
 #include "widgets/accuracy/finger_study_run.h"
 #include "widgets/accuracy/side_by_side.h"
+#include "widgets/controls/number_field.h"
 #include "widgets/live/live_session.h"
 #include "widgets/places/place.h"
 #include "widgets/plots/accuracy_plot.h"
 
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QProgressBar>
@@ -77,7 +77,7 @@ class AccuracyPlace : public Place {
   QPushButton* measure_;
   QLabel *rate_label_, *error_label_;
   QComboBox* rate_;
-  QDoubleSpinBox* error_;
+  NumberField* error_;
   QLabel *answer_, *figures_, *note_;
   QPushButton *use_, *as_calibrated_;
   QTabWidget* tabs_;
@@ -94,6 +94,7 @@ class AccuracyPlace : public Place {
 
   std::filesystem::path folder_;
   StudyQuestion question_;
+  int finished_rate_ = StudyQuestion().pictures_per_s;  // before what is being typed
   std::optional<StudyAnswer> told_;
   std::vector<std::size_t> rows_;      // of the study, by point
   std::vector<std::size_t> front_;     // of the study, by row

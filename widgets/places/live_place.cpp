@@ -36,7 +36,7 @@ LivePlace::LivePlace(LiveSession& session, QUndoStack& undo, QWidget* parent)
                 {new QCheckBox, &ViewOptions::depth},
                 {new QCheckBox, &ViewOptions::faults}}},
       top_label_(new QLabel),
-      top_(new QDoubleSpinBox),
+      top_(new NumberField),
       contact_(new QLabel),
       times_(new QLabel),
       controls_(new ControlPanel),
@@ -90,7 +90,7 @@ void LivePlace::connect_choices() {
       };
       change_options(next, what, -1);
     });
-  connect(top_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+  connect(top_, &NumberField::valueChanged, this, [this](double value) {
     if (value == options_.depth_top_mm) return;
     ViewOptions next = options_;
     next.depth_top_mm = value;
@@ -131,8 +131,7 @@ QWidget* LivePlace::make_side() {
   auto* top = new QHBoxLayout;
   top_->setRange(0.1, 10);
   top_->setSingleStep(0.1);
-  top_->setDecimals(1);
-  top_->setKeyboardTracking(false);
+  top_->set_shown_decimals(1);
   top_label_->setBuddy(top_);
   top->addSpacing(24);
   top->addWidget(top_label_);

@@ -4,6 +4,7 @@
 
 #include "widgets/controls/control_panel.h"
 #include "widgets/controls/lamp_panel.h"
+#include "widgets/controls/number_field.h"
 #include "widgets/pair/live_pair_box.h"
 #include "widgets/panels/force_box.h"
 #include "widgets/panels/picture_panel.h"
@@ -12,7 +13,6 @@
 #include "widgets/undo_step.h"
 
 #include <QCheckBox>
-#include <QDoubleSpinBox>
 #include <QGroupBox>
 #include <QHBoxLayout>
 #include <QStackedLayout>
@@ -93,7 +93,7 @@ class LivePlace : public Place {
   QGroupBox *over_, *camera_, *lamp_group_, *contact_group_, *times_group_;
   std::array<Choice, 5> choices_;
   QLabel* top_label_;
-  QDoubleSpinBox* top_;
+  NumberField* top_;
   QLabel *contact_, *times_;
   ControlPanel* controls_;
   ForceBox* force_;

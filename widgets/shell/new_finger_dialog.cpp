@@ -20,10 +20,10 @@ NewFingerDialog::NewFingerDialog(FingerMaker maker, QWidget* parent)
       choose_camera_(new QPushButton),
       kind_(new QComboBox),
       polarity_(new QComboBox),
-      width_(new QDoubleSpinBox),
-      layer_(new QDoubleSpinBox),
-      plane_(new QDoubleSpinBox),
-      per_row_(new QSpinBox),
+      width_(new NumberField),
+      layer_(new NumberField),
+      plane_(new NumberField),
+      per_row_(new WholeNumberField),
       folder_row_(with_button(folder_, choose_folder_)),
       camera_row_(with_button(camera_, choose_camera_)),
       intro_(new QLabel),
@@ -38,9 +38,9 @@ NewFingerDialog::NewFingerDialog(FingerMaker maker, QWidget* parent)
   layout->addWidget(buttons_);
   for (int i = 0; i < 2; ++i) kind_->addItem({});
   for (int i = 0; i < 3; ++i) polarity_->addItem({});
-  width_->setRange(0.1, 500);
+  width_->set_quantity(kFaceWidth);
   width_->setValue(24);
-  layer_->setRange(0.01, 50);
+  layer_->set_quantity(kLayerThickness);
   layer_->setValue(1.5);
   plane_->setRange(0, 10000);
   per_row_->setRange(0, 64);
@@ -84,7 +84,7 @@ NewFingerDialog::NewFingerDialog(FingerMaker maker, QWidget* parent)
     polarity_->setItemText(0, tr("found out by the reference recording"));
     polarity_->setItemText(1, tr("brighter than around them"));
     polarity_->setItemText(2, tr("darker than around them"));
-    for (QDoubleSpinBox* field : {width_, layer_, plane_}) field->setSuffix(tr(" mm"));
+    for (NumberField* field : {width_, layer_, plane_}) field->setSuffix(tr(" mm"));
     choose_folder_->setText(tr("Choose…"));
     choose_camera_->setText(tr("Choose…"));
     choose_folder_->setAccessibleName(tr("Choose the folder"));
@@ -162,6 +162,13 @@ void NewFingerDialog::choose_camera() {
 }
 
 void NewFingerDialog::make() {
+  for (NumberField* field : {width_, layer_, plane_}) {
+    if (!field->isVisible()) continue;
+    if (!field->typed()) return field->setFocus();
+    field->interpretText();
+  }
+  if (per_row_->isVisible() && !per_row_->typed()) return per_row_->setFocus();
+  per_row_->interpretText();
   const NewFinger finger = description();
   std::vector<Problem> problems;
   if (finger.finger.empty()) problems.push_back({Meaning::kBad, tr("No folder is named."), {}, {}});

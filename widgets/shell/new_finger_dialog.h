@@ -4,16 +4,15 @@
 
 #include "core/finger/new_finger.h"
 #include "widgets/background_work.h"
+#include "widgets/controls/number_field.h"
 #include "widgets/shell/fitted_dialog.h"
 #include "widgets/shell/problem_list.h"
 
 #include <QComboBox>
 #include <QDialog>
 #include <QDialogButtonBox>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLineEdit>
-#include <QSpinBox>
 #include <filesystem>
 #include <functional>
 
@@ -45,8 +44,8 @@ class NewFingerDialog : public FittedDialog {
   QLineEdit *folder_, *camera_;
   QPushButton *choose_folder_, *choose_camera_;
   QComboBox *kind_, *polarity_;
-  QDoubleSpinBox *width_, *layer_, *plane_;
-  QSpinBox* per_row_;
+  NumberField *width_, *layer_, *plane_;
+  WholeNumberField* per_row_;
   QWidget *folder_row_, *camera_row_;
   QLabel* intro_;
   ProblemList* problems_;
