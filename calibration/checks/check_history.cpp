@@ -97,6 +97,12 @@ CheckEntry entry_of(const PressCheck& check,
   return entry;
 }
 
+CheckVerdict verdict_now(const CheckEntry& entry) {
+  return entry.verdict == CheckVerdict::kPass && entry.presses < kCheckPresses
+             ? CheckVerdict::kTooFew
+             : entry.verdict;
+}
+
 const CheckEntry* latest_check(const std::vector<CheckEntry>& history, const Finger& finger) {
   if (history.empty()) return nullptr;
   const std::string& checked = history.back().calibration_date;

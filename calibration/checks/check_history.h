@@ -39,6 +39,9 @@ inline constexpr const char* kCheckFile = "checks.csv";
 [[nodiscard]] Result<std::vector<CheckEntry>> load_checks(const std::filesystem::path& folder,
                                                           std::vector<Message>* warnings);
 
+/// Its verdict by what a pass needs now: earlier versions passed with any number of presses.
+[[nodiscard]] CheckVerdict verdict_now(const CheckEntry& entry);
+
 /// The last of them where it is of the calibration that the finger has now, else null. Where either
 /// does not tell its date, as old files do not, it is taken for one of this calibration.
 [[nodiscard]] const CheckEntry* latest_check(const std::vector<CheckEntry>& history,

@@ -1,6 +1,6 @@
 #include "calibration/checks/finger_check.h"
 
-#include "calibration/checks/finger_condition.h"
+#include "calibration/checks/finger_worth.h"
 #include "calibration/finger/calibration_inputs.h"
 #include "calibration/finger/calibration_report.h"
 #include "core/finger/force_model.h"

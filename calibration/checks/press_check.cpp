@@ -247,20 +247,6 @@ Message why_light_is_off(const PressCheck& check) {
                  how);
 }
 
-Message word_of(CheckVerdict verdict) {
-  switch (verdict) {
-    case CheckVerdict::kPass:
-      return en::say("pass");
-    case CheckVerdict::kDrifting:
-      return en::say("drifting");
-    case CheckVerdict::kTooFew:
-      return en::say("too few to tell");
-    case CheckVerdict::kRecalibrate:
-      break;
-  }
-  return en::say("recalibrate");
-}
-
 Message sentence_of(const PressCheck& check) {
   const Message figures = en::count(
       "{1:.3f} mm of depth error on {0} presses (passes up to {2:.3f} mm), light {3:+.1f} %",

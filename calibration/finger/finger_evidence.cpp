@@ -120,10 +120,11 @@ CalibrationEvidence evidence_in(const FingerSnapshot& snapshot,
   CalibrationEvidence evidence = evidence_of(finger);
   evidence.reference = reference_state(snapshot);
   evidence.repeat_command = Message::typed(repeat_command(snapshot.folder));
-  // Files of earlier versions tell only that something is not what it was.
-  if (!evidence.has_basis && snapshot.finger.mapping_record)
+  // The checksum covers what the record does not name: markers, and files of earlier versions.
+  if (evidence.changed.empty() && finger.mapping_record)
     if (const auto inputs = CalibrationInputs::load(snapshot.folder);
-        inputs && inputs->finger_checksum != finger_checksum(snapshot.finger))
+        inputs && !inputs->finger_checksum.empty() &&
+        inputs->finger_checksum != finger_checksum(finger))
       evidence.changed.push_back(en::say("camera, face or markers"));
   const auto made = snapshot.finger.provenance.find("calibration_date");
   for (const std::string& time :

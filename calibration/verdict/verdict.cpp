@@ -78,12 +78,6 @@ Message largest_cause(ErrorCause cause) {
   return en::say("mostly the ball's radius: measure it to a hundredth of a millimetre");
 }
 
-Message third_name(bool is_flat, std::size_t third) {
-  if (third == 1) return en::say("middle");
-  if (third == 0) return is_flat ? en::say("left") : en::say("base");
-  return is_flat ? en::say("right") : en::say("tip");
-}
-
 Message missing_thirds(const CalibrationEvidence& e, double /*error_mm*/) {
   std::vector<Message> empty;
   for (std::size_t i = 0; i < e.thirds.size(); ++i)
@@ -93,10 +87,11 @@ Message missing_thirds(const CalibrationEvidence& e, double /*error_mm*/) {
                            : en::say("no press in these thirds: {}; press once in each", names);
 }
 
-Message worst_contradiction(const CalibrationEvidence& e, bool ruling_out) {
+Message contradictions(const CalibrationEvidence& e, bool ruling_out) {
+  std::vector<Message> all;
   for (const Contradiction& one : e.contradictions)
-    if (rules_out_use(one.kind) == ruling_out) return sentence(one);
-  return {};
+    if (rules_out_use(one.kind) == ruling_out) all.push_back(sentence(one));
+  return en::clauses(all);
 }
 
 bool has_contradiction(const CalibrationEvidence& e, bool ruling_out) {
@@ -158,6 +153,20 @@ std::string_view to_string(Grade grade) {
   return "unfit";
 }
 
+Message word_of(Grade grade) {
+  switch (grade) {
+    case Grade::kGood:
+      return en::say("good");
+    case Grade::kUsable:
+      return en::say("usable for contact and its place");
+    case Grade::kUnproven:
+      return en::say("unproven");
+    case Grade::kUnfit:
+      break;
+  }
+  return en::say("not fit to measure with");
+}
+
 std::string_view to_string(ErrorCause cause) {
   constexpr std::array<std::string_view, 6> kWords{
       "shape", "scale", "pixel", "zone", "halo", "radius"};
@@ -176,6 +185,26 @@ std::string_view to_string(CheckVerdict verdict) {
       break;
   }
   return "recalibrate";
+}
+
+Message word_of(CheckVerdict verdict) {
+  switch (verdict) {
+    case CheckVerdict::kPass:
+      return en::say("pass");
+    case CheckVerdict::kDrifting:
+      return en::say("drifting");
+    case CheckVerdict::kTooFew:
+      return en::say("too few to tell");
+    case CheckVerdict::kRecalibrate:
+      break;
+  }
+  return en::say("recalibrate");
+}
+
+Message third_name(bool is_flat, std::size_t third) {
+  if (third == 1) return en::say("middle");
+  if (third == 0) return is_flat ? en::say("left") : en::say("base");
+  return is_flat ? en::say("right") : en::say("tip");
 }
 
 std::string_view to_string(FingerDue due) {
@@ -204,6 +233,11 @@ CalibrationEvidence evidence_of(const Finger& finger) {
   CalibrationEvidence evidence;
   evidence.is_flat = finger.face.kind == FaceKind::kFlat;
   evidence.layer_mm = finger.face.layer_mm;
+  const CameraParameters& camera = finger.camera;
+  if (!evidence.is_flat)
+    evidence.width_mm = finger.face.width_mm;
+  else if (camera.model == CameraModel::kOrthographic)
+    evidence.width_mm = camera.mm_per_px * camera.width_px;
   if (!finger.mapping || !finger.mapping_record) return evidence;
   const MappingRecord& record = *finger.mapping_record;
   evidence.presses = static_cast<int>(record.presses.size());
@@ -258,7 +292,7 @@ const std::vector<Requirement>& calibration_requirements() {
       {"ball_possible",
        Grade::kUnfit,
        [](const Evidence& e, double) { return !has_contradiction(e, true); },
-       [](const Evidence& e, double) { return worst_contradiction(e, true); }},
+       [](const Evidence& e, double) { return contradictions(e, true); }},
       {"error_usable",
        Grade::kUnfit,
        [](const Evidence&, double error_mm) { return error_mm <= kUsableErrorMm; },
@@ -268,7 +302,7 @@ const std::vector<Requirement>& calibration_requirements() {
       {"numbers_consistent",
        Grade::kUnproven,
        [](const Evidence& e, double) { return !has_contradiction(e, false); },
-       [](const Evidence& e, double) { return worst_contradiction(e, false); }},
+       [](const Evidence& e, double) { return contradictions(e, false); }},
       {"basis_stored",
        Grade::kUnproven,
        [](const Evidence& e, double) { return e.has_basis; },
@@ -385,21 +419,10 @@ Message rests_on(const Evidence& e) {
                               2 * e.ball_radii_mm.back()));
   }
   if (e.has_basis) numbers.push_back(en::say("layer {:.2f} mm", e.layer_mm));
+  if (e.has_basis && e.width_mm > 0)
+    numbers.push_back(e.is_flat ? en::say("image {:.2f} mm wide", e.width_mm)
+                                : en::say("face {:.2f} mm wide", e.width_mm));
   return en::list(numbers);
-}
-
-Message word_of(Grade grade) {
-  switch (grade) {
-    case Grade::kGood:
-      return en::say("good");
-    case Grade::kUsable:
-      return en::say("usable for contact and its place");
-    case Grade::kUnproven:
-      return en::say("unproven");
-    case Grade::kUnfit:
-      break;
-  }
-  return en::say("not fit to measure with");
 }
 
 }  // namespace
@@ -424,11 +447,10 @@ Verdict verdict(const CalibrationEvidence& evidence) {
   result.rests_on = rests_on(evidence);
   std::vector<Message> clauses;
   if (std::isfinite(result.error_mm)) {
-    const Message cause =
-        result.parts.empty() ? Message() : largest_cause(result.parts.front().cause);
-    clauses.push_back(cause.empty()
+    if (!result.parts.empty()) result.cause = largest_cause(result.parts.front().cause);
+    clauses.push_back(result.cause.empty()
                           ? en::say("expected error {:.3f} mm", result.error_mm)
-                          : en::say("expected error {:.3f} mm, {}", result.error_mm, cause));
+                          : en::say("expected error {:.3f} mm, {}", result.error_mm, result.cause));
   } else {
     clauses.push_back(en::say("no error can be expected of it"));
   }

@@ -37,6 +37,8 @@ enum class Grade {
 };
 /// "good", "usable", "unproven", "unfit": for files, streams and programs.
 [[nodiscard]] std::string_view to_string(Grade grade);
+/// As a sentence says it: "good", "usable for contact and its place", ...
+[[nodiscard]] Message word_of(Grade grade);
 
 /// Good up to this expected error, usable up to the other, mm.
 inline constexpr double kGoodErrorMm = 0.06;
@@ -89,6 +91,7 @@ struct CalibrationEvidence {
   double depth_per_radius = 0;               ///< likewise
   std::vector<double> ball_radii_mm;
   double layer_mm = 0;
+  double width_mm = 0;      ///< of a Fin Ray face; of a flat sensor's image where that is known
   int left_out = 0;         ///< presses that were given and failed
   bool has_basis = false;   ///< false: an earlier version calibrated, and stored less
   bool is_complete = true;  ///< false: stopped before the solution had settled
@@ -119,9 +122,10 @@ struct Verdict {
   Grade grade = Grade::kUnfit;
   double error_mm = 0;           ///< see the top of this file; NaN: none can be said
   std::vector<ErrorPart> parts;  ///< largest first, those that are 0 left out
+  Message cause;  ///< the largest part, and what reduces it; empty: none can be named
   std::vector<Message> missing;  ///< what a better word lacks, worst first; empty: good
   std::vector<std::string_view> missing_names;  ///< of the requirements, in the same order
-  Message rests_on;                             ///< "ball of 8.00 mm diameter, layer 1.50 mm"
+  Message rests_on;  ///< "ball of 8.00 mm diameter, layer 1.50 mm, face 24.00 mm wide"
   Message reason;    ///< figure, largest cause, what is missing, what it rests on
   Message sentence;  ///< the same behind the grade
 };
@@ -131,6 +135,10 @@ struct Verdict {
 enum class CheckVerdict { kPass = 1, kDrifting, kRecalibrate, kTooFew };
 /// "pass", "drifting", "recalibrate", "too_few".
 [[nodiscard]] std::string_view to_string(CheckVerdict verdict);
+/// As a sentence says it: "pass", "too few to tell", ...
+[[nodiscard]] Message word_of(CheckVerdict verdict);
+/// Of the thirds along a face: "base", "middle", "tip" (flat: "left", "middle", "right").
+[[nodiscard]] Message third_name(bool is_flat, std::size_t third);
 
 /// How many a check needs to pass: with three at distinct positions the mean's standard error is
 /// known with two degrees of freedom, the fewest that tell one bad press from a bad mapping.

@@ -1,6 +1,6 @@
 #include "widgets/calibrating/verdict_words.h"
 
-#include "calibration/checks/finger_condition.h"
+#include "calibration/checks/finger_worth.h"
 #include "core/utc_time.h"
 #include "widgets/calibrating/press_model.h"
 #include "widgets/calibrating/verdict_page.h"

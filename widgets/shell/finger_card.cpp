@@ -1,7 +1,7 @@
 #include "widgets/shell/finger_card.h"
 
+#include "calibration/checks/finger_worth.h"
 #include "calibration/finger/calibration_inputs.h"
-#include "calibration/checks/finger_condition.h"
 #include "core/finger/finger_store.h"
 
 #include <cmath>
@@ -30,20 +30,20 @@ std::optional<FingerCard> read_finger_card(const fs::path& folder, const std::st
   FingerCard card;
   card.folder = folder;
   card.name = finger.name.empty() ? folder.filename().string() : finger.name;
-  const FingerCondition condition = condition_of(**opened, now);
+  const FingerWorth worth = worth_of(**opened, now);
   if (finger.mapping)
     if (const auto date = finger.provenance.find("calibration_date");
         date != finger.provenance.end())
       card.calibrated_on = date->second;
-  if (condition.check) {
-    card.checked_on = condition.check->time;
-    card.checked_mm = condition.check->error_mm;
+  if (worth.check) {
+    card.checked_on = worth.check->time;
+    card.checked_mm = worth.check->error_mm;
   }
-  if (condition.verdict) {
-    card.grade = condition.verdict->grade;
-    if (std::isfinite(condition.verdict->error_mm)) card.error_mm = condition.verdict->error_mm;
+  if (worth.verdict) {
+    card.grade = worth.verdict->grade;
+    if (std::isfinite(worth.verdict->error_mm)) card.error_mm = worth.verdict->error_mm;
   }
-  card.due = condition.due;
+  card.due = worth.due;
   if (const fs::path file = picture_of(folder, finger); !file.empty())
     if (const QImage whole(QString::fromStdString(file.string())); !whole.isNull())
       card.picture = whole.scaledToHeight(kPictureHeight, Qt::SmoothTransformation)

@@ -18,13 +18,14 @@ namespace alltact {
 /// earlier versions gave, is none.
 [[nodiscard]] std::optional<CheckEntry> last_check(const FingerSnapshot& snapshot);
 
-struct FingerCondition {
+struct FingerWorth {
+  std::optional<CalibrationEvidence> evidence;  ///< of the verdict
   std::optional<Verdict> verdict;  ///< absent: not calibrated, or nothing is stored of how
   ReferenceState reference = ReferenceState::kAbsent;
   bool must_repeat = false;         ///< numbers or reference changed since the calibration
   std::optional<CheckEntry> check;  ///< the last of this calibration
   FingerDue due = FingerDue::kNothing;
 };
-[[nodiscard]] FingerCondition condition_of(const FingerSnapshot& snapshot, const std::string& now);
+[[nodiscard]] FingerWorth worth_of(const FingerSnapshot& snapshot, const std::string& now);
 
 }  // namespace alltact
