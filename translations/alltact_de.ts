@@ -8050,10 +8050,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>nichts sagt, wie sie entstand oder wie gut sie ist; alltact calibrate noch einmal ausführen</translation>
     </message>
     <message>
-        <source>the reference ({}) is newer than the calibration ({}); calibrate again</source>
-        <translation>die Referenz ({}) ist neuer als die Kalibrierung ({}); neu kalibrieren</translation>
-    </message>
-    <message>
         <source>made at an unknown date</source>
         <translation>an einem unbekannten Tag gemacht</translation>
     </message>
@@ -8758,18 +8754,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>die Helligkeit folgt der Dicke der Schicht {}: {} mm bei ausgelassenen Eindrücken, gegen {} mm längs ihrer Normalen</translation>
     </message>
     <message>
-        <source>{:.3f} mm of depth error on the very presses it was made from</source>
-        <translation>{} mm Tiefenfehler bei eben den Eindrücken, aus denen sie entstand</translation>
-    </message>
-    <message>
-        <source>{:.3f} mm of depth error to be expected ({:.3f} mm in shape, on presses it had not seen; {:.3f} mm as a whole)</source>
-        <translation>{} mm Tiefenfehler zu erwarten ({} mm in der Form, bei Eindrücken, die sie nicht kannte; {} mm im Ganzen)</translation>
-    </message>
-    <message>
-        <source>{:.3f} mm of depth error to be expected ({:.3f} mm in shape, on presses it had not seen; {:.3f} mm as a whole; {:.3f} mm of a single pixel)</source>
-        <translation>{} mm Tiefenfehler zu erwarten ({} mm in der Form, bei Eindrücken, die sie nicht kannte; {} mm im Ganzen; {} mm eines einzelnen Bildpunkts)</translation>
-    </message>
-    <message>
         <source>not fit to measure with</source>
         <translation>zum Messen nicht geeignet</translation>
     </message>
@@ -8782,20 +8766,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>unbewiesen</translation>
     </message>
     <message>
-        <source>none was left out to show what happens on others</source>
-        <translation>keiner wurde ausgelassen, um zu zeigen, was bei anderen geschieht</translation>
-    </message>
-    <message>
-        <source>one press cannot show what happens on others, add presses of different depth</source>
-        <translation>ein Eindruck kann nicht zeigen, was bei anderen geschieht, Eindrücke verschiedener Tiefe hinzufügen</translation>
-    </message>
-    <message>
         <source>usable for contact and its place</source>
         <translation>für Kontakt und seinen Ort brauchbar</translation>
-    </message>
-    <message>
-        <source>add presses of different depth and place to measure relief</source>
-        <translation>zum Messen von Reliefs Eindrücke verschiedener Tiefe an verschiedenen Stellen hinzufügen</translation>
     </message>
     <message>
         <source>good</source>
@@ -13184,6 +13156,250 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>there is not enough memory to draw</source>
         <translation>zum Zeichnen reicht der Speicher nicht</translation>
+    </message>
+    <message>
+        <source>holds a number that no calibration has</source>
+        <translation>enthält eine Zahl, die keine Kalibrierung hat</translation>
+    </message>
+    <message>
+        <source>must have a row for each contradiction</source>
+        <translation>muss eine Zeile je Widerspruch haben</translation>
+    </message>
+    <message>
+        <source>must hold five numbers in each row</source>
+        <translation>muss in jeder Zeile fünf Zahlen enthalten</translation>
+    </message>
+    <message>
+        <source>unchanged since the calibration</source>
+        <translation>seit der Kalibrierung unverändert</translation>
+    </message>
+    <message>
+        <source>the reference ({}) is newer than the calibration ({}): {}</source>
+        <translation>die Referenz ({}) ist neuer als die Kalibrierung ({}): {}</translation>
+    </message>
+    <message>
+        <source>a check needs {} presses at different positions; these are at {}: press again</source>
+        <translation>eine Prüfung braucht {} Eindrücke an verschiedenen Stellen; diese liegen an {}: weitere drücken</translation>
+    </message>
+    <message>
+        <source>left out: {}</source>
+        <translation>ausgelassen: {}</translation>
+    </message>
+    <message>
+        <source>too few to tell</source>
+        <translation>zu wenige für ein Urteil</translation>
+    </message>
+    <message>
+        <source>a check needs {} images, {} could be measured</source>
+        <translation>eine Prüfung braucht {} Bilder, {} waren messbar</translation>
+    </message>
+    <message>
+        <source>camera, face or markers</source>
+        <translation>Kamera, Fläche oder Marker</translation>
+    </message>
+    <message>
+        <source>{:.2f} to {:.2f} mm</source>
+        <translation>{} bis {} mm</translation>
+    </message>
+    <message>
+        <source>{:.2f} mm</source>
+        <translation>{} mm</translation>
+    </message>
+    <message numerus="yes">
+        <source>{0} of {1} presses have a dark part wider than the ball of {2:.2f} mm diameter ({3} radius): check the ball&apos;s radius</source>
+        <comment>{0} of {1} presses has a dark part wider than the ball of {2:.2f} mm diameter ({3} radius): check the ball&apos;s radius</comment>
+        <translation>
+            <numerusform>{0} von {1} Eindrücken hat eine dunkle Stelle, die breiter ist als die Kugel von {2} mm Durchmesser (Radius {3}): Kugelradius prüfen</numerusform>
+            <numerusform>{0} von {1} Eindrücken haben eine dunkle Stelle, die breiter ist als die Kugel von {2} mm Durchmesser (Radius {3}): Kugelradius prüfen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{0} of {1} presses are deeper than the layer of {2:.2f} mm ({3}): check the layer&apos;s thickness and the ball&apos;s radius</source>
+        <comment>{0} of {1} presses is deeper than the layer of {2:.2f} mm ({3}): check the layer&apos;s thickness and the ball&apos;s radius</comment>
+        <translation>
+            <numerusform>{0} von {1} Eindrücken ist tiefer als die Schicht von {2} mm ({3}): Schichtdicke und Kugelradius prüfen</numerusform>
+            <numerusform>{0} von {1} Eindrücken sind tiefer als die Schicht von {2} mm ({3}): Schichtdicke und Kugelradius prüfen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{0} of {1} presses are darker than the mapping reaches ({3} deep, the mapping ends at {2:.2f} mm): calibrate again with them</source>
+        <comment>{0} of {1} presses is darker than the mapping reaches ({3} deep, the mapping ends at {2:.2f} mm): calibrate again with it</comment>
+        <translation>
+            <numerusform>{0} von {1} Eindrücken ist dunkler, als die Kennlinie reicht ({3} tief, die Kennlinie endet bei {2} mm): mit ihm neu kalibrieren</numerusform>
+            <numerusform>{0} von {1} Eindrücken sind dunkler, als die Kennlinie reicht ({3} tief, die Kennlinie endet bei {2} mm): mit ihnen neu kalibrieren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the face is given {:.2f} mm wide, but camera and presses show {}: check the width and the lens</source>
+        <translation>die Fläche ist mit {} mm Breite angegeben, Kamera und Eindrücke zeigen aber {}: Breite und Objektiv prüfen</translation>
+    </message>
+    <message numerus="yes">
+        <source>{0} of {1} presses contradict the reference: something touched the face while it was recorded; record it again</source>
+        <comment>{0} of {1} presses contradicts the reference: something touched the face while it was recorded; record it again</comment>
+        <translation>
+            <numerusform>{0} von {1} Eindrücken widerspricht der Referenz: bei ihrer Aufnahme berührte etwas die Fläche; neu aufnehmen</numerusform>
+            <numerusform>{0} von {1} Eindrücken widersprechen der Referenz: bei ihrer Aufnahme berührte etwas die Fläche; neu aufnehmen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>mostly the curve&apos;s shape: add presses of different depth and position</source>
+        <translation>vor allem durch die Form der Kennlinie: Eindrücke anderer Tiefe und Lage hinzufügen</translation>
+    </message>
+    <message>
+        <source>mostly scale: measure one press&apos;s depth</source>
+        <translation>vor allem durch den Maßstab: die Tiefe eines Eindrucks messen</translation>
+    </message>
+    <message>
+        <source>mostly noise and reference of single pixels: record the reference again, with more light</source>
+        <translation>vor allem durch Rauschen und Referenz einzelner Bildpunkte: die Referenz mit mehr Licht neu aufnehmen</translation>
+    </message>
+    <message>
+        <source>mostly parts of the face far from any press: press there</source>
+        <translation>vor allem durch Teile der Fläche fern von allen Eindrücken: dort drücken</translation>
+    </message>
+    <message>
+        <source>mostly light that scatters sideways: bodies other than the ball read wrong</source>
+        <translation>vor allem durch seitlich gestreutes Licht: andere Körper als die Kugel werden falsch gemessen</translation>
+    </message>
+    <message>
+        <source>mostly the ball&apos;s radius: measure it to a hundredth of a millimetre</source>
+        <translation>vor allem durch den Kugelradius: ihn auf einen Hundertstelmillimeter messen</translation>
+    </message>
+    <message>
+        <source>no press in the {} third; press there once</source>
+        <translation>kein Eindruck im Drittel „{}“; dort einmal drücken</translation>
+    </message>
+    <message>
+        <source>no press in these thirds: {}; press once in each</source>
+        <translation>kein Eindruck in diesen Dritteln: {}; in jedem einmal drücken</translation>
+    </message>
+    <message>
+        <source>{} was changed since the calibration: {}</source>
+        <translation>seit der Kalibrierung geändert: {}; {}</translation>
+    </message>
+    <message>
+        <source>{} were changed since the calibration: {}</source>
+        <translation>seit der Kalibrierung geändert: {}; {}</translation>
+    </message>
+    <message>
+        <source>the reference is newer than the calibration: {}</source>
+        <translation>die Referenz ist neuer als die Kalibrierung: {}</translation>
+    </message>
+    <message>
+        <source>there is no reference: record one</source>
+        <translation>es gibt keine Referenz: eine aufnehmen</translation>
+    </message>
+    <message>
+        <source>a file of the reference is missing: restore it, or record the reference again</source>
+        <translation>eine Datei der Referenz fehlt: sie wiederherstellen oder die Referenz neu aufnehmen</translation>
+    </message>
+    <message>
+        <source>the reference is cut off or unreadable: record it again</source>
+        <translation>die Referenz ist abgeschnitten oder unlesbar: neu aufnehmen</translation>
+    </message>
+    <message>
+        <source>the reference has another image size than the camera: record it again</source>
+        <translation>die Referenz hat eine andere Bildgröße als die Kamera: neu aufnehmen</translation>
+    </message>
+    <message>
+        <source>width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>layer</source>
+        <translation>Schicht</translation>
+    </message>
+    <message>
+        <source>distance of the face</source>
+        <translation>Abstand der Fläche</translation>
+    </message>
+    <message>
+        <source>camera or lens</source>
+        <translation>Kamera oder Objektiv</translation>
+    </message>
+    <message>
+        <source>an earlier version calibrated it and stored too little: {}</source>
+        <translation>eine frühere Version hat kalibriert und zu wenig gespeichert: {}</translation>
+    </message>
+    <message>
+        <source>the calibration was stopped before its end: {}</source>
+        <translation>die Kalibrierung wurde vor dem Ende abgebrochen: {}</translation>
+    </message>
+    <message>
+        <source>no press was left out to show what happens on others</source>
+        <translation>kein Eindruck wurde ausgelassen, um zu zeigen, was bei anderen geschieht</translation>
+    </message>
+    <message>
+        <source>one press cannot show what happens on others; add presses of different depth</source>
+        <translation>ein Eindruck kann nicht zeigen, was bei anderen geschieht; Eindrücke anderer Tiefe hinzufügen</translation>
+    </message>
+    <message>
+        <source>{} of {} presses needed; add more</source>
+        <translation>{} von {} nötigen Eindrücken; weitere hinzufügen</translation>
+    </message>
+    <message numerus="yes">
+        <source>all presses are at {0} positions, {1} are needed; press at others</source>
+        <comment>all presses are at {0} position, {1} are needed; press at others</comment>
+        <translation>
+            <numerusform>alle Eindrücke liegen an {0} Stelle, {1} sind nötig; an anderen drücken</numerusform>
+            <numerusform>alle Eindrücke liegen an {0} Stellen, {1} sind nötig; an anderen drücken</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>all presses are about {:.2f} mm deep; press shallower and deeper as well</source>
+        <translation>alle Eindrücke sind etwa {} mm tief; auch flacher und tiefer drücken</translation>
+    </message>
+    <message>
+        <source>the presses do not tell how certain the scale is; add presses</source>
+        <translation>die Eindrücke zeigen nicht, wie sicher der Maßstab ist; Eindrücke hinzufügen</translation>
+    </message>
+    <message>
+        <source>{} of {} presses had to be left out; find out why</source>
+        <translation>{} von {} Eindrücken mussten ausgelassen werden; Ursache klären</translation>
+    </message>
+    <message>
+        <source>neither calibrated nor checked for {:.0f} days; check it with {} presses</source>
+        <translation>seit {} Tagen weder kalibriert noch geprüft; mit {} Eindrücken prüfen</translation>
+    </message>
+    <message>
+        <source>light scatters sideways in the layer: beside contacts it reads {:.3f} mm of depth that is not there</source>
+        <translation>Licht streut seitlich in der Schicht: neben Kontakten werden {} mm Tiefe gemessen, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>fine relief needs an error of at most {:.2f} mm</source>
+        <translation>feines Relief braucht einen Fehler von höchstens {} mm</translation>
+    </message>
+    <message>
+        <source>ball of {:.2f} mm diameter</source>
+        <translation>Kugel von {} mm Durchmesser</translation>
+    </message>
+    <message>
+        <source>balls of {:.2f} to {:.2f} mm diameter</source>
+        <translation>Kugeln von {} bis {} mm Durchmesser</translation>
+    </message>
+    <message>
+        <source>layer {:.2f} mm</source>
+        <translation>Schicht {} mm</translation>
+    </message>
+    <message>
+        <source>image {:.2f} mm wide</source>
+        <translation>Bild {} mm breit</translation>
+    </message>
+    <message>
+        <source>face {:.2f} mm wide</source>
+        <translation>Fläche {} mm breit</translation>
+    </message>
+    <message>
+        <source>expected error {:.3f} mm</source>
+        <translation>erwarteter Fehler {} mm</translation>
+    </message>
+    <message>
+        <source>expected error {:.3f} mm, {}</source>
+        <translation>erwarteter Fehler {} mm, {}</translation>
+    </message>
+    <message>
+        <source>no error can be expected of it</source>
+        <translation>ein Fehler lässt sich nicht angeben</translation>
     </message>
 </context>
 </TS>

@@ -8009,10 +8009,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>没有记录它的来源和质量；请重新运行 alltact calibrate</translation>
     </message>
     <message>
-        <source>the reference ({}) is newer than the calibration ({}); calibrate again</source>
-        <translation>参考（{}）比标定（{}）新；请重新标定</translation>
-    </message>
-    <message>
         <source>made at an unknown date</source>
         <translation>制作日期不明</translation>
     </message>
@@ -8716,18 +8712,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>亮度随层{}的厚度变化：留出按压误差 {} mm，沿法线则为 {} mm</translation>
     </message>
     <message>
-        <source>{:.3f} mm of depth error on the very presses it was made from</source>
-        <translation>在用来标定的按压上，深度误差为 {} mm</translation>
-    </message>
-    <message>
-        <source>{:.3f} mm of depth error to be expected ({:.3f} mm in shape, on presses it had not seen; {:.3f} mm as a whole)</source>
-        <translation>预期深度误差 {} mm（形状 {} mm，在未用过的按压上；整体 {} mm）</translation>
-    </message>
-    <message>
-        <source>{:.3f} mm of depth error to be expected ({:.3f} mm in shape, on presses it had not seen; {:.3f} mm as a whole; {:.3f} mm of a single pixel)</source>
-        <translation>预期深度误差 {} mm（形状 {} mm，在未用过的按压上；整体 {} mm；单个像素 {} mm）</translation>
-    </message>
-    <message>
         <source>not fit to measure with</source>
         <translation>不适合测量</translation>
     </message>
@@ -8740,20 +8724,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>未经证实</translation>
     </message>
     <message>
-        <source>none was left out to show what happens on others</source>
-        <translation>没有留出任何按压来说明对其他按压的效果</translation>
-    </message>
-    <message>
-        <source>one press cannot show what happens on others, add presses of different depth</source>
-        <translation>一次按压说明不了对其他按压的效果，请增加不同深度的按压</translation>
-    </message>
-    <message>
         <source>usable for contact and its place</source>
         <translation>可用于判断接触及其位置</translation>
-    </message>
-    <message>
-        <source>add presses of different depth and place to measure relief</source>
-        <translation>要测量起伏，请在不同位置增加不同深度的按压</translation>
     </message>
     <message>
         <source>good</source>
@@ -13133,6 +13105,245 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>there is not enough memory to draw</source>
         <translation>内存不足，无法绘制</translation>
+    </message>
+    <message>
+        <source>holds a number that no calibration has</source>
+        <translation>包含任何标定都不会有的数值</translation>
+    </message>
+    <message>
+        <source>must have a row for each contradiction</source>
+        <translation>每个矛盾必须有一行</translation>
+    </message>
+    <message>
+        <source>must hold five numbers in each row</source>
+        <translation>每行必须有五个数</translation>
+    </message>
+    <message>
+        <source>unchanged since the calibration</source>
+        <translation>标定后未改动</translation>
+    </message>
+    <message>
+        <source>the reference ({}) is newer than the calibration ({}): {}</source>
+        <translation>参考（{}）比标定（{}）新：{}</translation>
+    </message>
+    <message>
+        <source>a check needs {} presses at different positions; these are at {}: press again</source>
+        <translation>检查需要 {} 次不同位置的按压；现有 {} 个位置：请继续按压</translation>
+    </message>
+    <message>
+        <source>left out: {}</source>
+        <translation>已排除：{}</translation>
+    </message>
+    <message>
+        <source>too few to tell</source>
+        <translation>数量太少，无法判断</translation>
+    </message>
+    <message>
+        <source>a check needs {} images, {} could be measured</source>
+        <translation>检查需要 {} 幅图像，可测量的有 {} 幅</translation>
+    </message>
+    <message>
+        <source>camera, face or markers</source>
+        <translation>相机、测量面或标记点</translation>
+    </message>
+    <message>
+        <source>{:.2f} to {:.2f} mm</source>
+        <translation>{} 至 {} mm</translation>
+    </message>
+    <message>
+        <source>{:.2f} mm</source>
+        <translation>{} mm</translation>
+    </message>
+    <message numerus="yes">
+        <source>{0} of {1} presses have a dark part wider than the ball of {2:.2f} mm diameter ({3} radius): check the ball&apos;s radius</source>
+        <comment>{0} of {1} presses has a dark part wider than the ball of {2:.2f} mm diameter ({3} radius): check the ball&apos;s radius</comment>
+        <translation>
+            <numerusform>{1} 次按压中有 {0} 次的暗区比直径 {2} mm 的球还宽（半径 {3}）：请核对球的半径</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{0} of {1} presses are deeper than the layer of {2:.2f} mm ({3}): check the layer&apos;s thickness and the ball&apos;s radius</source>
+        <comment>{0} of {1} presses is deeper than the layer of {2:.2f} mm ({3}): check the layer&apos;s thickness and the ball&apos;s radius</comment>
+        <translation>
+            <numerusform>{1} 次按压中有 {0} 次比 {2} mm 的层还深（{3}）：请核对层厚和球的半径</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{0} of {1} presses are darker than the mapping reaches ({3} deep, the mapping ends at {2:.2f} mm): calibrate again with them</source>
+        <comment>{0} of {1} presses is darker than the mapping reaches ({3} deep, the mapping ends at {2:.2f} mm): calibrate again with it</comment>
+        <translation>
+            <numerusform>{1} 次按压中有 {0} 次比映射范围更暗（深 {3}，映射止于 {2} mm）：请加入这些按压重新标定</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the face is given {:.2f} mm wide, but camera and presses show {}: check the width and the lens</source>
+        <translation>给定的测量面宽度为 {} mm，但相机和按压显示为 {}：请核对宽度和镜头</translation>
+    </message>
+    <message numerus="yes">
+        <source>{0} of {1} presses contradict the reference: something touched the face while it was recorded; record it again</source>
+        <comment>{0} of {1} presses contradicts the reference: something touched the face while it was recorded; record it again</comment>
+        <translation>
+            <numerusform>{1} 次按压中有 {0} 次与参考矛盾：录制参考时有物体接触了测量面；请重新录制</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>mostly the curve&apos;s shape: add presses of different depth and position</source>
+        <translation>主要来自曲线形状：请增加不同深度和位置的按压</translation>
+    </message>
+    <message>
+        <source>mostly scale: measure one press&apos;s depth</source>
+        <translation>主要来自比例：请测量一次按压的深度</translation>
+    </message>
+    <message>
+        <source>mostly noise and reference of single pixels: record the reference again, with more light</source>
+        <translation>主要来自单个像素的噪声和参考：请加强照明后重新录制参考</translation>
+    </message>
+    <message>
+        <source>mostly parts of the face far from any press: press there</source>
+        <translation>主要来自远离所有按压的区域：请在那里按压</translation>
+    </message>
+    <message>
+        <source>mostly light that scatters sideways: bodies other than the ball read wrong</source>
+        <translation>主要来自侧向散射的光：球以外的物体测量不准</translation>
+    </message>
+    <message>
+        <source>mostly the ball&apos;s radius: measure it to a hundredth of a millimetre</source>
+        <translation>主要来自球的半径：请测量到百分之一毫米</translation>
+    </message>
+    <message>
+        <source>no press in the {} third; press there once</source>
+        <translation>“{}”三分之一区没有按压；请在那里按压一次</translation>
+    </message>
+    <message>
+        <source>no press in these thirds: {}; press once in each</source>
+        <translation>以下三分之一区没有按压：{}；请各按压一次</translation>
+    </message>
+    <message>
+        <source>{} was changed since the calibration: {}</source>
+        <translation>标定后改动过：{}；{}</translation>
+    </message>
+    <message>
+        <source>{} were changed since the calibration: {}</source>
+        <translation>标定后改动过：{}；{}</translation>
+    </message>
+    <message>
+        <source>the reference is newer than the calibration: {}</source>
+        <translation>参考比标定新：{}</translation>
+    </message>
+    <message>
+        <source>there is no reference: record one</source>
+        <translation>没有参考：请录制</translation>
+    </message>
+    <message>
+        <source>a file of the reference is missing: restore it, or record the reference again</source>
+        <translation>缺少参考的一个文件：请恢复它，或重新录制参考</translation>
+    </message>
+    <message>
+        <source>the reference is cut off or unreadable: record it again</source>
+        <translation>参考不完整或无法读取：请重新录制</translation>
+    </message>
+    <message>
+        <source>the reference has another image size than the camera: record it again</source>
+        <translation>参考的图像尺寸与相机不同：请重新录制</translation>
+    </message>
+    <message>
+        <source>width</source>
+        <translation>宽度</translation>
+    </message>
+    <message>
+        <source>layer</source>
+        <translation>层厚</translation>
+    </message>
+    <message>
+        <source>distance of the face</source>
+        <translation>测量面距离</translation>
+    </message>
+    <message>
+        <source>camera or lens</source>
+        <translation>相机或镜头</translation>
+    </message>
+    <message>
+        <source>an earlier version calibrated it and stored too little: {}</source>
+        <translation>由早期版本标定，保存的信息太少：{}</translation>
+    </message>
+    <message>
+        <source>the calibration was stopped before its end: {}</source>
+        <translation>标定未完成就被停止：{}</translation>
+    </message>
+    <message>
+        <source>no press was left out to show what happens on others</source>
+        <translation>没有留出按压来检验其他情况</translation>
+    </message>
+    <message>
+        <source>one press cannot show what happens on others; add presses of different depth</source>
+        <translation>一次按压无法说明其他情况；请增加不同深度的按压</translation>
+    </message>
+    <message>
+        <source>{} of {} presses needed; add more</source>
+        <translation>需要的按压：{}/{}；请增加</translation>
+    </message>
+    <message numerus="yes">
+        <source>all presses are at {0} positions, {1} are needed; press at others</source>
+        <comment>all presses are at {0} position, {1} are needed; press at others</comment>
+        <translation>
+            <numerusform>所有按压只在 {0} 个位置，需要 {1} 个；请在其他位置按压</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>all presses are about {:.2f} mm deep; press shallower and deeper as well</source>
+        <translation>所有按压都约 {} mm 深；请也按得更浅和更深</translation>
+    </message>
+    <message>
+        <source>the presses do not tell how certain the scale is; add presses</source>
+        <translation>按压无法说明比例有多可靠；请增加按压</translation>
+    </message>
+    <message>
+        <source>{} of {} presses had to be left out; find out why</source>
+        <translation>{} / {} 次按压不得不排除；请查明原因</translation>
+    </message>
+    <message>
+        <source>neither calibrated nor checked for {:.0f} days; check it with {} presses</source>
+        <translation>{} 天未标定也未检查；请用 {} 次按压检查</translation>
+    </message>
+    <message>
+        <source>light scatters sideways in the layer: beside contacts it reads {:.3f} mm of depth that is not there</source>
+        <translation>光在层内侧向散射：接触旁边测得 {} mm 并不存在的深度</translation>
+    </message>
+    <message>
+        <source>fine relief needs an error of at most {:.2f} mm</source>
+        <translation>测量精细起伏要求误差不超过 {} mm</translation>
+    </message>
+    <message>
+        <source>ball of {:.2f} mm diameter</source>
+        <translation>直径 {} mm 的球</translation>
+    </message>
+    <message>
+        <source>balls of {:.2f} to {:.2f} mm diameter</source>
+        <translation>直径 {} 至 {} mm 的球</translation>
+    </message>
+    <message>
+        <source>layer {:.2f} mm</source>
+        <translation>层厚 {} mm</translation>
+    </message>
+    <message>
+        <source>image {:.2f} mm wide</source>
+        <translation>图像宽 {} mm</translation>
+    </message>
+    <message>
+        <source>face {:.2f} mm wide</source>
+        <translation>测量面宽 {} mm</translation>
+    </message>
+    <message>
+        <source>expected error {:.3f} mm</source>
+        <translation>预期误差 {} mm</translation>
+    </message>
+    <message>
+        <source>expected error {:.3f} mm, {}</source>
+        <translation>预期误差 {} mm，{}</translation>
+    </message>
+    <message>
+        <source>no error can be expected of it</source>
+        <translation>无法给出预期误差</translation>
     </message>
 </context>
 </TS>

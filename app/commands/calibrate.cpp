@@ -46,6 +46,14 @@ void tell(const FingerCalibration& done, Console& console) {
                             ball.residual_mm,
                             ball.held_out_mm > 0 ? fmt::format("{:.4f}", ball.held_out_mm) : "-"));
   }
+  const auto by_chance =
+      std::count_if(calibration.balls.begin(), calibration.balls.end(), [](const BallFit& ball) {
+        return ball.held_out_mm > 0 && ball.held_out_mm < ball.residual_mm;
+      });
+  if (by_chance > 0)
+    console.say(fmt::format("Remark: {} of {} presses fit better left out than used, by chance.",
+                            by_chance,
+                            calibration.balls.size()));
   for (const Message& sentence : done.made_of) console.say(fmt::format("{}.", sentence));
   for (const BallFit& ball : calibration.balls)
     if (ball.told_depth)

@@ -1,8 +1,11 @@
 #include "app/commands/serve_messages.h"
 
+#include "calibration/checks/finger_worth.h"
 #include "calibration/export/description_json.h"
+#include "calibration/verdict/verdict_json.h"
 #include "core/io/depth_file.h"
 #include "core/program.h"
+#include "core/utc_time.h"
 
 #include <nlohmann/json.hpp>
 
@@ -55,6 +58,8 @@ StreamMessage finger_message(const FingerSnapshot& finger,
   if (const auto date = finger.finger.provenance.find("calibration_date");
       date != finger.finger.provenance.end())
     json["calibration_date"] = date->second;
+  if (const auto worth = worth_of(finger, utc_now()).verdict)
+    json["verdict"] = verdict_json(*worth);
   json["source"] = source.name;
   json["clock"] = source.is_camera ? "monotonic" : "source";
   json["frames_per_s"] = source.frames_per_s;

@@ -1,5 +1,6 @@
 #include "calibration/export/description_json.h"
 #include "calibration/export/export_texts.h"
+#include "calibration/verdict/verdict_json.h"
 #include "core/sensing/depth/smoothing.h"
 
 #include <nlohmann/json.hpp>
@@ -77,7 +78,9 @@ Json reference_json(const ReferenceFiles& files) {
 
 }  // namespace
 
-Result<std::string> calibration_json(const Finger& finger, const PipelineSettings& settings) {
+Result<std::string> calibration_json(const Finger& finger,
+                                     const PipelineSettings& settings,
+                                     const std::optional<Verdict>& worth) {
   Json json;
   json["format"] = "alltact-calibration/1";
   json["name"] = finger.name;
@@ -90,6 +93,7 @@ Result<std::string> calibration_json(const Finger& finger, const PipelineSetting
     const auto mapping = Mapping::create(*finger.mapping);
     if (!mapping) return mapping.error();
     json["mapping"] = mapping_json(*mapping, finger.mapping_record);
+    if (worth) json["verdict"] = verdict_json(*worth);
     json["mapping"]["smoothing"] = whole_kernel(smoothing_of(settings.smoothing_px));
   }
   if (finger.contact) {

@@ -1,11 +1,13 @@
 #include "calibration/export/export_finger.h"
 
+#include "calibration/checks/finger_worth.h"
 #include "calibration/export/export_texts.h"
 #include "calibration/finger/calibration_inputs.h"
 #include "calibration/finger/measuring_settings.h"
 #include "core/io/atomic_file.h"
 #include "core/io/zip_file.h"
 #include "core/recording/journal.h"
+#include "core/utc_time.h"
 
 #include <fmt/format.h>
 
@@ -20,9 +22,12 @@ struct Part {
   std::string content;
 };
 
-/// With what the finger's presses were read with.
+/// With what the finger's presses were read with, and what its calibration is worth now.
 Result<std::string> json_of(const Finger& finger, const fs::path& finger_folder) {
-  return calibration_json(finger, calibrated_settings(finger_folder));
+  std::optional<Verdict> worth;
+  if (const auto snapshot = FingerSnapshot::of(finger_folder, finger))
+    worth = worth_of(*snapshot, utc_now()).verdict;
+  return calibration_json(finger, calibrated_settings(finger_folder), worth);
 }
 
 template <Result<std::string> (*text)(const Finger&)>

@@ -1,10 +1,12 @@
 // What each exported file says. Numbers have all their digits and never depend on the locale.
 #pragma once
 
+#include "calibration/verdict/verdict.h"
 #include "core/finger/finger.h"
 #include "core/result.h"
 #include "core/sensing/pipeline_settings.h"
 
+#include <optional>
 #include <string>
 
 namespace alltact {
@@ -14,7 +16,10 @@ namespace alltact {
 [[nodiscard]] Result<std::string> ros_camera_info(const Finger& finger);
 /// Error: the mapping is none.
 [[nodiscard]] Result<std::string> ros_parameters(const Finger& finger);
-[[nodiscard]] Result<std::string> calibration_json(const Finger& finger,
-                                                   const PipelineSettings& settings = {});
+/// `worth`: of the calibration, as the finger's folder has it now; absent: not said.
+[[nodiscard]] Result<std::string> calibration_json(
+    const Finger& finger,
+    const PipelineSettings& settings = {},
+    const std::optional<Verdict>& worth = std::nullopt);
 
 }  // namespace alltact

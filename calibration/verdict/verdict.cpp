@@ -35,13 +35,14 @@ std::vector<ErrorPart> parts_of(const CalibrationEvidence& e) {
   const double shape = student * on_presses / kMeanOfSd;
   // Presses spread evenly over the face have 2 / n: of the mean and of the slope.
   const double even = e.positions > 0 ? 2.0 / e.positions : 0.0;
-  const double leverage = std::max(0.0, e.position_leverage - even);
+  const double excess = e.position_leverage - even;
+  const double leverage = excess <= 0 ? 0.0 : excess;  // no number stays none
   double radius = 0;
-  for (const double radius_mm : e.ball_radii_mm)
-    if (radius_mm > 0)
-      radius = std::max(
-          radius,
-          std::abs(e.depth_per_radius) * kRadiusSdMm / radius_mm * kMeanDepth * e.deepest_mm);
+  for (const double radius_mm : e.ball_radii_mm) {
+    const double part =
+        std::abs(e.depth_per_radius) * kRadiusSdMm / radius_mm * kMeanDepth * e.deepest_mm;
+    if (!(part <= radius)) radius = part;
+  }
   std::vector<ErrorPart> parts{{ErrorCause::kShape, shape},
                                {ErrorCause::kScale, student * e.scale_sd_mm},
                                {ErrorCause::kPixel, e.pixel_sd_mm},

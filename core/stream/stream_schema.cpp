@@ -42,6 +42,10 @@ const std::vector<StreamKey>& stream_keys() {
       {"finger", "finger", "the finger's name"},
       {"finger", "finger_revision", "grows whenever the finger is calibrated anew meanwhile"},
       {"finger", "calibration_date", "UTC"},
+      {"finger",
+       "verdict",
+       "what the calibration is worth: grade (good, usable, unproven, unfit), expected_error_mm, "
+       "causes_mm, missing, rests_on, sentence"},
       {"finger", "source", "where the pictures come from"},
       {"finger",
        "clock",

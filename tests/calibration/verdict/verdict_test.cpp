@@ -192,6 +192,7 @@ TEST(Verdict, NoNumberIsNeverGood) {
                                               &CalibrationEvidence::scale_sd_mm,
                                               &CalibrationEvidence::pixel_sd_mm,
                                               &CalibrationEvidence::position_leverage,
+                                              &CalibrationEvidence::depth_per_radius,
                                               &CalibrationEvidence::deepest_mm}) {
     for (const double value : {nan, std::numeric_limits<double>::infinity()}) {
       CalibrationEvidence evidence = good_evidence();
