@@ -5810,16 +5810,104 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>der Hauptpunkt in Pixeln</translation>
     </message>
     <message>
-        <source>must be above 0 and at most 50</source>
-        <translation>muss über 0 und höchstens 50 sein</translation>
+        <source>a number is missing</source>
+        <translation>eine Zahl fehlt</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not a number</source>
+        <translation>&apos;{}&apos; ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; holds a mark between thousands: write {}</source>
+        <translation>&apos;{}&apos; enthält ein Tausendertrennzeichen: {} schreiben</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; has &apos;{}&apos; behind the number: leave that out</source>
+        <translation>&apos;{}&apos; enthält &apos;{}&apos; hinter der Zahl: weglassen</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is in &apos;{}&apos;: give the number in {}</source>
+        <translation>&apos;{}&apos; ist in &apos;{}&apos; angegeben: die Zahl in {} angeben</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is too large or too small a number</source>
+        <translation>&apos;{}&apos; ist eine zu große oder zu kleine Zahl</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; can mean {1} or {2}: write {1} or {2}</source>
+        <translation>&apos;{0}&apos; kann {1} oder {2} bedeuten: {1} oder {2} schreiben</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; has more than {} digits behind the decimal mark</source>
+        <translation>&apos;{}&apos; hat mehr als {} Nachkommastellen</translation>
+    </message>
+    <message>
+        <source>a comma parts the entries here, and &apos;{}&apos; is none</source>
+        <translation>ein Komma trennt hier die Einträge, und &apos;{}&apos; ist keiner</translation>
+    </message>
+    <message>
+        <source>must be a number from {:g} to {:g} {}</source>
+        <translation>muss eine Zahl von {} bis {} {} sein</translation>
+    </message>
+    <message>
+        <source>must be a number from {:g} to {:g}{}</source>
+        <translation>muss eine Zahl von {} bis {}{} sein</translation>
+    </message>
+    <message>
+        <source>must be a whole number from {} to {}</source>
+        <translation>muss eine ganze Zahl von {} bis {} sein</translation>
+    </message>
+    <message>
+        <source>{:g} {} is more than usual for {} ({:g} to {:g} {}): check the decimal mark</source>
+        <translation>{} {} ist mehr als üblich für {} ({} bis {} {}): das Dezimalzeichen prüfen</translation>
+    </message>
+    <message>
+        <source>{:g} {} is less than usual for {} ({:g} to {:g} {}): check the decimal mark</source>
+        <translation>{} {} ist weniger als üblich für {} ({} bis {} {}): das Dezimalzeichen prüfen</translation>
+    </message>
+    <message>
+        <source>{:g} px is unusual ({:g} to {:g} px): check the decimal mark</source>
+        <translation>{} px ist ungewöhnlich ({} bis {} px): das Dezimalzeichen prüfen</translation>
+    </message>
+    <message>
+        <source>the radius of a ball</source>
+        <translation>den Radius einer Kugel</translation>
+    </message>
+    <message>
+        <source>the width of a face</source>
+        <translation>die Breite einer Fläche</translation>
+    </message>
+    <message>
+        <source>the thickness of a layer</source>
+        <translation>die Dicke einer Schicht</translation>
+    </message>
+    <message>
+        <source>the distance of a flat face</source>
+        <translation>den Abstand einer ebenen Fläche</translation>
+    </message>
+    <message>
+        <source>the depth of a press</source>
+        <translation>die Tiefe eines Eindrucks</translation>
+    </message>
+    <message>
+        <source>how well a depth is known</source>
+        <translation>die Unsicherheit einer Tiefe</translation>
+    </message>
+    <message>
+        <source>the step of a punch</source>
+        <translation>die Stufe eines Stempels</translation>
+    </message>
+    <message>
+        <source>the side of a square</source>
+        <translation>die Seite eines Quadrats</translation>
+    </message>
+    <message>
+        <source>a length on a finger</source>
+        <translation>eine Länge am Finger</translation>
     </message>
     <message>
         <source>the thickness of the translucent layer in mm, for example 1.5</source>
         <translation>die Dicke der durchscheinenden Schicht in mm, zum Beispiel 1.5</translation>
-    </message>
-    <message>
-        <source>must be above 0 and at most 500</source>
-        <translation>muss über 0 und höchstens 500 sein</translation>
     </message>
     <message>
         <source>the distance between the two edges of the view face in mm</source>

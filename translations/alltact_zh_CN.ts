@@ -5770,16 +5770,104 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>主点，单位像素</translation>
     </message>
     <message>
-        <source>must be above 0 and at most 50</source>
-        <translation>必须大于 0 且不超过 50</translation>
+        <source>a number is missing</source>
+        <translation>缺少数字</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not a number</source>
+        <translation>“{}”不是数字</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; holds a mark between thousands: write {}</source>
+        <translation>“{}”含有千位分隔符：请写成 {}</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; has &apos;{}&apos; behind the number: leave that out</source>
+        <translation>“{}”在数字后面有“{}”：请去掉</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is in &apos;{}&apos;: give the number in {}</source>
+        <translation>“{}”的单位是“{}”：请以 {} 为单位输入</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is too large or too small a number</source>
+        <translation>“{}”这个数字太大或太小</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; can mean {1} or {2}: write {1} or {2}</source>
+        <translation>“{0}”可能是 {1} 或 {2}：请写成 {1} 或 {2}</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; has more than {} digits behind the decimal mark</source>
+        <translation>“{}”的小数位超过 {} 位</translation>
+    </message>
+    <message>
+        <source>a comma parts the entries here, and &apos;{}&apos; is none</source>
+        <translation>此处逗号用于分隔各项，而“{}”不是一项</translation>
+    </message>
+    <message>
+        <source>must be a number from {:g} to {:g} {}</source>
+        <translation>必须是 {} 到 {} {} 之间的数字</translation>
+    </message>
+    <message>
+        <source>must be a number from {:g} to {:g}{}</source>
+        <translation>必须是 {} 到 {}{} 之间的数字</translation>
+    </message>
+    <message>
+        <source>must be a whole number from {} to {}</source>
+        <translation>必须是 {} 到 {} 之间的整数</translation>
+    </message>
+    <message>
+        <source>{:g} {} is more than usual for {} ({:g} to {:g} {}): check the decimal mark</source>
+        <translation>{} {} 大于{}的常见范围（{} 到 {} {}）：请检查小数点</translation>
+    </message>
+    <message>
+        <source>{:g} {} is less than usual for {} ({:g} to {:g} {}): check the decimal mark</source>
+        <translation>{} {} 小于{}的常见范围（{} 到 {} {}）：请检查小数点</translation>
+    </message>
+    <message>
+        <source>{:g} px is unusual ({:g} to {:g} px): check the decimal mark</source>
+        <translation>{} px 不常见（{} 到 {} px）：请检查小数点</translation>
+    </message>
+    <message>
+        <source>the radius of a ball</source>
+        <translation>球的半径</translation>
+    </message>
+    <message>
+        <source>the width of a face</source>
+        <translation>面的宽度</translation>
+    </message>
+    <message>
+        <source>the thickness of a layer</source>
+        <translation>层的厚度</translation>
+    </message>
+    <message>
+        <source>the distance of a flat face</source>
+        <translation>平面的距离</translation>
+    </message>
+    <message>
+        <source>the depth of a press</source>
+        <translation>按压的深度</translation>
+    </message>
+    <message>
+        <source>how well a depth is known</source>
+        <translation>深度的不确定度</translation>
+    </message>
+    <message>
+        <source>the step of a punch</source>
+        <translation>压头的台阶</translation>
+    </message>
+    <message>
+        <source>the side of a square</source>
+        <translation>方格的边长</translation>
+    </message>
+    <message>
+        <source>a length on a finger</source>
+        <translation>手指上的长度</translation>
     </message>
     <message>
         <source>the thickness of the translucent layer in mm, for example 1.5</source>
         <translation>半透明层的厚度，单位 mm，例如 1.5</translation>
-    </message>
-    <message>
-        <source>must be above 0 and at most 500</source>
-        <translation>必须大于 0 且不超过 500</translation>
     </message>
     <message>
         <source>the distance between the two edges of the view face in mm</source>

@@ -33,7 +33,7 @@ CLI::Validator typed_number(double low, double high) {
         if (!refused.empty()) return refused;
         const double value = value_of_plain(text);
         if (value >= low && value <= high) return std::string();
-        return en::say("must be a number from {:g} to {:g}, not {}", low, high, text).english();
+        return fmt::format("must be a number from {:g} to {:g}, not {}", low, high, text);
       },
       fmt::format("NUMBER from {:g} to {:g}", low, high));
 }
@@ -46,7 +46,7 @@ CLI::Validator typed_number(const Quantity& quantity) {
         if (!refused.empty()) return refused;
         const double value = value_of_plain(text);
         if (const auto problem = quantity.refusal(value))
-          return en::say("{}, not {}", *problem, text).english();
+          return fmt::format("{}, not {}", *problem, text);
         if (const auto warning = quantity.warning(value)) number_warnings().push_back(*warning);
         return std::string();
       },
@@ -64,7 +64,7 @@ CLI::Validator typed_whole_number(std::uint64_t low, std::uint64_t high) {
         if (read.ec == std::errc{} && read.ptr == text.data() + text.size() && value >= low &&
             value <= high)
           return std::string();
-        return en::say("must be a whole number from {} to {}, not {}", low, high, text).english();
+        return fmt::format("must be a whole number from {} to {}, not {}", low, high, text);
       },
       is_bounded ? fmt::format("NUMBER from {} to {}", low, high) : "NUMBER");
 }
@@ -86,11 +86,11 @@ Result<std::vector<double>> typed_numbers(std::string_view text, std::size_t cou
     rest.remove_prefix(end + 1);
   }
   if (numbers.size() == count) return numbers;
-  return Error{en::say("'{}' holds {} numbers, not {}: write decimals with a point, or semicolons "
-                       "between the numbers",
-                       printable(text),
-                       numbers.size(),
-                       count),
+  return Error{Message::typed(fmt::format("'{}' holds {} numbers, not {}: write decimals with a "
+                                          "point, or semicolons between the numbers",
+                                          printable(text),
+                                          numbers.size(),
+                                          count)),
                "",
                ""};
 }

@@ -1,21 +1,121 @@
 #include "calibration/finger/find_contradictions.h"
 
-namespace alltact {
+#include "core/finger/quantity.h"
 
-std::vector<Contradiction> find_contradictions(const FingerCalibration& done) {
-  std::vector<Contradiction> all;
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace alltact {
+namespace {
+
+// A layer is measured with a caliper to a few hundredths of a millimetre.
+constexpr double kLayerTolerance = 1.03;
+// The mapping's end is the darkest sample that was read, short of the deepest point by noise.
+constexpr double kReachTolerance = 1.05;
+// Working distances of the lenses that fit into a finger: endoscopes focus from 5 mm on, and no
+// finger is longer than half a metre.
+constexpr double kNearestFaceMm = 5, kFarthestFaceMm = 500;
+
+/// One press more that shows it.
+void add_press(Contradiction& to, const std::string& press, double mm) {
+  to.measured_mm = to.presses.empty() ? mm : std::min(to.measured_mm, mm);
+  to.measured_to_mm = std::max(to.measured_to_mm, mm);
+  to.presses.push_back(press);
+}
+
+/// A ball touches at most its own circle, however deep it lies.
+Contradiction wider_than_ball(const FingerCalibration& done) {
+  Contradiction wider;
+  wider.kind = ContradictionKind::kContactWiderThanBall;
+  for (const TakenPress& taken : done.presses) {
+    if (!taken.press || taken.press->step_mm) continue;
+    if (const auto& note = done.inputs.said.of(taken.name); note.excluded) continue;
+    Press press = *taken.press;
+    const double radius_mm = press.ball_radius_mm;
+    if (!(radius_mm > 0)) continue;
+    press.ball_radius_mm = kBallRadius.possible.high;  // so that no disc is too wide to be measured
+    press.ball_mm.reset();
+    const auto disc = find_ball(press, done.finger.face);
+    if (!disc) continue;
+    ++wider.of;
+    if (disc->disc_radius_mm <= radius_mm) continue;
+    wider.given_mm = radius_mm;
+    add_press(wider, taken.name, disc->disc_radius_mm);
+  }
+  return wider;
+}
+
+double pressed_in_mm(const BallFit& ball) {
+  return ball.pressed_in_mm > 0 ? ball.pressed_in_mm : ball.depth_mm;
+}
+
+Contradiction deeper_than_layer(const FingerCalibration& done) {
   Contradiction deeper;
   deeper.kind = ContradictionKind::kContactDeeperThanLayer;
   deeper.given_mm = done.finger.face.layer_mm;
   deeper.of = static_cast<int>(done.calibration.balls.size());
-  for (const BallFit& ball : done.calibration.balls) {
-    if (!(ball.depth_mm > deeper.given_mm)) continue;
-    const bool is_first = deeper.presses.empty();
-    deeper.presses.push_back(ball.press);
-    deeper.measured_mm = is_first ? ball.depth_mm : std::min(deeper.measured_mm, ball.depth_mm);
-    deeper.measured_to_mm = std::max(deeper.measured_to_mm, ball.depth_mm);
+  for (const BallFit& ball : done.calibration.balls)
+    if (pressed_in_mm(ball) > kLayerTolerance * deeper.given_mm)
+      add_press(deeper, ball.press, pressed_in_mm(ball));
+  return deeper;
+}
+
+/// Depths that somebody measured, deeper than the curve of brightness goes.
+Contradiction beyond_mapping(const FingerCalibration& done) {
+  Contradiction beyond;
+  beyond.kind = ContradictionKind::kDepthBeyondMapping;
+  const auto mapping = Mapping::create(done.calibration.mapping);
+  if (!mapping) return beyond;
+  beyond.given_mm = mapping->depth_mm(mapping->x_max());
+  for (const TakenPress& taken : done.presses) {
+    const PressNote& note = done.inputs.said.of(taken.name);
+    if (!note.depth || note.excluded || !taken.press) continue;
+    ++beyond.of;
+    if (note.depth->mm > kReachTolerance * beyond.given_mm + 3 * note.depth->sd_mm)
+      add_press(beyond, taken.name, note.depth->mm);
   }
-  if (!deeper.presses.empty()) all.push_back(deeper);
+  return beyond;
+}
+
+/// The face's distance is in proportion to its width: z = f W / (width in the image).
+Contradiction width_against_camera(const FingerCalibration& done) {
+  Contradiction width;
+  width.kind = ContradictionKind::kFaceWidthAgainstCamera;
+  width.given_mm = done.finger.face.width_mm;
+  if (done.finger.face.kind != FaceKind::kFinRay) return width;
+  double least = 0, most = std::numeric_limits<double>::max();
+  std::vector<std::string> presses;
+  for (const TakenPress& taken : done.presses) {
+    if (!taken.press) continue;
+    double nearest = std::numeric_limits<double>::max(), farthest = 0;
+    for (const FaceColumn& column : taken.press->shape.columns()) {
+      if (!column.valid) continue;
+      nearest = std::min(nearest, column.z_mm);
+      farthest = std::max(farthest, column.z_mm);
+    }
+    if (!(farthest > 0)) continue;
+    presses.push_back(taken.name);
+    least = std::max(least, width.given_mm * kNearestFaceMm / nearest);
+    most = std::min(most, width.given_mm * kFarthestFaceMm / farthest);
+  }
+  width.of = static_cast<int>(presses.size());
+  if (presses.empty() || (width.given_mm >= least && width.given_mm <= most)) return width;
+  width.presses = std::move(presses);
+  width.measured_mm = least;
+  width.measured_to_mm = std::max(least, most);
+  return width;
+}
+
+}  // namespace
+
+std::vector<Contradiction> find_contradictions(const FingerCalibration& done) {
+  std::vector<Contradiction> all;
+  for (Contradiction& one : std::vector{width_against_camera(done),
+                                        wider_than_ball(done),
+                                        deeper_than_layer(done),
+                                        beyond_mapping(done)})
+    if (!one.presses.empty()) all.push_back(std::move(one));
   return all;
 }
 

@@ -256,6 +256,7 @@ Result<BallGuess> find(const Press& press, const Face& face) {
   guess.cut_by_edge = rim.off_face > 2;
   guess.disc_px = circle_px->centre;
   guess.disc_radius_px = circle_px->radius;
+  guess.disc_radius_mm = circle->radius;
   if (guess.rim_arc_deg < kMinimumRimDeg)
     return refuse(
         press,

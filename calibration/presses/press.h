@@ -38,6 +38,7 @@ struct BallGuess {
   /// The disc in the picture: where the darkness has fallen to 40 %, as a circle.
   Eigen::Vector2d disc_px;
   double disc_radius_px;
+  double disc_radius_mm = 0;  ///< of that disc on the face, whatever the ball's radius
 };
 
 /// Finds the dark disc of one ball by itself: off axis (an ellipse in the picture), with or without

@@ -54,7 +54,5 @@ inline constexpr Quantity kBoardSquare{
 inline constexpr Quantity kKnownLength{"known_length_mm", "mm", {0.001, 1000}, {1, 200}, [] {
                                          return en::say("a length on a finger");
                                        }};
-inline constexpr Quantity kWindowPart{
-    "port", "mm", {0, 1000}, {0, 100}, [] { return en::say("a window or the air before it"); }};
 
 }  // namespace alltact

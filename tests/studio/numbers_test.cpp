@@ -14,6 +14,7 @@
 #include <QFormLayout>
 #include <QKeyEvent>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSignalBlocker>
 
 #include <fmt/format.h>
@@ -40,10 +41,8 @@ void type(QAbstractSpinBox& field, const QString& text) {
   for (const QChar letter : text) key(field, letter.unicode(), QString(letter));
 }
 
-/// The example in the unit of the field; nullopt where it is about a unit that the field has not.
-std::optional<QString> in_unit_of(const QAbstractSpinBox& /*field*/,
-                                  const QString& suffix,
-                                  const TypedExample& example) {
+/// The example in the unit of a field; nullopt where it is about a unit that the field has not.
+std::optional<QString> in_unit_of(const QString& suffix, const TypedExample& example) {
   QString text = QString::fromStdString(example.text);
   const bool is_of_units = text.contains(QRegularExpression(QStringLiteral("[a-zµ%四\"]")));
   const QString unit = suffix.trimmed();
@@ -53,14 +52,25 @@ std::optional<QString> in_unit_of(const QAbstractSpinBox& /*field*/,
   return text.replace(QLatin1String("mm"), unit);
 }
 
+/// Without what the field adds.
+template <class Field>
+QString typed_in(const Field& field, const QString& wanted) {
+  QString text = field.text();
+  if (text == wanted) return text;  // in place of words such as "not measured"
+  if (text.startsWith(field.prefix())) text.remove(0, field.prefix().size());
+  if (text.endsWith(field.suffix())) text.chop(field.suffix().size());
+  return text;
+}
+
 template <class Field>
 void expect_meanings(Field& field, const std::string& language, int& taken) {
   const QSignalBlocker quiet(field);  // nobody acts on a thousand numbers
   const DecimalMark mark = language == "de" ? DecimalMark::kComma : DecimalMark::kPoint;
   for (const TypedExample& example : typed_examples()) {
-    const auto text = in_unit_of(field, field.suffix(), example);
+    const auto text = in_unit_of(field.suffix(), example);
     const bool is_nothing = text && text->trimmed().isEmpty();
-    if (!text || (is_nothing && !field.specialValueText().isEmpty())) continue;
+    const bool is_typable = text && !text->contains(QRegularExpression(QStringLiteral("[\n\t]")));
+    if (!is_typable || (is_nothing && !field.specialValueText().isEmpty())) continue;
     SCOPED_TRACE(fmt::format(
         "{} in '{}' ({})", text->toStdString(), field.accessibleName().toStdString(), language));
     key(field, Qt::Key_Escape);
@@ -69,7 +79,7 @@ void expect_meanings(Field& field, const std::string& language, int& taken) {
     field.stepBy(1);
     const auto before = field.value();
     type(field, *text);
-    ASSERT_EQ(field.text(), field.prefix() + *text) << "a key was dropped";
+    ASSERT_EQ(typed_in(field, *text), *text) << "a key was dropped";
     key(field, Qt::Key_Return);
     const auto& meant = mark == DecimalMark::kPoint ? example.with_point : example.with_comma;
     if (field.typed()) {
@@ -84,7 +94,7 @@ void expect_meanings(Field& field, const std::string& language, int& taken) {
     } else {
       ASSERT_EQ(field.value(), before) << "what is refused changes nothing";
       ASSERT_FALSE(field.refusal().isEmpty());
-      ASSERT_EQ(field.text(), field.prefix() + *text) << "what is refused stays";
+      ASSERT_EQ(typed_in(field, *text), *text) << "what is refused stays";
       ASSERT_EQ(field.accessibleDescription(), field.refusal());
       if (std::is_same_v<Field, NumberField> && meant)
         ASSERT_TRUE(*meant < static_cast<double>(field.minimum()) ||
