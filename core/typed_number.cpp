@@ -228,12 +228,11 @@ Result<double> parse_typed_number(std::string_view text, const NumberWriting& wr
 }
 
 std::optional<Message> doubt_of_number(std::string_view text, const NumberWriting& writing) {
-  const std::string ascii = in_ascii(text);
-  const bool is_like_a_number = ascii.find_first_of("0123456789") != std::string::npos &&
-                                ascii.find_first_not_of("0123456789.,'_ +-") == std::string::npos;
-  if (!is_like_a_number) return std::nullopt;
+  if (in_ascii(text).find_first_not_of("0123456789.,'_ +-") != std::string::npos)
+    return std::nullopt;
   const auto value = parse_typed_number(text, writing);
-  return value ? std::nullopt : std::optional(value.error().what);
+  if (value || value.error().what == not_a_number(text).what) return std::nullopt;
+  return value.error().what;
 }
 
 std::string format_typed_number(double value, DecimalMark mark) {

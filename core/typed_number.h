@@ -31,8 +31,8 @@ struct NumberWriting {
 [[nodiscard]] Result<double> parse_typed_number(std::string_view text,
                                                 const NumberWriting& writing = {});
 
-/// Why parse_typed_number() refuses a text of digits and marks; nullopt for words, which have no
-/// number in them, and for numbers.
+/// Of a text of digits and marks that can be read in two ways, or has marks between thousands, why
+/// it is refused. nullopt: a number, or no number at all.
 [[nodiscard]] std::optional<Message> doubt_of_number(std::string_view text,
                                                      const NumberWriting& writing = {});
 

@@ -62,7 +62,7 @@ TEST(TypedNumber, WholeNumbersTakeNoMarkThatCouldPartThousands) {
 }
 
 TEST(TypedNumber, DoubtIsOfDigitsAndMarksOnly) {
-  for (const char* text : {"four", "", "nan", "4.5", "4.5 cm", "finger/1"})
+  for (const char* text : {"four", "", "nan", "4.5", "4.5 cm", "finger/1", "1.2.3", "-"})
     EXPECT_FALSE(doubt_of_number(text)) << text;
   for (const char* text : {"4,500", "1.234,5", "1 000", "1'000"})
     EXPECT_TRUE(doubt_of_number(text)) << text;

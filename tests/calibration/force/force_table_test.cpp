@@ -173,6 +173,27 @@ TEST(CollectForce, ReadingsAreInterpolatedAtTheFramesTimes) {
   EXPECT_EQ(table.seen(2, 1), 0);
 }
 
+// As a German spreadsheet writes it, and as others save it.
+TEST(ForceGauge, SemicolonsAndTabulatorsPartNumbersWithDecimalCommas) {
+  for (const auto& [name, csv] : {std::pair{"commas", "t_s,fx_n,fy_n\n0.5,0.125,-2\n1,12.345,0\n"},
+                                  {"semicolons", "t_s;fx_n;fy_n\n0.5;0.125;-2\n1;12.345;0\n"},
+                                  {"German", "t_s;fx_n;fy_n\n0,5;0,125;-2\n1;12,345;0\n"},
+                                  {"tabs", "t_s\tfx_n\tfy_n\n0,5\t0,125\t-2\n1\t12,345\t0\n"}}) {
+    SCOPED_TRACE(name);
+    const auto gauge = ForceGauge::parse_csv(csv, "gauge.csv");
+    ASSERT_TRUE(gauge) << gauge.error().sentence();
+    ASSERT_EQ(gauge->readings.size(), 2U);
+    EXPECT_EQ(gauge->readings[0].time_s, 0.5);
+    EXPECT_EQ(gauge->readings[0].force_N, Eigen::Vector3d(0.125, -2, 0));
+    EXPECT_EQ(gauge->readings[1].force_N.x(), 12.345) << "a comma, not thousands";
+  }
+  for (const char* bad : {"t_s;fx_n;fy_n\n0.5;12,345;0\n",   // both marks in one file
+                          "t_s;fx_n;fy_n\n0,5;1.234,5;0\n",  // thousands
+                          "t_s,fx_n,fy_n\n0,5,0,125,-2\n",   // decimal commas between commas
+                          "t_s;fx_n;fy_n\n0,5;1 234;0\n"})
+    EXPECT_FALSE(ForceGauge::parse_csv(bad, "gauge.csv").ok()) << bad;
+}
+
 TEST(CollectForce, OtherClocksBeginTogether) {
   std::string csv = "time_s,fx_n,fy_n\n";
   for (int i = 0; i < 60; ++i) csv += fmt::format("{0},{1},{1}\n", 0.1 * i, i);

@@ -37,6 +37,28 @@ void read_share(YamlSection& top) {
   (void)top.number("share", kShare);
 }
 
+TEST(YamlReader, TakesBothDecimalMarksAndRefusesThousands) {
+  for (const char* text : {"share: 0,25", "share: 0.25", "share: +0.25", "share: ０．２５"}) {
+    double share = 0;
+    EXPECT_EQ(said(text, [&](YamlSection& top) { share = top.number("share", kShare); }), "read");
+    EXPECT_EQ(share, 0.25) << text;
+  }
+  const auto any = [](YamlSection& top) { (void)top.number("layer_mm", en::say("in mm")); };
+  EXPECT_THAT(said("layer_mm: 1,500", any),
+              HasSubstr("layer_mm: '1,500' can mean 1.5 or 1500: write 1.5 or 1500"));
+  EXPECT_THAT(said("layer_mm: 1.500,5", any), HasSubstr("write 1500.5"));
+  EXPECT_EQ(said("layer_mm: 1.500", any), "read") << "in files the point is the decimal mark";
+  const auto count = [](YamlSection& top) { (void)top.whole_number("count", 0, 5000); };
+  EXPECT_THAT(said("count: 1,500", count), HasSubstr("can mean 1.5 or 1500"));
+  // In braces the comma ends the value: 1 and a key '6' would be read.
+  EXPECT_THAT(said("face: {layer_mm: 1,6}",
+                   [&](YamlSection& top) {
+                     YamlSection face = top.section("face");
+                     any(face);
+                   }),
+              HasSubstr("face.layer_mm: a comma parts the entries here, and '6' is none"));
+}
+
 TEST(YamlReader, SaysFileLineKeyAndWhatWouldBeRight) {
   EXPECT_EQ(said("share: 0.5", read_share), "read");
   EXPECT_EQ(said("# only a remark", read_share),

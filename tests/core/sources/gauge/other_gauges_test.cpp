@@ -105,6 +105,11 @@ TEST(TypedGauge, WhatIsNoReadingIsSaidAndCostsNothing) {
     ASSERT_EQ(news.remarks.size(), 1U) << bad;
     EXPECT_THAT(news.remarks[0].english(), HasSubstr("is no reading")) << bad;
   }
+  for (const char* doubtful : {"1,200\n", "y 1,200 N\n", "1.200,5\n", "1'200\n"}) {
+    const GaugeNews news = typed(typing, gauge, doubtful);
+    EXPECT_TRUE(news.samples.empty()) << doubtful;
+    EXPECT_THAT(news.remarks.at(0).english(), HasSubstr("write 1")) << doubtful;
+  }
   EXPECT_EQ(typed(typing, gauge, "3\n").samples.at(0).force_N, Eigen::Vector3d(3, 0, 0))
       << "a direction without a number does not last";
 }
