@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kWorst = 0.95;  // part of the face that is better
 
-/// The depth that the worst twentieth of the face's patches exceeds.
+/// The depth, either way, that the worst twentieth of the face's patches exceeds.
 double worst_patch_mm(const DepthMap& depth) {
   std::vector<float> patches;
   for (int row = 0; row < depth.cells_mm.rows; ++row)
@@ -22,7 +22,7 @@ double worst_patch_mm(const DepthMap& depth) {
                              row * kDepthCellPx + kDepthCellPx / 2);
       if (middle.x >= depth.flags.cols || middle.y >= depth.flags.rows) continue;
       if (depth.flags.at<std::uint8_t>(middle) == kMeasured)
-        patches.push_back(depth.cells_mm.at<float>(row, column));
+        patches.push_back(std::abs(depth.cells_mm.at<float>(row, column)));
     }
   if (patches.empty()) return 0;
   const auto at = patches.begin() + static_cast<std::ptrdiff_t>(kWorst * (patches.size() - 1.0));

@@ -28,13 +28,17 @@ Pixel premultiplied(MapColour colour, double alpha) {
   return {times(colour.blue), times(colour.green), times(colour.red), times(255)};
 }
 
+/// From -kBulgePart to 1 of the top in even steps; zero is step kZeroStep.
+constexpr float kZeroStep = static_cast<float>(255 * kBulgePart / (1 + kBulgePart));
+
 DepthColours depth_colours(double top_mm) {
   DepthColours table;
   for (std::size_t i = 0; i < table.size(); ++i) {
-    const double part = static_cast<double>(i) / 255, depth_mm = part * top_mm;
-    const double strength = std::clamp((depth_mm - kFaint_mm) / (kFull_mm - kFaint_mm), 0.0, 1.0);
+    const double part = (1 + kBulgePart) * static_cast<double>(i) / 255 - kBulgePart;
+    const double strength =
+        std::clamp((std::abs(part * top_mm) - kFaint_mm) / (kFull_mm - kFaint_mm), 0.0, 1.0);
     table[i] =
-        std::bit_cast<std::uint32_t>(premultiplied(viridis(part), kStrongest * strength).val);
+        std::bit_cast<std::uint32_t>(premultiplied(depth_colour(part), kStrongest * strength).val);
   }
   return table;
 }
@@ -43,7 +47,7 @@ DepthColours depth_colours(double top_mm) {
 ALLTACT_WIDE bool has_colour(const float* depth_mm, int count) {
   constexpr auto faint = static_cast<float>(kFaint_mm);
   std::int32_t any = 0;
-  for (int u = 0; u < count; ++u) any |= depth_mm[u] > faint ? 1 : 0;
+  for (int u = 0; u < count; ++u) any |= std::abs(depth_mm[u]) > faint ? 1 : 0;
   return any != 0;
 }
 
@@ -53,8 +57,9 @@ void colour_part(const float* depth_mm,
                  const DepthColours& colours,
                  std::uint32_t* pixels) {
   for (int u = 0; u < count; ++u) {
-    const float at = depth_mm[u] * steps_per_mm;  // NaN is not above 0
-    pixels[u] = at > 0 ? colours[static_cast<std::size_t>(std::min(at, 255.0F))] : 0;
+    const float at = depth_mm[u] * steps_per_mm + kZeroStep;
+    pixels[u] =
+        std::isfinite(at) ? colours[static_cast<std::size_t>(std::clamp(at, 0.0F, 255.0F))] : 0;
   }
 }
 
@@ -103,7 +108,7 @@ PartLayer depth_layer(const DepthMap& depth, double top_mm) {
     }
   if (parts.empty()) return {};
   const DepthColours colours = depth_colours(top_mm);
-  const float scale = static_cast<float>(255 / top_mm);
+  const float scale = static_cast<float>(255 / ((1 + kBulgePart) * top_mm));
   PartLayer layer{cv::Mat::zeros(all.size(), CV_8UC4), all.tl()};
   for (const cv::Rect& part : parts)
     colour_part(map.ptr<float>(part.y) + part.x,
@@ -116,7 +121,8 @@ PartLayer depth_layer(const DepthMap& depth, double top_mm) {
 
 cv::Mat faults_layer(const cv::Mat& grey, const FrameResult& result) {
   static const Pixel bright = premultiplied({230, 60, 40}, 1),
-                     dark = premultiplied({60, 150, 255}, 1);
+                     dark = premultiplied({60, 150, 255}, 1),
+                     white = premultiplied({255, 255, 255}, 1);
   const cv::Mat flags = fault_flags(grey, result);
   cv::Mat layer = cv::Mat::zeros(grey.size(), CV_8UC4);
   for (int v = 0; v < grey.rows; ++v) {
@@ -125,6 +131,7 @@ cv::Mat faults_layer(const cv::Mat& grey, const FrameResult& result) {
     for (int u = 0; u < grey.cols; ++u) {
       if (flag[u] == kSaturated && (u - v + grey.rows * kStripe_px) % kStripe_px < kStripe_px / 2)
         pixel[u] = bright;
+      if (is_at_limit(flag[u]) && v % kStripe_px < kStripe_px / 3) pixel[u] = white;
       if (flag[u] == kTooDark && (u + v) % kStripe_px < kStripe_px / 2) pixel[u] = dark;
     }
   }

@@ -14,11 +14,12 @@ struct PartLayer {
   cv::Point at;    ///< of its first pixel, in the oriented picture
 };
 
-/// The depth map in colours (viridis), more see-through where little presses.
+/// The depth map in colours (depth_colour), more see-through where little presses or bulges.
 [[nodiscard]] PartLayer depth_layer(const DepthMap& depth, double top_mm);
 /// Stripes falling to the right where the measurement flags a pixel as kSaturated, to the left
-/// where as kTooDark. Where nothing was measured, `grey` alone tells both (grey_range.h), on the
-/// face only, where that is known. Of the oriented picture's size. `grey`: CV_8UC1, the result's.
+/// where as kTooDark, level and white where the depth is at a limit (is_at_limit). Where nothing
+/// was measured, `grey` alone tells both (grey_range.h), on the face only, where that is known. Of
+/// the oriented picture's size. `grey`: CV_8UC1, the result's.
 [[nodiscard]] cv::Mat faults_layer(const cv::Mat& grey, const FrameResult& result);
 
 }  // namespace alltact

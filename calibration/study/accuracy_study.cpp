@@ -78,7 +78,7 @@ class Measured {
           ++covered_;
           errors_[zone].push_back(std::abs(read[u] - truth[u]));
         } else if (away[u] != 0 && is_read) {
-          false_sum_ += read[u];
+          false_sum_ += std::abs(read[u]);
           ++false_count_;
         }
       }
@@ -248,7 +248,7 @@ class AccuracyStudyRun {
   [[nodiscard]] FrameAnswer answer_of(const StudyFrame& frame, const FrameResult& seen) const {
     FrameAnswer answer;
     cv::Mat contact;
-    cv::inRange(frame.depth_mm, kUntouchedMm, 1e6, contact);
+    cv::inRange(cv::abs(frame.depth_mm), kUntouchedMm, 1e6, contact);  // or bulges
     cv::Mat distance_px(contact.size(), CV_32FC1, cv::Scalar(1e6));
     if (cv::countNonZero(contact) > 0)
       cv::distanceTransform(255 - contact, distance_px, cv::DIST_L2, 3);

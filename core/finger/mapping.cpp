@@ -10,6 +10,7 @@ namespace {
 constexpr int kMaxCoefficients = 12;
 constexpr double kMaxDepthMm = 1000;
 constexpr double kLimitFactor = 4;  // of M(x_max)
+constexpr double kLeastRoot = 0.5;  // of 1 + b x on the side of the bulge
 constexpr int kGrid = 2048;         // places where the slope is looked at
 
 struct ValueAndDerivative {
@@ -49,7 +50,7 @@ std::vector<double> ascending_powers(const std::vector<double>& c, double scale,
 
 /// What the loops need of a mapping, beside its coefficients.
 struct Loop {
-  double x_max, end_slope, limit;
+  double x_min, x_max, start_slope, end_slope, limit;
 };
 
 // NaN passes both of these, and each is one instruction.
@@ -62,6 +63,14 @@ template <class Number>
   return high < x ? high : x;
 }
 
+/// x within the curve's domain.
+template <class Number>
+[[gnu::always_inline]] inline Number clamped(Number low,
+                                             std::type_identity_t<Number> high,
+                                             std::type_identity_t<Number> x) {
+  return at_most(high, at_least(low, x));
+}
+
 /// In single precision: t lies within -1 and 1, where the sum is off by some 1e-7 of its largest
 /// coefficient. `powers` holds exactly N values; unrolled, so that only x and the result touch
 /// memory.
@@ -72,16 +81,17 @@ template <int N>
   for (int k = 0; k < N; ++k) p[k] = static_cast<float>(powers[k]);
   const auto x_max = static_cast<float>(loop.x_max), limit = static_cast<float>(loop.limit),
              scale = static_cast<float>(2 / loop.x_max),
+             start_slope = static_cast<float>(loop.start_slope),
              end_slope = static_cast<float>(loop.end_slope);
 #pragma GCC ivdep  // also where x and depth_mm are the same array
   for (int i = 0; i < n; ++i) {
-    const float pressed = at_least(0.0F, x[i]);
-    const float inside = at_most(x_max, pressed);
+    const float inside = clamped(0.0F, x_max, x[i]);
+    const float outside = x[i] - inside;
     const float t = inside * scale - 1.0F;
     float sum = p[N - 1];
     for (int k = N - 2; k >= 0; --k) sum = sum * t + p[k];
-    const float depth = inside * sum + end_slope * (pressed - inside);
-    depth_mm[i] = at_most(limit, depth);
+    const float slope = outside < 0.0F ? start_slope : end_slope;
+    depth_mm[i] = clamped(-limit, limit, inside * sum + slope * outside);
   }
 }
 
@@ -99,20 +109,18 @@ ALLTACT_WIDE void polynomial_depths_12(
 }
 
 // Single precision throughout: nothing here cancels but 1 + b x near the pole.
-ALLTACT_WIDE void moebius_depths(float a_mm,
-                                 float b,
-                                 float x_max,
-                                 float end_slope,
-                                 float limit,
-                                 const float* x,
-                                 float* depth_mm,
-                                 int n) {
+ALLTACT_WIDE void moebius_depths(
+    float a_mm, float b, Loop loop, const float* x, float* depth_mm, int n) {
+  const auto x_min = static_cast<float>(loop.x_min), x_max = static_cast<float>(loop.x_max),
+             limit = static_cast<float>(loop.limit),
+             start_slope = static_cast<float>(loop.start_slope),
+             end_slope = static_cast<float>(loop.end_slope);
 #pragma GCC ivdep  // also where x and depth_mm are the same array
   for (int i = 0; i < n; ++i) {
-    const float pressed = 0.0F > x[i] ? 0.0F : x[i];  // NaN passes
-    const float inside = x_max < pressed ? x_max : pressed;
-    const float depth = a_mm * inside / (1.0F + b * inside) + end_slope * (pressed - inside);
-    depth_mm[i] = limit < depth ? limit : depth;
+    const float inside = clamped(x_min, x_max, x[i]);
+    const float outside = x[i] - inside;
+    const float slope = outside < 0.0F ? start_slope : end_slope;
+    depth_mm[i] = clamped(-limit, limit, a_mm * inside / (1.0F + b * inside) + slope * outside);
   }
 }
 
@@ -182,6 +190,9 @@ Mapping::Mapping(MappingParameters parameters) : parameters_(std::move(parameter
   const double x_max = parameters_.x_max;
   if (parameters_.kind == MappingKind::kPolynomial)
     centred_powers_ = ascending_powers(parameters_.chebyshev, 1, 0);
+  if (parameters_.kind == MappingKind::kMoebius)
+    x_min_ = parameters_.b > 0 ? std::max(-1.0, (kLeastRoot - 1) / parameters_.b) : -1.0;
+  start_slope_mm_ = slope_mm(x_min_);
   end_slope_mm_ = slope_mm(x_max);
   end_depth_mm_ = std::numeric_limits<double>::infinity();  // no limit for the next line
   end_depth_mm_ = depth_mm(x_max);
@@ -229,17 +240,19 @@ Result<Mapping> Mapping::create(MappingParameters parameters) {
 }
 
 double Mapping::depth_mm(double x) const {
-  const double pressed = at_least(0.0, x);
-  const double inside = at_most(parameters_.x_max, pressed);
+  const double inside = clamped(x_min_, parameters_.x_max, x);
+  const double outside = x - inside;
   const double curve =
       parameters_.kind == MappingKind::kMoebius
           ? parameters_.a_mm * inside / (1 + parameters_.b * inside)
           : inside * chebyshev_sum(parameters_.chebyshev, 2 * inside / parameters_.x_max - 1).value;
-  return at_most(kLimitFactor * end_depth_mm_, curve + end_slope_mm_ * (pressed - inside));
+  const double limit_mm = kLimitFactor * end_depth_mm_;
+  return clamped(
+      -limit_mm, limit_mm, curve + (outside < 0 ? start_slope_mm_ : end_slope_mm_) * outside);
 }
 
 double Mapping::slope_mm(double x) const {
-  const double inside = at_most(parameters_.x_max, at_least(0.0, x));
+  const double inside = clamped(x_min_, parameters_.x_max, x);
   if (parameters_.kind == MappingKind::kMoebius) {
     const double root = 1 + parameters_.b * inside;
     return parameters_.a_mm / (root * root);
@@ -251,11 +264,10 @@ double Mapping::slope_mm(double x) const {
 
 double Mapping::depth_sd_mm(double x, const Eigen::Vector2d& place_mm) const {
   const Eigen::MatrixXd& covariance = parameters_.covariance;
-  const double pressed = at_least(0.0, x);
   if (covariance.size() == 0) return std::isnan(x) ? x : 0;
   const double x_max = parameters_.x_max;
-  const double inside = at_most(x_max, pressed);
-  const double excess = pressed - inside;
+  const double inside = clamped(x_min_, x_max, x);
+  const double excess = x - inside;  // < 0 below x_min
   // Of the depth in each coefficient.
   Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxCoefficients + 2, 1> gradient(covariance.rows());
   const Eigen::Index numbers = gradient.size() - (parameters_.variation.is_none() ? 0 : 2);
@@ -269,8 +281,9 @@ double Mapping::depth_sd_mm(double x, const Eigen::Vector2d& place_mm) const {
     const double t = 2 * inside / x_max - 1;
     double before = t, now = 1;  // T_{-1} = T_1
     for (Eigen::Index k = 0; k < numbers; ++k) {
-      // The line beyond the domain: T_k(1) = 1 and T_k'(1) = k^2.
-      gradient[k] = inside * now + excess * (1 + 2.0 * static_cast<double>(k * k));
+      // The lines beyond the domain: T_k(1) = 1 and T_k'(1) = k^2, T_k(-1) = (-1)^k.
+      const double end = 1 + 2.0 * static_cast<double>(k * k), start = k % 2 == 0 ? 1 : -1;
+      gradient[k] = inside * now + excess * (excess < 0 ? start : end);
       const double next = 2 * t * now - before;
       before = now, now = next;
     }
@@ -286,10 +299,13 @@ double Mapping::depth_sd_mm(double x, const Eigen::Vector2d& place_mm) const {
 }
 
 double Mapping::difference_at(double depth_mm) const {
-  if (std::isnan(depth_mm)) return depth_mm;
-  if (depth_mm <= 0) return 0;
+  if (std::isnan(depth_mm) || depth_mm == 0) return depth_mm;
   if (depth_mm >= end_depth_mm_) return parameters_.x_max;
-  double low = 0, high = parameters_.x_max;
+  const double x_min_depth_mm = this->depth_mm(x_min_);
+  if (depth_mm < x_min_depth_mm)
+    return x_min_ +
+           (std::max(depth_mm, -kLimitFactor * end_depth_mm_) - x_min_depth_mm) / start_slope_mm_;
+  double low = depth_mm < 0 ? x_min_ : 0, high = depth_mm < 0 ? 0 : parameters_.x_max;
   while (true) {
     const double middle = low + (high - low) / 2;
     if (middle <= low || middle >= high) return middle;
@@ -298,13 +314,12 @@ double Mapping::difference_at(double depth_mm) const {
 }
 
 void Mapping::depths_mm(const float* x, float* depth_mm, int n) const {
-  const Loop loop{parameters_.x_max, end_slope_mm_, kLimitFactor * end_depth_mm_};
+  const Loop loop{
+      x_min_, parameters_.x_max, start_slope_mm_, end_slope_mm_, kLimitFactor * end_depth_mm_};
   if (parameters_.kind == MappingKind::kMoebius)
     return moebius_depths(static_cast<float>(parameters_.a_mm),
                           static_cast<float>(parameters_.b),
-                          static_cast<float>(loop.x_max),
-                          static_cast<float>(loop.end_slope),
-                          static_cast<float>(loop.limit),
+                          loop,
                           x,
                           depth_mm,
                           n);

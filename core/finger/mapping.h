@@ -57,10 +57,17 @@ struct MappingParameters {
 
 /// A valid mapping: finite and strictly increasing on its domain.
 ///
-/// depth_mm() is defined for every x and is finite, >= 0, continuous and monotone: x <= 0 (the
-/// layer bulges) gives 0; above x_max the curve goes on as a straight line with its end slope, up
-/// to 4 M(x_max) and not beyond. Whether a depth was extrapolated is for the caller to ask: x >
-/// x_max(). Only a NaN gives a NaN.
+/// depth_mm() is defined, finite, continuous and increasing for every x, and only a NaN gives a
+/// NaN:
+///   x in [0, x_max]  the calibrated curve
+///   x > x_max        a straight line with the curve's end slope
+///   x < 0            skin that bulges towards the camera, depth < 0. moebius: the same curve,
+///   which
+///                    is that of a thicker layer, down to x_min(), then a straight line with its
+///                    slope there. polynomial: the tangent at 0, because a polynomial beyond its
+///                    data is no physics (x_min() = 0).
+/// Depths stay within -4 M(x_max) and 4 M(x_max). Whether a depth was extrapolated is for the
+/// caller to ask: x > x_max().
 class Mapping {
  public:
   /// Errors: domain out of range, coefficients not finite or missing, not increasing, a depth of
@@ -70,18 +77,22 @@ class Mapping {
 
   [[nodiscard]] const MappingParameters& parameters() const { return parameters_; }
   [[nodiscard]] double x_max() const { return parameters_.x_max; }
+  /// Where the curve ends on the side of the bulge, <= 0. moebius: where 1 + b x is 1/2 (for K = 0
+  /// beyond twice the untouched thickness, see `b` in MappingParameters), at least -1.
+  [[nodiscard]] double x_min() const { return x_min_; }
 
   [[nodiscard]] double depth_mm(double x) const;
-  /// dM/dx at x clamped to [0, x_max]; > 0.
+  /// dM/dx at x clamped to [x_min, x_max]; > 0.
   [[nodiscard]] double slope_mm(double x) const;
   /// Standard deviation of M(x), in the middle of the face, from the covariance; 0 where that is
-  /// unknown. Above x_max it is that of the straight line, whatever the limit.
+  /// unknown. Outside [x_min, x_max] it is that of the straight line, whatever the limit.
   [[nodiscard]] double depth_sd_mm(double x) const {
     return depth_sd_mm(x, parameters_.variation.middle_mm);
   }
   /// The same of M(x) f at a place on the face, mm along and across it.
   [[nodiscard]] double depth_sd_mm(double x, const Eigen::Vector2d& place_mm) const;
-  /// The x in [0, x_max] whose depth is depth_mm, by bisection; clamped to the domain.
+  /// The x up to x_max whose depth is depth_mm, by bisection; of deeper ones x_max. A depth below 0
+  /// has its x < 0, and one below -4 M(x_max) that of the limit.
   [[nodiscard]] double difference_at(double depth_mm) const;
 
   /// depth_mm for n values at once in single precision: within a relative 4e-7 / (1 + min(b, 0)
@@ -101,6 +112,7 @@ class Mapping {
   /// loses at most 4 digits of 16 with 12 coefficients.
   std::vector<double> centred_powers_;
   double end_depth_mm_ = 0, end_slope_mm_ = 0;
+  double x_min_ = 0, start_slope_mm_ = 0;  // the slope at x_min
 };
 
 }  // namespace alltact

@@ -58,8 +58,21 @@ MapColour cool_to_warm(double part) {
   return between(kStops, 0.5 + 0.5 * (std::isfinite(part) ? part : 0.0));
 }
 
+MapColour depth_colour(double part) {
+  static constexpr std::array<MapColour, 6> kBulge{{{68, 1, 84},
+                                                    {122, 10, 92},
+                                                    {177, 38, 94},
+                                                    {222, 84, 101},
+                                                    {249, 145, 131},
+                                                    {255, 208, 190}}};
+  return part < 0 ? between(kBulge, -part / kBulgePart) : viridis(part);
+}
+
 ColourScale depth_scale(double top_mm) {
-  return {0, top_mm, viridis, 4};
+  return {-kBulgePart * top_mm,
+          top_mm,
+          [](double part) { return depth_colour((1 + kBulgePart) * part - kBulgePart); },
+          5};
 }
 
 ColourScale difference_scale(double top_mm) {

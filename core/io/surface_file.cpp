@@ -118,7 +118,7 @@ float light_of(std::uint8_t level) {
 std::vector<cv::Vec3f> colours_of(const Triangles& mesh, double top_mm) {
   std::vector<cv::Vec3f> colours;
   for (const float depth : mesh.depth_mm) {
-    const MapColour c = viridis(depth / top_mm);
+    const MapColour c = depth_colour(depth / top_mm);
     colours.emplace_back(light_of(c.red), light_of(c.green), light_of(c.blue));
   }
   return colours;

@@ -42,7 +42,7 @@ cv::Mat smaller(const cv::Mat& premultiplied, cv::Size size) {
 }
 
 Eigen::Vector3d colour_of(double part) {
-  const MapColour colour = viridis(part);
+  const MapColour colour = depth_colour(part);
   return Eigen::Vector3d(colour.red, colour.green, colour.blue) / 255;
 }
 

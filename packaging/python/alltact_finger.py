@@ -78,15 +78,17 @@ class Finger:
         return on_face, np.dstack([self.rays * z[..., None], z]), 1 / np.hypot(1, slope / (1 / z - x * slope))
 
     def depth(self, picture: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """A camera's grey picture -> how deep the contact face is pressed in along z, and its points, NaN off it."""
+        """A camera's grey picture -> how deep the contact face is pressed in along z (< 0: bulges), and its points, NaN off."""
         reference = self.reference(grey := self.turned(picture))
         on_face, points, cosine = self.face(cv2.blur(grey, (3, 3)))
         m, most, kernel = self.mapping, self.mapping["domain"][1], np.array(self.mapping["smoothing"])
         smooth = lambda p: cv2.sepFilter2D(np.float32(np.where(on_face, p, 0)), -1, kernel, kernel)
-        x = np.maximum(0, 1 - smooth(grey) / np.maximum(smooth(reference), 1))
+        x = 1 - smooth(grey) / np.maximum(smooth(reference), 1)  # < 0: brighter, a bulge
         curve = lambda x: x * (m["a_mm"] / (1 + m["b"] * x) if "b" in m else Chebyshev(m["chebyshev_mm"], [0, most])(x))
-        beyond = np.maximum(0, x - most)  # darker than calibrated: on along the curve's end
-        depth = curve(x - beyond) + beyond * (curve(most) - curve(most - 1e-4)) / 1e-4
+        least = -min(1, 0.5 / max(m["b"], 0.5)) if "b" in m else 0  # of the curve; beyond, on along its ends
+        slope = lambda x, step: (curve(x + step) - curve(x)) / step
+        beyond, before = np.maximum(0, x - most), np.minimum(0, x - least)
+        depth = curve(x - beyond - before) + beyond * slope(most, -1e-4) + before * slope(least, 1e-4)
         depth /= cosine if m["along"] != "z" else 1
         depth[cv2.erode(np.uint8(on_face), np.ones((7, 1)), borderValue=1) == 0] = np.nan
         depth[(reference < DARKEST) | (np.maximum(reference, grey) >= CLIPPED)] = np.nan

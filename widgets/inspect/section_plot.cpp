@@ -51,15 +51,21 @@ bool SectionPlot::draw() {
   const auto vector_of = [](const std::vector<double>& values) {
     return QVector<double>(values.begin(), values.end());
   };
-  double top = 0.1;
-  for (const double depth : profile_.depth_mm)
-    if (std::isfinite(depth)) top = std::max(top, 1.15 * depth);
+  double top = 0.1, low = 0;
+  const auto widen = [&](const std::vector<double>& depths) {
+    for (const double depth : depths) {
+      if (!std::isfinite(depth)) continue;
+      top = std::max(top, 1.15 * depth);
+      low = std::min(low, 1.15 * depth);
+    }
+  };
+  widen(profile_.depth_mm);
   // One standard deviation to both sides.
   auto* upper = chart().addGraph();
   auto* lower = chart().addGraph();
   for (std::size_t i = 0; i < profile_.along_mm.size(); ++i) {
     upper->addData(profile_.along_mm[i], profile_.depth_mm[i] + profile_.sd_mm[i]);
-    lower->addData(profile_.along_mm[i], std::max(0.0, profile_.depth_mm[i] - profile_.sd_mm[i]));
+    lower->addData(profile_.along_mm[i], profile_.depth_mm[i] - profile_.sd_mm[i]);
   }
   QColor band = series_colour(0, palette());
   band.setAlpha(60);
@@ -74,15 +80,14 @@ bool SectionPlot::draw() {
     auto* second = chart().addGraph();
     second->setData(vector_of(other_->along_mm), vector_of(other_->depth_mm), true);
     second->setPen(QPen(series_colour(1, palette()), 2, Qt::DashLine));
-    for (const double depth : other_->depth_mm)
-      if (std::isfinite(depth)) top = std::max(top, 1.15 * depth);
+    widen(other_->depth_mm);
     for (auto* hidden : {upper, lower}) hidden->removeFromLegend();
     line->setName(tr("shown"));
     second->setName(other_name_);
     show_legend();
   }
   chart().xAxis->setRange(0, profile_.along_mm.back());
-  chart().yAxis->setRange(0, top);
+  chart().yAxis->setRange(low, top);
   chart().xAxis->setLabel(tr("From A over the face (mm)"));
   chart().yAxis->setLabel(tr("Depth (mm)"));
   return true;

@@ -13,10 +13,10 @@
 namespace alltact {
 namespace {
 
-// Mean depth below which a cell only needs scaling: what noise makes of most of a face does too.
+// Mean depth, either way, below which a cell only needs scaling: noise stays below it.
 constexpr float kDentedMm = 0.02F, kMostDentedMm = 0.1F;
-constexpr float kAboveNoise = 3.0F;
-constexpr int kSteps = 6;  // each at least halves the error
+constexpr float kAboveNoise = 9.4F;  // 3 sd, by the quarter of a normal law's magnitudes (0.319 sd)
+constexpr int kSteps = 6;            // each at least halves the error
 
 /// The finger's length profile in the x-z plane, of the middle of the face. Across it a face that
 /// is twisted goes on as its normal says there.
@@ -57,13 +57,12 @@ struct Profile {
   }
 };
 
-/// The mean depth from which on a cell is dented, by the quarter of the face that is least so.
+/// The mean depth from which on a cell is dented or bulges, by the quarter of the face that is
+/// least so.
 float dented_mm(const cv::Mat& cells_mm) {
   std::vector<float> means;
-  std::copy_if(
-      cells_mm.begin<float>(), cells_mm.end<float>(), std::back_inserter(means), [](float mm) {
-        return std::isfinite(mm);
-      });
+  for (auto mean = cells_mm.begin<float>(); mean != cells_mm.end<float>(); ++mean)
+    if (std::isfinite(*mean)) means.push_back(std::abs(*mean));
   if (means.empty()) return kDentedMm;
   const auto quarter = means.begin() + static_cast<std::ptrdiff_t>(means.size() / 4);
   std::nth_element(means.begin(), quarter, means.end());
@@ -72,7 +71,7 @@ float dented_mm(const cv::Mat& cells_mm) {
 
 /// Cells near a dented one: where looking elsewhere can make a difference.
 cv::Mat dented_cells(const cv::Mat& cells_mm, const FaceShape& shape) {
-  cv::Mat dented = cells_mm > static_cast<double>(dented_mm(cells_mm));
+  cv::Mat dented = cv::abs(cells_mm) > static_cast<double>(dented_mm(cells_mm));
   double nearest_mm = 1e9;
   for (const FaceColumn& column : shape.columns())
     if (column.valid) nearest_mm = std::min(nearest_mm, column.z_mm);
@@ -83,17 +82,23 @@ cv::Mat dented_cells(const cv::Mat& cells_mm, const FaceShape& shape) {
   return dented;
 }
 
+struct Found {
+  double depth_mm = NAN;
+  cv::Point seen_at;  ///< the pixel that sees the line
+};
+
 /// Depth along z over one pixel; NaN where the pixel that sees it has no measurement.
-double look_up(const cv::Mat& depth_normal_mm,
-               const FaceShape& shape,
-               const Profile& profile,
-               const FaceShape::Local& here) {
+Found look_up(const cv::Mat& depth_normal_mm,
+              const FaceShape& shape,
+              const Profile& profile,
+              const FaceShape::Local& here) {
   const double layer_mm = shape.face().layer_mm;
   const Eigen::Vector3d untouched = untouched_point_mm(here, layer_mm, MappingAlong::kZ);
   // How far the untouched face lies beyond the profile on this line.
   const Profile::Place foot = profile.at(untouched.x());
   const double beyond_mm = untouched.z() - foot.z_mm - foot.normal_z * layer_mm;
   double depth = 0, pressed_z = 0;
+  cv::Point at;
   for (int step = 0; step < kSteps; ++step) {
     // The foot moves back along the normal as the layer thins.
     Profile::Place place = profile.at(untouched.x());
@@ -105,28 +110,33 @@ double look_up(const cv::Mat& depth_normal_mm,
                                   untouched.y() - place.normal_y * thickness,
                                   z_mm);
     const auto pixel = shape.camera().project(seen_at);
-    if (!pixel) return NAN;
+    if (!pixel) return {};
     const double found = bilinear(depth_normal_mm, *pixel);
-    if (!std::isfinite(found)) return NAN;
+    if (!std::isfinite(found)) return {};
+    at = {static_cast<int>(std::lround(pixel->x())), static_cast<int>(std::lround(pixel->y()))};
     depth = step < 2 ? found : 0.5 * (depth + found);
     pressed_z = z_mm + place.normal_z * (layer_mm - depth);
   }
-  return std::max(0.0, untouched.z() - pressed_z);
+  return {untouched.z() - pressed_z, at};
 }
 
 }  // namespace
 
 cv::Mat depth_along_z(const cv::Mat& depth_normal_mm,
                       const cv::Mat& cells_mm,
-                      const FaceShape& shape) {
-  CV_Assert(depth_normal_mm.type() == CV_32FC1 && depth_normal_mm.cols == shape.width_px());
+                      const FaceShape& shape,
+                      cv::Mat& flags) {
+  CV_Assert(depth_normal_mm.type() == CV_32FC1 && depth_normal_mm.cols == shape.width_px() &&
+            flags.type() == CV_8UC1 && flags.size() == depth_normal_mm.size());
   cv::Mat depth_mm = depth_normal_mm.clone();
+  const cv::Mat flags_before = flags.clone();
   const Profile profile(shape);
   const std::vector<float>& along_z = shape.along_z_per_normal();
   const cv::Mat dented = dented_cells(cells_mm, shape);
   for (int row = 0; row < depth_mm.rows; ++row) {
     const std::uint8_t* cell = dented.ptr<std::uint8_t>(row / kDepthCellPx);
     float* depth = depth_mm.ptr<float>(row);
+    auto* flag = flags.ptr<std::uint8_t>(row);
     for (int u = 0; u < depth_mm.cols; ++u) {
       // Where the face is even, along the normal or along z is a matter of scale alone.
       depth[u] *= along_z[static_cast<std::size_t>(u)];
@@ -134,8 +144,10 @@ cv::Mat depth_along_z(const cv::Mat& depth_normal_mm,
         continue;
       const auto here = shape.at(u, row);
       if (!here) continue;
-      const double found = look_up(depth_normal_mm, shape, profile, *here);
-      if (std::isfinite(found)) depth[u] = static_cast<float>(found);
+      const Found found = look_up(depth_normal_mm, shape, profile, *here);
+      if (!std::isfinite(found.depth_mm)) continue;
+      depth[u] = static_cast<float>(found.depth_mm);
+      flag[u] = flags_before.at<std::uint8_t>(found.seen_at);
     }
   }
   return depth_mm;

@@ -15,10 +15,12 @@ namespace alltact {
 /// finger, since the normal has no part across it).
 ///
 /// depth_normal_mm: CV_32FC1, NaN where not measured; cells_mm: its means (depth_cells.h), which
-/// say where looking is worth it. The result has the size and type of depth_normal_mm; it is >= 0,
-/// and NaN where depth_normal_mm is.
+/// say where looking is worth it. The result has the size and type of depth_normal_mm and
+/// is NaN where that is. Bulges (depth < 0) are turned alike. What a pixel looked up is flagged
+/// (CV_8UC1 of PixelFlag) as where it was found, so that a depth at a limit keeps its mark.
 [[nodiscard]] cv::Mat depth_along_z(const cv::Mat& depth_normal_mm,
                                     const cv::Mat& cells_mm,
-                                    const FaceShape& shape);
+                                    const FaceShape& shape,
+                                    cv::Mat& flags);
 
 }  // namespace alltact

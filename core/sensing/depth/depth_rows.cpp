@@ -168,7 +168,6 @@ ALLTACT_WIDE void flag_row(const float* __restrict x,
       });
 }
 
-/// A layer cannot be pressed in further than it is thick.
 ALLTACT_WIDE void bound_row(const float* __restrict most_mm,
                             int count,
                             float* __restrict depth_mm,
@@ -177,15 +176,15 @@ ALLTACT_WIDE void bound_row(const float* __restrict most_mm,
   in_blocks(
       count, [&](int first, auto size) __attribute__((always_inline)) {
         for (int k = 0; k < size; ++k)
-          deeper[static_cast<std::size_t>(k)] |= depth_mm[first + k] > most_mm[first + k] ? 1 : 0;
+          deeper[static_cast<std::size_t>(k)] |=
+              std::abs(depth_mm[first + k]) > most_mm[first + k] ? 1 : 0;
       });
   if (largest_of(deeper) == 0) return;  // as nearly everywhere
-  constexpr float beyond = kBeyondLayer;
   for (int u = 0; u < count; ++u) {
-    const auto flag = static_cast<float>(static_cast<std::int32_t>(flags[u]));
-    const float depth = depth_mm[u], most = most_mm[u];
-    flags[u] = static_cast<std::uint8_t>(static_cast<std::int32_t>(depth > most ? beyond : flag));
-    depth_mm[u] = depth > most ? most : depth;
+    const float most = most_mm[u];
+    if (!(std::abs(depth_mm[u]) > most)) continue;
+    flags[u] = depth_mm[u] > 0.0F ? kBeyondLayer : kBulgeLimit;
+    depth_mm[u] = std::copysign(most, depth_mm[u]);
   }
 }
 

@@ -45,8 +45,8 @@ void divide(const SmoothRow& row,
 /// Flags what lies beyond x_max, as divide() does.
 void flag_beyond(const float* x, float x_max, int count, std::uint8_t* flags);
 
-/// A layer cannot be pressed in further than it is thick: deeper depths are set to that, and
-/// flagged.
+/// A layer cannot be pressed in further than it is thick, nor bulge by more: such depths are set to
+/// that, with their sign, and flagged as kBeyondLayer or kBulgeLimit.
 void bound(const float* most_mm, int count, float* depth_mm, std::uint8_t* flags);
 
 }  // namespace alltact::depth_rows

@@ -43,19 +43,22 @@ DepthError::DepthError(const DepthMap& depth,
 
 void DepthError::know_curve() {
   if (!x_.empty()) return;
-  for (int i = 0; i <= kTable; ++i) {
+  for (int i = -kTable; i <= kTable; ++i) {
     x_.push_back(mapping_.difference_at(i * step_mm_));
     slope_mm_.push_back(mapping_.slope_mm(x_.back()));
   }
 }
 
-/// What the mapping says of a depth that it gives; beyond the domain the curve goes on straight.
+/// x and slope of a depth that the mapping gives; beyond the table the curve goes on straight.
 DepthError::At DepthError::curve_at(double depth_mm) const {
   const double end_mm = step_mm_ * kTable;
   if (depth_mm >= end_mm)
     return {x_.back() + (depth_mm - end_mm) / slope_mm_.back(), slope_mm_.back()};
-  const double place = std::max(0.0, depth_mm) / step_mm_;
-  const auto i = std::min(static_cast<std::size_t>(place), static_cast<std::size_t>(kTable - 1));
+  if (depth_mm <= -end_mm)
+    return {x_.front() + (depth_mm + end_mm) / slope_mm_.front(), slope_mm_.front()};
+  const double place = depth_mm / step_mm_ + kTable;
+  const auto i =
+      std::min(static_cast<std::size_t>(place), static_cast<std::size_t>(2 * kTable - 1));
   const double part = place - static_cast<double>(i);
   const auto between = [&](const std::vector<double>& values) {
     return values[i] + part * (values[i + 1] - values[i]);
@@ -79,7 +82,7 @@ double DepthError::reference_sd(int u, int v) {
                       sd.at<float>(std::clamp(y, 0, sd.rows - 1), std::clamp(x, 0, sd.cols - 1)));
 }
 
-double DepthError::lateral_mm(int u, int v, double noise_mm) const {
+void DepthError::add_lateral(int u, int v, DepthCauses& causes) const {
   constexpr int kStep = 2;  // further than most of the noise is shared
   const cv::Mat& mm = depth_.depth_mm;
   const double here = static_cast<double>(mm.at<float>(v, u));
@@ -92,14 +95,15 @@ double DepthError::lateral_mm(int u, int v, double noise_mm) const {
   const double left = at(-1, 0), right = at(1, 0), above = at(0, -1), below = at(0, 1);
   const auto squares = [](double a, double b) { return a * a + b * b; };
   // What noise alone makes of the same differences is taken off.
-  const double noise = noise_mm * noise_mm;
+  const double noise = causes.noise * causes.noise;
   const double slope_square =
       std::max(0.0, squares(right - left, below - above) - 4.0 * noise) / (4.0 * kStep * kStep);
   const double bend_square =
       std::max(0.0, squares(left - 2.0 * here + right, above - 2.0 * here + below) - 12.0 * noise) /
       std::pow(kStep, 4);
-  return std::sqrt(kSidewaysPx * kSidewaysPx * slope_square +
-                   0.25 * kOpticsPx2 * kOpticsPx2 * bend_square);
+  causes.per_px = std::sqrt(slope_square);
+  causes.lateral = std::sqrt(kSidewaysPx * kSidewaysPx * slope_square +
+                             0.25 * kOpticsPx2 * kOpticsPx2 * bend_square);
 }
 
 double DepthError::level_at(int u, int v) {
@@ -115,7 +119,14 @@ DepthError::At DepthError::single_at(double depth_mm) const {
     const double slope_mm = mapping_.slope_mm(end);
     return {end + (depth_mm - end_mm) / slope_mm, slope_mm};
   }
-  double low = 0, high = end, x = end * std::max(0.0, depth_mm) / end_mm;
+  const double start = mapping_.x_min(), start_mm = mapping_.depth_mm(start);
+  if (depth_mm <= start_mm) {
+    const double slope_mm = mapping_.slope_mm(start);
+    return {start + (depth_mm - start_mm) / slope_mm, slope_mm};
+  }
+  const bool is_bulge = depth_mm < 0;
+  double low = is_bulge ? start : 0, high = is_bulge ? 0 : end;
+  double x = is_bulge ? start * depth_mm / start_mm : end * depth_mm / end_mm;
   double slope_mm = mapping_.slope_mm(x);
   for (int step = 0; step < 20; ++step) {
     const double off_mm = mapping_.depth_mm(x) - depth_mm;
@@ -149,7 +160,7 @@ DepthCauses DepthError::of_depth(int u, int v, double depth_mm) {
   const double level = level_at(u, v);
   if (!(level > 0)) return {};
   DepthCauses all = causes(u, v, level, depth_mm, &DepthError::single_at);
-  all.lateral = lateral_mm(u, v, all.noise);
+  add_lateral(u, v, all);
   return all;
 }
 

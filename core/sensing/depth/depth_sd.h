@@ -23,6 +23,8 @@ struct DepthCauses {
   double light = 0;  ///< how well the light's change is known: f M'(x) (1 - x) sd(q) / q
   /// Where depth changes fast: a quarter of a pixel sideways, and what smoothing takes off a bend.
   double lateral = 0;
+  /// No cause of its own: what the depth changes by from a pixel to the next, mm. 0: within noise.
+  double per_px = 0;
 
   [[nodiscard]] double total() const;
 };
@@ -59,7 +61,7 @@ class DepthError {
   [[nodiscard]] At curve_at(double depth_mm) const;
   [[nodiscard]] At single_at(double depth_mm) const;
   [[nodiscard]] double reference_sd(int u, int v);
-  [[nodiscard]] double lateral_mm(int u, int v, double noise_mm) const;
+  void add_lateral(int u, int v, DepthCauses& causes) const;
   [[nodiscard]] double level_at(int u, int v);
   using ReadCurve = At (DepthError::*)(double depth_mm) const;
   [[nodiscard]] DepthCauses causes(int u, int v, double level, double depth_mm, ReadCurve read);
@@ -104,7 +106,7 @@ void DepthError::row(int v, Put put) {
                                static_cast<double>(grey[u]) / 64.0,
                                static_cast<double>(depth[u]),
                                &DepthError::curve_at);
-      all.lateral = lateral_mm(u, v, all.noise);
+      add_lateral(u, v, all);
       put(u, all);
     }
 }

@@ -78,7 +78,7 @@ class Mapper {
   void finish() {
     map_.cells_mm = cells_.mean_mm();
     if (mapping_.parameters().along != MappingAlong::kNormal) return;
-    map_.depth_mm = depth_along_z(map_.depth_mm, map_.cells_mm, shape_);
+    map_.depth_mm = depth_along_z(map_.depth_mm, map_.cells_mm, shape_, map_.flags);
     map_.cells_mm = depth_cells(map_.depth_mm);
   }
 
@@ -219,7 +219,8 @@ DepthMap depth_map(const Difference& difference, const Mapping& mapping, const F
                {},
                0.0,
                0.0,
-               difference.light};
+               difference.light,
+               false};
   Mapper mapper(mapping, shape, difference.face, map);
   const auto x_max = static_cast<float>(mapping.x_max());
   for (int row = 0; row < difference.x.rows; ++row) {
@@ -244,10 +245,12 @@ DepthMap depth_map(const cv::Mat& grey,
                {},
                0.0,
                0.0,
-               {}};
+               {},
+               false};
   const FaceRuns face = face_runs(shape, options.edge_margin_px, grey.size(), options.columns);
   const double noise_sd = noise_now(grey, reference, face, options);
   map.light = light_now(grey, reference, face, options, noise_sd);
+  map.is_light_unknown = options.correct_light && map.light.believed() == 0;
   Mapper mapper(mapping, shape, face, map);
   std::vector<float> x(static_cast<std::size_t>(grey.cols));
   compare(

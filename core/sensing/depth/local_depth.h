@@ -27,13 +27,14 @@ struct Difference {
 };
 
 struct DepthMap {
-  cv::Mat depth_mm;  ///< CV_32FC1 along z, >= 0, NaN where flags say so
+  cv::Mat depth_mm;  ///< CV_32FC1 along z, < 0 where skin bulges, NaN where flags say so
   cv::Mat flags;     ///< CV_8UC1 of PixelFlag
   cv::Mat cells_mm;  ///< CV_32FC1: mean depth over each cell (depth_cells.h)
   /// Standard deviation of a pixel's depth where little presses, at the face's mean brightness.
   double noise_mm = 0;
-  double live_sd = 0;  ///< noise of the picture alone after smoothing, grey levels
-  LightGain light;     ///< how the light has changed, if that was asked for
+  double live_sd = 0;             ///< noise of the picture alone after smoothing, grey levels
+  LightGain light;                ///< how the light has changed, if that was asked for
+  bool is_light_unknown = false;  ///< it was asked for, and too little of the face tells it
 };
 
 struct DifferenceOptions {
@@ -55,8 +56,9 @@ struct DifferenceOptions {
                                     const FaceShape& shape,
                                     const DifferenceOptions& options);
 
-/// Applies the mapping: depth 0 where x <= 0 (bulge), flags beyond the calibrated domain, and never
-/// more than the layer is thick (along z: layer / cos(incline), incline at most 75 degrees). With a
+/// Applies the mapping: depth < 0 where x < 0 (bulge), flags beyond the calibrated domain, and
+/// never more than the layer is thick, either way (along z: layer / cos(incline), incline at most
+/// 75 degrees). Noise of untouched skin has both signs, so means of depth are unbiased. With a
 /// mapping along the normal the depth is turned into that along z (depth_along_z.h).
 [[nodiscard]] DepthMap depth_map(const Difference& difference,
                                  const Mapping& mapping,

@@ -21,8 +21,14 @@ enum PixelFlag : std::uint8_t {
   kBeyondLayer = 5,   ///< deeper than the layer is thick: depth is set to that
   kNoReference = 6,   ///< the recording does not show this part of the face in this pose: NaN
   kHiddenEnd = 7,     ///< the face goes on here, but something hides its end: NaN
+  kBulgeLimit = 8,    ///< bulges by more than the layer is thick: depth is set to minus that
 };
-constexpr std::size_t kPixelFlags = 8;  ///< how many there are
+constexpr std::size_t kPixelFlags = 9;  ///< how many there are
+
+/// Whether the depth is only a least value (kBeyondLayer) or a greatest one (kBulgeLimit).
+[[nodiscard]] constexpr bool is_at_limit(std::uint8_t flag) {
+  return flag == kBeyondLayer || flag == kBulgeLimit;
+}
 
 /// Parts of the face by what their depth is worth: those of the pixels that are not kOffFace, told
 /// from one in `every_row` rows. All 0 where there is no face.

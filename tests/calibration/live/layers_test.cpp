@@ -130,7 +130,7 @@ TEST(DepthLayer, IsTheColoursOfTheDepthWhereThereIsAny) {
   constexpr double kTop_mm = 0.8;
   cv::Mat depth_mm(90, 700, CV_32FC1, cv::Scalar(0.01));
   depth_mm.row(3).setTo(std::numeric_limits<float>::quiet_NaN());
-  depth_mm.row(4).setTo(-5);
+  depth_mm.row(50).colRange(610, 650).setTo(-5);  // a bulge beyond the scale
   for (int u = 290; u < 600; ++u)
     for (int v = 40; v < 70; ++v) depth_mm.at<float>(v, u) = 0.01F * static_cast<float>(u - 290);
   const PartLayer layer = depth_layer(map_of(depth_mm), kTop_mm);
@@ -142,15 +142,15 @@ TEST(DepthLayer, IsTheColoursOfTheDepthWhereThereIsAny) {
     for (int u = 0; u < whole.cols; ++u) {
       const double depth = static_cast<double>(depth_mm.at<float>(v, u));
       const Stripe here = whole.at<Stripe>(v, u);
-      if (!(depth > 0.05)) {
+      if (!(std::abs(depth) > 0.05)) {
         EXPECT_EQ(here, kNothing) << u << ", " << v;
         continue;
       }
-      // Full from 0.25 mm on, and 85 % of the colour then.
-      const double part = std::min(depth / kTop_mm, 1.0);
-      const double alpha = 0.85 * std::min((part * kTop_mm - 0.05) / 0.2, 1.0);
+      // Full from 0.25 mm on, and 85 % of the colour then; of bulges the scale ends at a quarter.
+      const double part = std::clamp(depth / kTop_mm, -0.25, 1.0);
+      const double alpha = 0.85 * std::min((std::abs(part * kTop_mm) - 0.05) / 0.2, 1.0);
       EXPECT_NEAR(here[3], 255 * alpha, 5) << u << ", " << v;
-      const MapColour colour = viridis(part);
+      const MapColour colour = depth_colour(part);
       EXPECT_NEAR(here[0], alpha * colour.blue, 5);
       EXPECT_NEAR(here[1], alpha * colour.green, 5);
       EXPECT_NEAR(here[2], alpha * colour.red, 5);

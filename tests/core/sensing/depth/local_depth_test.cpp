@@ -56,10 +56,11 @@ TEST(LocalDepth, EveryPairOfGreyLevelsIsFiniteOrFlagged) {
       for (int k = 0; k < 256; ++k) {
         const auto flag = map.flags.at<std::uint8_t>(i, k);
         const float d = map.depth_mm.at<float>(i, k);
-        const bool measured = flag == kMeasured || flag == kExtrapolated || flag == kBeyondLayer;
+        const bool measured = flag == kMeasured || flag == kExtrapolated || is_at_limit(flag);
         ASSERT_EQ(std::isfinite(d), measured) << i << ' ' << k;
         if (measured) {
-          ASSERT_GE(d, 0.0F);
+          ASSERT_LE(std::abs(static_cast<double>(d)), shape.face().layer_mm + 1e-6);
+          ASSERT_EQ(flag == kBulgeLimit, d <= -static_cast<float>(shape.face().layer_mm));
         }
         if (k < 8) {
           ASSERT_EQ(flag, kTooDark);
@@ -72,7 +73,6 @@ TEST(LocalDepth, EveryPairOfGreyLevelsIsFiniteOrFlagged) {
           ASSERT_NEAR(static_cast<double>(diff.x.at<float>(i, k)), x, 2e-7 * (1.0 + std::abs(x)));
           ASSERT_EQ(flag == kExtrapolated || flag == kBeyondLayer, static_cast<float>(x) > 0.5F)
               << i << ' ' << k;
-          ASSERT_LE(static_cast<double>(d), shape.face().layer_mm + 1e-6);
         }
       }
     }
@@ -163,12 +163,16 @@ TEST(LocalDepth, NoiseIsAsPredictedAndUnbiased) {
   EXPECT_NEAR(spread[0], diff.grey_sd / level, 0.05 * diff.grey_sd / level);
 }
 
-TEST(LocalDepth, BulgeIsNoContact) {
+TEST(LocalDepth, ABulgeIsADepthBelowZero) {
   cv::Mat untouched(60, 80, CV_8UC1, cv::Scalar(100)), live(60, 80, CV_8UC1, cv::Scalar(112));
   const FaceShape shape = flat_shape(80, 60);
   const DepthMap map =
       depth_map(difference(live, reference_of(untouched), shape, {}), straight(5.0), shape);
-  EXPECT_EQ(cv::countNonZero(map.depth_mm), 0);
+  double least = 0, most = 0;
+  cv::minMaxLoc(map.depth_mm, &least, &most);
+  EXPECT_NEAR(least, -0.12 * 5.0, 1e-5);  // the tangent of a straight mapping
+  EXPECT_NEAR(most, -0.12 * 5.0, 1e-5);
+  EXPECT_EQ(cv::countNonZero(map.flags), 0);
 }
 
 TEST(LocalDepth, ReferenceDecidesWhereThereIsAFace) {
