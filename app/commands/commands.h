@@ -114,7 +114,7 @@ struct ReconstructOptions {
   std::vector<Path> inputs;
   Path folder;
   bool depth = true, depth16 = false, depth_video = false, depth_sd = false, sd_causes = false,
-       flags = true;
+       flags = true, limits = false;
   bool points = false;
   std::vector<std::string> surfaces;  ///< endings of write_surface, without the dot
   bool picture = false;               ///< of the face in 3D

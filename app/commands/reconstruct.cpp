@@ -272,7 +272,11 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
           "sd_reference, sd_light, sd_lateral), flags (8-bit PNG: 0 measured, 1 off the face, 2 "
           "too "
           "dark, 3 "
-          "saturated, 4 darker than calibrated, 5 beyond the layer, 6 not in the recording), "
+          "saturated, 4 darker than calibrated, 5 at the layer's thickness: at least that deep, 6 "
+          "not in the recording, 7 its end hidden, 8 bulging by the layer's thickness or more), "
+          "limits (8-bit PNG, bits: 1 at the layer's thickness, 2 bulging by that, 4 darker than "
+          "calibrated, 8 steep: a pixel sideways changes the depth by more than its standard "
+          "deviation, 16 doubtful light), "
           "points "
           "(float TIFF, x y z in mm), and meshes of the face for other programs: ply, vtp, stl, "
           "glb "
@@ -287,6 +291,7 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
                              "depth_sd",
                              "sd_causes",
                              "flags",
+                             "limits",
                              "points",
                              "ply",
                              "vtp",
@@ -359,6 +364,7 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
     options->depth_sd = wants("depth_sd");
     options->sd_causes = wants("sd_causes");
     options->flags = wants("flags");
+    options->limits = wants("limits");
     options->points = wants("points");
     for (const char* kind : {"ply", "vtp", "stl", "glb"})
       if (wants(kind)) options->surfaces.emplace_back(kind);

@@ -15,6 +15,7 @@ std::string name_of_run(const ReconstructOptions& options, std::size_t frame_cou
                             options.depth_sd,
                             options.sd_causes,
                             options.flags,
+                            options.limits,
                             options.points,
                             options.picture})
     all += wanted ? '1' : '0';

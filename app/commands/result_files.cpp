@@ -4,7 +4,7 @@
 #include "core/io/depth_file.h"
 #include "core/io/picture.h"
 #include "core/io/surface_file.h"
-#include "core/sensing/depth/depth_sd.h"
+#include "core/sensing/depth/depth_limits.h"
 #include "core/sensing/result_json.h"
 
 #include <fmt/format.h>
@@ -99,18 +99,22 @@ Status ResultFiles::write_maps(const FrameResult& result, const Pipeline& pipeli
 }
 
 Status ResultFiles::write_sd(const FrameResult& result, const Finger& finger) const {
-  if (!options_->depth_sd && !options_->sd_causes) return {};
+  if (!options_->depth_sd && !options_->sd_causes && !options_->limits) return {};
   const auto mapping = Mapping::create(*finger.mapping);
   if (!mapping) return mapping.error();
   const auto write = [&](const std::string& ending, const cv::Mat& sd_mm) {
     return write_file_of_many(file(result, ending), depth_tiff(sd_mm));
   };
-  if (options_->depth_sd)
-    if (Status status =
-            write(".depth_sd.tiff",
-                  depth_sd_mm(*result.depth, *result.reference, *result.shape, *mapping));
-        !status)
-      return status;
+  if (options_->depth_sd || options_->limits) {
+    const DepthSdAndLimits made =
+        depth_sd_and_limits(*result.depth, *result.reference, *result.shape, *mapping);
+    if (options_->depth_sd)
+      if (Status status = write(".depth_sd.tiff", made.sd_mm); !status) return status;
+    if (options_->limits)
+      if (Status status = write_file_of_many(file(result, ".limits.png"), grey_png(made.limits));
+          !status)
+        return status;
+  }
   if (!options_->sd_causes) return {};
   for (const auto& [cause, sd_mm] :
        depth_sd_by_cause(*result.depth, *result.reference, *result.shape, *mapping))

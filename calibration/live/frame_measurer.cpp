@@ -2,7 +2,7 @@
 
 #include "calibration/finger/measuring_settings.h"
 #include "calibration/finger/paper_pipeline.h"
-#include "core/sensing/depth/depth_sd.h"
+#include "core/sensing/depth/depth_limits.h"
 #include "core/sensing/face/place_pixel.h"
 #include "core/sensing/measures.h"
 
@@ -27,7 +27,10 @@ MeasuredFrame measured_by(const FingerSnapshot& finger,
   frame.smoothing_px = settings.smoothing_px;
   const FrameResult& first = frame.result;
   if (!finger.mapping || !first.depth || !first.shape || !first.reference) return frame;
-  frame.sd_mm = depth_sd_mm(*first.depth, *first.reference, *first.shape, *finger.mapping);
+  DepthSdAndLimits made =
+      depth_sd_and_limits(*first.depth, *first.reference, *first.shape, *finger.mapping);
+  frame.sd_mm = std::move(made.sd_mm);
+  frame.limits = std::move(made.limits);
   return frame;
 }
 

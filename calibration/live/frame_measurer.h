@@ -40,7 +40,8 @@ struct MeasuredFrame {
   Face face;
   bool is_calibrated = false;  ///< else there is no depth
   std::optional<Camera> camera;
-  cv::Mat sd_mm;                   ///< of the depth (depth_sd_mm()); empty where there is no depth
+  /// Of the depth (depth_sd_and_limits()); both are empty where there is no depth.
+  cv::Mat sd_mm, limits;
   std::optional<Mapping> mapping;  ///< that the depth was read with
   double smoothing_px = 0;         ///< and what came before that
   /// What it is compared with, where that could be measured.

@@ -227,6 +227,7 @@ void Pipeline::State::find_contact(FrameResult& result, StopWatch& watch) const 
   options.threshold_mm = settings.contact_threshold_mm;
   options.correlated_px2 = std::pow(smoothing_of(settings.smoothing_px).noise_part(), -2);
   options.noise_mm = result.depth->noise_mm;
+  options.is_light_doubtful = is_light_doubtful(*result.depth);
   // Of bars at drawn places and angles in rendered pictures: their upright ends.
   constexpr double kAxisBeyondNoiseDeg = 0.021;
   options.axis_beyond_noise_deg = kAxisBeyondNoiseDeg;

@@ -89,6 +89,7 @@ Json contact_json(const FingerContact& contact) {
     if (place->across_sd_mm) put(entry, "across_sd_mm", *place->across_sd_mm, 4);
     if (place->depth_mm) put(entry, "depth_mm", *place->depth_mm, 4);
     if (place->depth_sd_mm) put(entry, "depth_sd_mm", *place->depth_sd_mm, 4);
+    if (place->limits != kNoLimit) entry["limits"] = limit_names(place->limits);
   }
   if (!contact.no_place.empty()) entry["no_place"] = contact.no_place.english();
   return entry;
@@ -124,6 +125,8 @@ Json regions_json(const std::vector<ContactRegion>& regions) {
     put_vector(entry, "place_mm", region.place_mm, 4);
     put_vector(entry, "place_on_face_mm", region.place_on_face_mm, 3);
     put(entry, "deepest_mm", region.deepest_mm, 4);
+    if (region.deepest_sd_mm) put(entry, "deepest_sd_mm", *region.deepest_sd_mm, 4);
+    if (region.limits != kNoLimit) entry["limits"] = limit_names(region.limits);
     put(entry, "area_mm2", region.area_mm2, 3);
     put(entry, "volume_mm3", region.volume_mm3, 4);
     if (region.angle_deg) put(entry, "angle_deg", *region.angle_deg, 2);
@@ -152,7 +155,8 @@ Json validity_json(const cv::Mat& flags) {
                                                                "extrapolated",
                                                                "beyond_layer",
                                                                "no_reference",
-                                                               "hidden_end"};
+                                                               "hidden_end",
+                                                               "bulge_limit"};
   const FlagShares shares = flag_shares(flags);
   Json entry = Json::object();
   for (std::size_t k = 0; k < kNames.size(); ++k)

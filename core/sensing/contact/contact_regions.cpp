@@ -65,6 +65,7 @@ void keep_significant(const cv::Mat& cells_mm,
 struct CellSums {
   int pixels = 0;
   double depth = 0, depth_square = 0, depth_u = 0, depth_v = 0;  // sums over the pixels
+  std::uint8_t limits = 0;
 };
 
 /// Where on the face the volume above the threshold has its centre. The weight begins at nothing,
@@ -122,6 +123,7 @@ class RegionSums {
   /// sd: of the cell's untouched skin
   void add(const CellSums& cell, const UntouchedSd& sd, const RegionOptions& options) {
     const Eigen::Vector2d middle(cell.depth_u / cell.depth, cell.depth_v / cell.depth);
+    region_.limits |= cell.limits;
     depth_ += cell.depth;
     noise_ += cell.pixels * sd.noise;
     systematic_ += cell.pixels * sd.systematic;
@@ -196,8 +198,11 @@ class RegionSums {
     region.place_px /= region.volume_mm3;
     region.place_on_face_mm /= region.volume_mm3;
     find_deepest_place(options, region);
-    if (options.pressed)
-      region.deepest_sd_mm = sd_of_deepest(pressed_at(options, deepest_px_, region.deepest_mm));
+    if (options.pressed) {
+      const DepthCauses causes = pressed_at(options, deepest_px_, region.deepest_mm);
+      region.deepest_sd_mm = sd_of_deepest(causes);
+      region.limits |= limits_of(causes, options.is_light_doubtful) & kDoubtfulLight;
+    }
     if (options.pressed)
       region.place_covariance_mm2 = contact_covariance_mm2(
           shape_, region.place_px, errors_.mean_sd_mm(region, options.correlated_px2));
@@ -297,10 +302,11 @@ struct PressedCell {
   float deepest = 0;
 };
 
-PressedCell pressed_in(const cv::Mat& depth_mm, const cv::Rect& cell, float threshold) {
+PressedCell pressed_in(const DepthMap& map, const cv::Rect& cell, float threshold) {
   PressedCell pressed;
   for (int row = cell.y; row < cell.y + cell.height; ++row) {
-    const float* depth = depth_mm.ptr<float>(row);
+    const float* depth = map.depth_mm.ptr<float>(row);
+    const auto* flags = map.flags.ptr<std::uint8_t>(row);
     auto& [first, last] = pressed.ends[static_cast<std::size_t>(row - cell.y)];
     for (int u = cell.x; u < cell.x + cell.width; ++u) {
       if (!(depth[u] > threshold)) continue;
@@ -313,6 +319,7 @@ PressedCell pressed_in(const cv::Mat& depth_mm, const cv::Rect& cell, float thre
       sums.depth_square += d * d;
       sums.depth_u += d * u;
       sums.depth_v += d * row;
+      sums.limits |= limit_of_flag(flags[u]);
       if (depth[u] > pressed.deepest)
         pressed.deepest = depth[u], pressed.deepest_u = u, pressed.deepest_row = row;
     }
@@ -339,8 +346,7 @@ RegionSums sums_of(const DepthMap& depth,
       if (row[x] != label) continue;
       const cv::Rect cell =
           cv::Rect((origin.x + x) * kCell, (origin.y + y) * kCell, kCell, kCell) & picture;
-      const PressedCell pressed =
-          pressed_in(depth.depth_mm, cell, static_cast<float>(threshold_mm));
+      const PressedCell pressed = pressed_in(depth, cell, static_cast<float>(threshold_mm));
       if (pressed.sums.pixels == 0) continue;
       sums.add(pressed.sums, untouched.at(origin + cv::Point(x, y)), options);
       for (std::size_t k = 0; k < pressed.ends.size(); ++k)

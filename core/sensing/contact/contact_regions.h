@@ -36,6 +36,7 @@
 // "Untouched" elsewhere is the skin as the reference shows it, whatever presses now.
 #pragma once
 
+#include "core/sensing/depth/depth_limits.h"
 #include "core/sensing/depth/depth_sd.h"
 #include "core/sensing/depth/local_depth.h"
 
@@ -61,6 +62,10 @@ struct ContactRegion {
   double area_mm2 = 0;                  ///< on the face
   double volume_mm3 = 0;                ///< displaced, along z
   int pixels = 0;
+  /// Bits of DepthLimit. With kLayerLimit some pixels are at the layer's limit: deepest_mm,
+  /// volume_mm3 and every depth there are least values. kSteep is that of single pixels and not
+  /// told of a region.
+  std::uint8_t limits = 0;
   /// Of place_mm: the face errs along the line of sight, the depth along z, the latter by what
   /// RegionOptions::pressed says. Not how well the lens is known. Absent without `pressed`.
   std::optional<Eigen::Matrix3d> place_covariance_mm2;
@@ -82,6 +87,7 @@ struct RegionOptions {
   double noise_mm = 0.0;      ///< sd of a pixel's depth; the threshold is at least 4 of it
   double minimum_area_mm2 = 0.25;
   double correlated_px2 = 1.0;         ///< pixels that share their noise, by the smoothing
+  bool is_light_doubtful = false;      ///< is_light_doubtful() of the frame
   double axis_beyond_noise_deg = 0.0;  ///< what turns the axis of a contact 1 mm wide besides noise
   /// How far off untouched skin may be told at a pixel (u, v), as DepthError::untouched; empty: by
   /// noise_mm everywhere.

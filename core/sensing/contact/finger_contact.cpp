@@ -29,6 +29,7 @@ PlaceOnFinger place_of_region(const ContactRegion& region, const FaceShape& shap
   place.across_mm = region.deepest_on_face_mm.y();
   place.depth_mm = region.deepest_mm;
   place.depth_sd_mm = region.deepest_sd_mm;
+  place.limits = region.limits;
   if (const auto covariance = place_covariance_on_face_mm2(region, shape)) {
     if (const auto base_sd_mm = shape.base_sd_mm())
       place.along_sd_mm = std::hypot(std::sqrt((*covariance)(0, 0)), *base_sd_mm);

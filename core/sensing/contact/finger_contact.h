@@ -27,6 +27,7 @@ struct PlaceOnFinger {
   /// Absent where the region tells no covariance; along_sd_mm also where the base's end is not
   /// seen, so that along_mm counts from the first column that shows the face.
   std::optional<double> along_sd_mm, across_sd_mm, depth_sd_mm;
+  std::uint8_t limits = 0;  ///< bits of DepthLimit: with kLayerLimit depth_mm is a least value
 };
 
 struct FingerContact {

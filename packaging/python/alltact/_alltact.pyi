@@ -22,6 +22,8 @@ class Region(TypedDict, total=False):
     place_mm: list[float]
     place_on_face_mm: list[float]
     deepest_mm: float
+    deepest_sd_mm: float
+    limits: list[str]
     area_mm2: float
     volume_mm3: float
     angle_deg: float
@@ -48,6 +50,7 @@ class Contact(TypedDict, total=False):
     across_sd_mm: float
     depth_mm: float
     depth_sd_mm: float
+    limits: list[str]
     no_place: str
     new: bool
     held_s: float
@@ -155,17 +158,23 @@ class Result:
         """uint8 [v, u]: the picture that was measured, turned and reduced; the size of all below."""
     @property
     def depth(self) -> Float | None:
-        """float32 [v, u], mm: how deep the face is pressed in along z; NaN where nothing was measured."""
+        """float32 [v, u], mm: how deep the face is pressed in along z, < 0 where skin bulges; NaN where nothing was
+        measured."""
     @property
     def depth_sd(self) -> Float | None:
         """float32 [v, u], mm: one standard deviation of depth, from all causes. Made when it is asked for."""
+    @property
+    def limits(self) -> Grey | None:
+        """uint8 [v, u], bits: 1 at the layer's thickness (depth is at least that), 2 bulging by that (at most), 4 darker than
+        calibrated, 8 steep (a pixel sideways changes the depth by more than depth_sd), 16 doubtful light. Made when it is
+        asked for."""
     @property
     def points(self) -> Float | None:
         """float32 [v, u, (x, y, z)], mm, camera frame: the pressed face. Made when it is asked for."""
     @property
     def flags(self) -> Grey | None:
         """uint8 [v, u]: 0 measured, 1 off the face, 2 too dark, 3 saturated, 4 darker than calibrated, 5 beyond the layer,
-        6 not in the recording, 7 end hidden."""
+        6 not in the recording, 7 end hidden, 8 bulging by the layer's thickness."""
     @property
     def markers(self) -> NDArray[np.float64] | None:
         """float64 [marker, (u, v)], px."""

@@ -1,6 +1,6 @@
 #include "packaging/python/src/results.h"
 
-#include "core/sensing/depth/depth_sd.h"
+#include "core/sensing/depth/depth_limits.h"
 #include "core/sensing/result_json.h"
 
 #include "packaging/python/src/arrays.h"
@@ -36,12 +36,23 @@ py::object points_of(const ResultPtr& r) {
   return array_of(r->points, r);
 }
 
+/// Whether both could be made.
+bool make_sd_and_limits(MeasuredResult& r) {
+  if (!r.result || !r.result->depth || !r.result->reference || !r.finger->mapping) return false;
+  if (!r.sd.empty()) return true;
+  const FrameResult& f = *r.result;
+  DepthSdAndLimits made = depth_sd_and_limits(*f.depth, *f.reference, *f.shape, *r.finger->mapping);
+  r.sd = std::move(made.sd_mm);
+  r.limits = std::move(made.limits);
+  return true;
+}
+
 py::object sd_of(const ResultPtr& r) {
-  if (!r->result || !r->result->depth || !r->result->reference || !r->finger->mapping)
-    return py::none();
-  const FrameResult& f = *r->result;
-  if (r->sd.empty()) r->sd = depth_sd_mm(*f.depth, *f.reference, *f.shape, *r->finger->mapping);
-  return array_of(r->sd, r);
+  return make_sd_and_limits(*r) ? array_of(r->sd, r) : py::none();
+}
+
+py::object limits_of_result(const ResultPtr& r) {
+  return make_sd_and_limits(*r) ? array_of(r->limits, r) : py::none();
 }
 
 /// [marker, (u, v)]
@@ -108,6 +119,7 @@ void bind_results(py::module_& module) {
       .property("flags", &flags_of)
       .property("points", &points_of)
       .property("depth_sd", &sd_of)
+      .property("limits", &limits_of_result)
       .property("markers", &markers_of)
       .property("markers_seen", &seen_of)
       .property("contact", [](MeasuredResult& r) { return told_under(r, "finger_contact"); })

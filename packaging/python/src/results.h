@@ -21,7 +21,7 @@ struct MeasuredResult {
   std::optional<FrameResult> result;  ///< absent: it could not be read or measured
   FramePtr frame;                     ///< null: it could not be read
   std::string line;                   ///< of results.jsonl
-  cv::Mat points, sd;
+  cv::Mat points, sd, limits;
   py::object told;  ///< the line, parsed; null until it is asked for
 };
 using MeasuredResultPtr = std::shared_ptr<MeasuredResult>;
