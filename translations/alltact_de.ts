@@ -2056,6 +2056,46 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
 </context>
 <context>
+    <name>alltact::NumberText</name>
+    <message>
+        <source>under %1</source>
+        <comment>of a standard deviation</comment>
+        <translation>unter %1</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <comment>of a standard deviation</comment>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>mindestens %1</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>höchstens %1</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::LimitWords</name>
+    <message>
+        <source>at the layer&apos;s limit</source>
+        <translation>an der Grenze der Schicht</translation>
+    </message>
+    <message>
+        <source>beyond what was calibrated</source>
+        <translation>jenseits des Kalibrierten</translation>
+    </message>
+    <message>
+        <source>doubtful light</source>
+        <translation>zweifelhaftes Licht</translation>
+    </message>
+    <message>
+        <source>steep: its place matters</source>
+        <translation>steil: der Ort ist entscheidend</translation>
+    </message>
+</context>
+<context>
     <name>alltact::LensForm</name>
     <message>
         <source>&amp;Board</source>
@@ -3953,16 +3993,32 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>keine Tiefe: nahe am Rand der Fläche</translation>
     </message>
     <message>
-        <source>depth %1 ± %2 mm</source>
-        <translation>Tiefe %1 ± %2 mm</translation>
-    </message>
-    <message>
         <source>depth %1 mm</source>
         <translation>Tiefe %1 mm</translation>
     </message>
     <message>
-        <source> (beyond what was calibrated)</source>
-        <translation> (jenseits des Kalibrierten)</translation>
+        <source>at the layer&apos;s limit</source>
+        <translation>an der Grenze der Schicht</translation>
+    </message>
+    <message>
+        <source>a bulge at the layer&apos;s limit</source>
+        <translation>Wölbung an der Grenze der Schicht</translation>
+    </message>
+    <message>
+        <source>beyond what was calibrated</source>
+        <translation>jenseits des Kalibrierten</translation>
+    </message>
+    <message>
+        <source>steep: a pixel sideways changes it by more</source>
+        <translation>steil: ein Pixel daneben ändert sie stärker</translation>
+    </message>
+    <message>
+        <source>doubtful light</source>
+        <translation>zweifelhaftes Licht</translation>
+    </message>
+    <message>
+        <source> (%1)</source>
+        <translation> (%1)</translation>
     </message>
     <message>
         <source>&lt;b&gt;%1&lt;/b&gt;: off the face</source>
@@ -12364,6 +12420,38 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>a line that crosses the step at a right angle</source>
         <translation>eine Linie, die die Stufe im rechten Winkel kreuzt</translation>
+    </message>
+    <message>
+        <source>a part of this piece is at a limit of what is measured</source>
+        <translation>ein Teil dieses Stücks liegt an der Grenze des Messbereichs</translation>
+    </message>
+    <message>
+        <source>a piece that is pressed in less deep</source>
+        <translation>ein weniger tief eingedrücktes Stück</translation>
+    </message>
+    <message>
+        <source>one side of the step is too short to be a plane</source>
+        <translation>eine Seite der Stufe ist zu kurz für eine Ebene</translation>
+    </message>
+    <message>
+        <source>a line that reaches further over both sides</source>
+        <translation>eine Linie, die auf beiden Seiten weiter reicht</translation>
+    </message>
+    <message>
+        <source>one side of the step is not plane</source>
+        <translation>eine Seite der Stufe ist nicht eben</translation>
+    </message>
+    <message>
+        <source>a line over two planes, with the step between them</source>
+        <translation>eine Linie über zwei Ebenen, mit der Stufe dazwischen</translation>
+    </message>
+    <message>
+        <source>both sides of the step are not parallel</source>
+        <translation>die beiden Seiten der Stufe sind nicht parallel</translation>
+    </message>
+    <message>
+        <source>a line over two parallel planes, with the step between them</source>
+        <translation>eine Linie über zwei parallele Ebenen, mit der Stufe dazwischen</translation>
     </message>
     <message>
         <source>could not keep the simulated finger for the next time</source>

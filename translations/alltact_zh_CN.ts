@@ -2045,6 +2045,46 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
 </context>
 <context>
+    <name>alltact::NumberText</name>
+    <message>
+        <source>under %1</source>
+        <comment>of a standard deviation</comment>
+        <translation>小于 %1</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <comment>of a standard deviation</comment>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>至少 %1</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>至多 %1</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::LimitWords</name>
+    <message>
+        <source>at the layer&apos;s limit</source>
+        <translation>达到涂层极限</translation>
+    </message>
+    <message>
+        <source>beyond what was calibrated</source>
+        <translation>超出标定范围</translation>
+    </message>
+    <message>
+        <source>doubtful light</source>
+        <translation>光照可疑</translation>
+    </message>
+    <message>
+        <source>steep: its place matters</source>
+        <translation>陡坡：位置影响大</translation>
+    </message>
+</context>
+<context>
     <name>alltact::LensForm</name>
     <message>
         <source>&amp;Board</source>
@@ -3932,16 +3972,32 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>无深度：靠近面的边缘</translation>
     </message>
     <message>
-        <source>depth %1 ± %2 mm</source>
-        <translation>深度 %1 ± %2 mm</translation>
-    </message>
-    <message>
         <source>depth %1 mm</source>
         <translation>深度 %1 mm</translation>
     </message>
     <message>
-        <source> (beyond what was calibrated)</source>
-        <translation>（超出标定范围）</translation>
+        <source>at the layer&apos;s limit</source>
+        <translation>达到涂层极限</translation>
+    </message>
+    <message>
+        <source>a bulge at the layer&apos;s limit</source>
+        <translation>隆起达到涂层极限</translation>
+    </message>
+    <message>
+        <source>beyond what was calibrated</source>
+        <translation>超出标定范围</translation>
+    </message>
+    <message>
+        <source>steep: a pixel sideways changes it by more</source>
+        <translation>陡坡：偏移一个像素的变化更大</translation>
+    </message>
+    <message>
+        <source>doubtful light</source>
+        <translation>光照可疑</translation>
+    </message>
+    <message>
+        <source> (%1)</source>
+        <translation>（%1）</translation>
     </message>
     <message>
         <source>&lt;b&gt;%1&lt;/b&gt;: off the face</source>
@@ -12320,6 +12376,38 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>a line that crosses the step at a right angle</source>
         <translation>使用与台阶成直角相交的线</translation>
+    </message>
+    <message>
+        <source>a part of this piece is at a limit of what is measured</source>
+        <translation>这一块的一部分处于测量极限</translation>
+    </message>
+    <message>
+        <source>a piece that is pressed in less deep</source>
+        <translation>请选择压入较浅的一块</translation>
+    </message>
+    <message>
+        <source>one side of the step is too short to be a plane</source>
+        <translation>台阶的一侧太短，不足以构成平面</translation>
+    </message>
+    <message>
+        <source>a line that reaches further over both sides</source>
+        <translation>请让连线在两侧都延伸得更远</translation>
+    </message>
+    <message>
+        <source>one side of the step is not plane</source>
+        <translation>台阶的一侧不是平面</translation>
+    </message>
+    <message>
+        <source>a line over two planes, with the step between them</source>
+        <translation>请让连线跨过两个平面，台阶位于其间</translation>
+    </message>
+    <message>
+        <source>both sides of the step are not parallel</source>
+        <translation>台阶的两侧不平行</translation>
+    </message>
+    <message>
+        <source>a line over two parallel planes, with the step between them</source>
+        <translation>请让连线跨过两个平行平面，台阶位于其间</translation>
     </message>
     <message>
         <source>could not keep the simulated finger for the next time</source>

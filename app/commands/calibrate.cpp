@@ -7,6 +7,7 @@
 #include "calibration/finger/calibrate_finger.h"
 #include "calibration/finger/calibration_report.h"
 #include "calibration/verdict/verdict_json.h"
+#include "core/numerics/sd_text.h"
 #include "core/program.h"
 #include "core/utc_time.h"
 
@@ -57,17 +58,15 @@ void tell(const FingerCalibration& done, Console& console) {
   for (const Message& sentence : done.made_of) console.say(fmt::format("{}.", sentence));
   for (const BallFit& ball : calibration.balls)
     if (ball.told_depth)
-      console.say(fmt::format("{}: measured {:.3f} +- {:.3f} mm deep, the solution has {:.3f} mm",
+      console.say(fmt::format("{}: measured {} mm deep, the solution has {:.3f} mm",
                               ball.press,
-                              ball.told_depth->mm,
-                              ball.told_depth->sd_mm,
+                              value_and_sd(ball.told_depth->mm, ball.told_depth->sd_mm, 3),
                               ball.pressed_in_mm));
   for (const StepFit& step : calibration.steps)
-    console.say(fmt::format("{}: a step of {:.3f} mm reads {:.3f} +- {:.3f} mm",
+    console.say(fmt::format("{}: a step of {:.3f} mm reads {} mm",
                             step.press,
                             step.step_mm,
-                            step.reads_mm,
-                            step.sd_mm));
+                            value_and_sd(step.reads_mm, step.sd_mm, 3)));
   for (const Message& reason : calibration.left_out)
     console.warn(fmt::format("Left out: {}", reason));
   if (!done.problem_picture.empty())

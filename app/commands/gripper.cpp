@@ -9,6 +9,7 @@
 #include "core/gripper/motor_log.h"
 #include "core/gripper/recorded_contacts.h"
 #include "core/io/picture.h"
+#include "core/numerics/sd_text.h"
 
 #include <cmath>
 
@@ -102,7 +103,7 @@ void tell_pose(const Gripper& gripper, const GripperPose& pose, Console& console
 
 /// "12.3 +- 0.1 mm"; without the standard deviation where it is not known.
 std::string with_sd(double value, const std::optional<double>& sd, const char* unit) {
-  return sd ? fmt::format("{:.3f} +- {:.3f} {}", value, *sd, unit)
+  return sd ? fmt::format("{} {}", value_and_sd(value, *sd, 3), unit)
             : fmt::format("{:.3f} {}", value, unit);
 }
 

@@ -1,8 +1,11 @@
 #include "widgets/inspect/height_map.h"
 
+#include "core/sensing/depth/depth_limits.h"
 #include "widgets/picture/overlays.h"
 
+#include <QCoreApplication>
 #include <QFontMetricsF>
+#include <QImage>
 #include <QPainter>
 #include <algorithm>
 #include <array>
@@ -13,6 +16,37 @@ namespace {
 
 const QColor kHalo(0, 0, 0, 190);
 const QColor kMark(255, 184, 0);
+
+constexpr int kPeriod = 12;  // px, of every pattern
+
+struct Pattern {
+  std::uint8_t limits;  // bits of DepthLimit
+  cv::Vec4b bgra;       // premultiplied
+  bool (*is_drawn)(int u, int v);
+};
+/// The first that applies to a pixel is drawn.
+const std::array<Pattern, 4> kPatterns{
+    {{kAnyEnd, {255, 255, 255, 255}, [](int u, int v) { return (u + v) % 6 < 2; }},
+     {kOutOfRange, {0, 0, 0, 255}, [](int u, int v) { return (u + 5 * v) % 6 < 2; }},
+     {kDoubtfulLight, {60, 150, 255, 255}, [](int u, int v) { return u % 12 < 2 && v % 12 < 2; }},
+     {kSteep, {150, 150, 150, 150}, [](int u, int v) { return u % 4 == 0 && v % 4 == 0; }}}};
+
+struct LimitWords {
+  Q_DECLARE_TR_FUNCTIONS(alltact::LimitWords)
+ public:
+  static QString of(std::uint8_t limits) {
+    switch (limits) {
+      case kAnyEnd:
+        return tr("at the layer's limit");
+      case kOutOfRange:
+        return tr("beyond what was calibrated");
+      case kDoubtfulLight:
+        return tr("doubtful light");
+      default:
+        return tr("steep: its place matters");
+    }
+  }
+};
 
 void draw_point(QPainter& painter, QPointF at, const QString& letter) {
   constexpr double kRadius = 6;
@@ -57,6 +91,46 @@ cv::Mat height_layer(const cv::Mat& value_mm, const ColourScale& scale) {
     }
   }
   return layer;
+}
+
+cv::Mat limits_layer(const cv::Mat& limits) {
+  cv::Mat layer = cv::Mat::zeros(limits.size(), CV_8UC4);
+  bool is_empty = true;
+  for (int v = 0; v < limits.rows; ++v) {
+    const auto* bits = limits.ptr<std::uint8_t>(v);
+    auto* pixel = layer.ptr<cv::Vec4b>(v);
+    for (int u = 0; u < limits.cols; ++u)
+      for (const Pattern& pattern : kPatterns)
+        if ((bits[u] & pattern.limits) != 0 && pattern.is_drawn(u, v)) {
+          pixel[u] = pattern.bgra;
+          is_empty = false;
+          break;
+        }
+  }
+  return is_empty ? cv::Mat() : layer;
+}
+
+std::vector<LegendLine> limits_legend(const cv::Mat& limits) {
+  constexpr int kLeastPixels = 30;
+  std::vector<LegendLine> legend;
+  for (const Pattern& pattern : kPatterns) {
+    int count = 0;
+    for (int v = 0; v < limits.rows; ++v)
+      count += static_cast<int>(std::count_if(
+          limits.ptr<std::uint8_t>(v), limits.ptr<std::uint8_t>(v) + limits.cols, [&](auto bits) {
+            return (bits & pattern.limits) != 0;
+          }));
+    if (count < kLeastPixels) continue;
+    QImage tile(kPeriod, kPeriod, QImage::Format_ARGB32_Premultiplied);
+    tile.fill(Qt::transparent);
+    for (int v = 0; v < kPeriod; ++v)
+      for (int u = 0; u < kPeriod; ++u)
+        if (pattern.is_drawn(u, v))
+          tile.setPixel(
+              u, v, qRgba(pattern.bgra[2], pattern.bgra[1], pattern.bgra[0], pattern.bgra[3]));
+    legend.push_back({QBrush(tile), LimitWords::of(pattern.limits)});
+  }
+  return legend;
 }
 
 Overlay points_overlay(const std::optional<cv::Point2d>& a, const std::optional<cv::Point2d>& b) {

@@ -161,10 +161,15 @@ void InspectPane::show_map() {
     const ColourScale scale = is_difference ? difference_scale(options_.scene.difference_top_mm)
                                             : depth_scale(options_.scene.top_mm);
     overlays.push_back(layer_overlay(height_layer(value, scale)));
+    const cv::Mat limits =
+        content_ == PaneContent::kFirst ? frame_->limits : cv::Mat();  // of the frame's own depth
+    if (!limits.empty()) overlays.push_back(layer_overlay(limits_layer(limits)));
     overlays.push_back(
         points_overlay(pixel_of(*frame_, options_.a), pixel_of(*frame_, options_.b)));
     overlays.push_back(
-        colour_bar_overlay(scale, is_difference ? tr("Difference, mm") : tr("Depth, mm")));
+        colour_bar_overlay(scale,
+                           is_difference ? tr("Difference, mm") : tr("Depth, mm"),
+                           limits.empty() ? std::vector<LegendLine>() : limits_legend(limits)));
   }
   if (!result.depth && result.edges) overlays.push_back(edges_overlay(*result.edges));
   map_->show_picture(result.grey, std::move(overlays));

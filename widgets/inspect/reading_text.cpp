@@ -1,10 +1,12 @@
 #include "widgets/inspect/reading_text.h"
 
+#include "core/sensing/depth/depth_limits.h"
 #include "core/sensing/measures.h"
 #include "widgets/inspect/face_places.h"
+#include "widgets/joined_words.h"
+#include "widgets/number_text.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <cmath>
 
 namespace alltact {
@@ -13,23 +15,36 @@ namespace {
 struct ReadingWords {
   Q_DECLARE_TR_FUNCTIONS(alltact::ReadingWords)
  public:
-  static QString number(double value, int digits = 2) {
-    const double unit = std::pow(10, digits);
-    // No "-0.0".
-    return QLocale().toString(std::round(value * unit) / unit + 0.0, 'f', digits);
+  static QString number(double value, int digits = 2) { return plain_number(value, digits); }
+
+  /// What makes the number less than it looks, behind it; bits of DepthLimit.
+  static QString limits(std::uint8_t limits) {
+    QStringList words;
+    if ((limits & kLayerLimit) != 0) words << tr("at the layer's limit");
+    if ((limits & kBulgeTop) != 0) words << tr("a bulge at the layer's limit");
+    if ((limits & kOutOfRange) != 0) words << tr("beyond what was calibrated");
+    if ((limits & kSteep) != 0) words << tr("steep: a pixel sideways changes it by more");
+    if ((limits & kDoubtfulLight) != 0) words << tr("doubtful light");
+    return words.isEmpty() ? QString() : tr(" (%1)").arg(joined(words));
   }
 
-  static QString depth(const PlaceReading& place) {
+  static QString depth(const InspectedFrame& frame, const PlaceReading& place) {
     if (!place.depth_mm) {
       if (place.flag == kTooDark) return tr("no depth: too dark");
       if (place.flag == kSaturated) return tr("no depth: too bright");
       return tr("no depth: near the face's edge");
     }
-    QString text = place.sd_mm
-                       ? tr("depth %1 ± %2 mm").arg(number(*place.depth_mm), number(*place.sd_mm))
-                       : tr("depth %1 mm").arg(number(*place.depth_mm));
-    if (place.flag == kExtrapolated) text += tr(" (beyond what was calibrated)");
-    return text;
+    const QString text = is_at_limit(place.flag) ? limit_and_sd(*place.depth_mm, place.sd_mm, 2)
+                                                 : number_and_sd(*place.depth_mm, place.sd_mm, 2);
+    return tr("depth %1 mm").arg(text) + limits(limits_at(frame, place));
+  }
+
+  static std::uint8_t limits_at(const InspectedFrame& frame, const PlaceReading& place) {
+    const int u = static_cast<int>(std::lround(place.pixel.x));
+    const int v = static_cast<int>(std::lround(place.pixel.y));
+    const bool is_known = cv::Rect({}, frame.limits.size()).contains({u, v});
+    return static_cast<std::uint8_t>(limit_of_flag(place.flag) |
+                                     (is_known ? frame.limits.at<std::uint8_t>(v, u) : 0));
   }
 
   static QString place(const InspectedFrame& frame, const QString& name, const FacePlace& at_mm) {
@@ -40,7 +55,7 @@ struct ReadingWords {
     const Eigen::Vector3d at = found->point_mm();
     return tr("<b>%1</b>: x %2, y %3, z %4 mm")
                .arg(name, number(at.x()), number(at.y()), number(at.z())) +
-           QStringLiteral("<br>") + depth(*found);
+           QStringLiteral("<br>") + depth(frame, *found);
   }
 
   static QString apart(const InspectedFrame& frame, const FacePlace& from, const FacePlace& to) {
@@ -57,14 +72,17 @@ struct ReadingWords {
 
   static QString deepest(const ContactRegion& region) {
     const Eigen::Vector3d& at = region.place_mm;
+    const QString deepest = (region.limits & kLayerLimit) != 0
+                                ? limit_and_sd(region.deepest_mm, {}, 2)
+                                : number(region.deepest_mm);
     return tr("Deepest %1 mm; contact at x %2, y %3, z %4 mm.")
-        .arg(number(region.deepest_mm), number(at.x(), 1), number(at.y(), 1), number(at.z(), 1));
+        .arg(deepest, number(at.x(), 1), number(at.y(), 1), number(at.z(), 1));
   }
 
   static ProbeText probe(const InspectedFrame& frame, const PlaceReading& place) {
     const Eigen::Vector2d on_face = frame.result.shape->place_mm(place.pixel.x, place.pixel.y);
     const Eigen::Vector3d at = place.point_mm();
-    return {frame.result.depth ? depth(place) : tr("not calibrated: no depth"),
+    return {frame.result.depth ? depth(frame, place) : tr("not calibrated: no depth"),
             tr("%1 mm along, %2 mm across; x %3, y %4, z %5 mm")
                 .arg(number(on_face.x(), 1), number(on_face.y(), 1))
                 .arg(number(at.x()), number(at.y()), number(at.z()))};

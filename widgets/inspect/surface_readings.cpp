@@ -1,11 +1,12 @@
 #include "widgets/inspect/surface_readings.h"
 
+#include "core/numerics/sd_text.h"
 #include "core/sensing/surface/point_distance.h"
 #include "core/sensing/surface/read_patch.h"
 #include "widgets/joined_words.h"
+#include "widgets/number_text.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
@@ -15,6 +16,7 @@ namespace {
 
 constexpr double kPressedMm = 0.05;  // less is not told from noise everywhere
 constexpr int kAroundPx = 6;
+constexpr std::size_t kVolume = 3, kMean = 4;  // of the readings
 
 struct SurfaceWords {
   Q_DECLARE_TR_FUNCTIONS(alltact::SurfaceWords)
@@ -86,6 +88,8 @@ std::vector<SurfaceReading> surface_readings(const InspectedFrame& frame,
       reading(W::mean(), "mm", 3, part, &PressedSurface::mean_mm),
       reading(W::rough(), "mm", 4, rough, &Roughness::sq_mm),
       reading(W::step(), "mm", 3, step, &StepHeight::height_mm)};
+  if (part && part->is_least)
+    for (const std::size_t least : {kVolume, kMean}) all[least].is_least = true;
   const auto at_a = fit_plane(patch(around(a))), at_b = fit_plane(patch(around(b)));
   SurfaceReading angle{W::angle(), QStringLiteral("°"), {}, 2, {}};
   if (at_a && at_b)
@@ -98,11 +102,10 @@ std::vector<SurfaceReading> surface_readings(const InspectedFrame& frame,
 
 QString value_text(const SurfaceReading& reading) {
   if (!reading.measured) return SurfaceWords::none();
-  const QLocale locale;
-  return QStringLiteral("%1 ± %2 %3")
-      .arg(locale.toString(reading.measured->value + 0.0, 'f', reading.decimals),
-           locale.toString(reading.measured->sd, 'f', reading.decimals),
-           reading.unit);
+  const auto& [value, sd] = *reading.measured;
+  return QStringLiteral("%1 %2").arg(reading.is_least ? limit_and_sd(value, sd, reading.decimals)
+                                                      : number_and_sd(value, sd, reading.decimals),
+                                     reading.unit);
 }
 
 QString text_of(const std::vector<SurfaceReading>& readings) {
@@ -113,14 +116,16 @@ QString text_of(const std::vector<SurfaceReading>& readings) {
 }
 
 QString csv_of(const std::vector<SurfaceReading>& readings) {
-  QStringList lines{QStringLiteral("name,value,sd,unit")};
+  QStringList lines{QStringLiteral("name,value,sd,unit,limits")};
   for (const SurfaceReading& reading : readings) {
     if (!reading.measured) continue;
-    lines << QStringLiteral("\"%1\",%2,%3,%4")
+    const double sd = reading.measured->sd;
+    lines << QStringLiteral("\"%1\",%2,%3,%4,%5")
                  .arg(reading.name)
                  .arg(reading.measured->value, 0, 'g', 8)
-                 .arg(reading.measured->sd, 0, 'g', 4)
-                 .arg(reading.unit);
+                 .arg(sd_kind(sd, 0) == SdKind::kUnknown ? QString() : QString::number(sd, 'g', 4))
+                 .arg(reading.unit)
+                 .arg(reading.is_least ? QStringLiteral("layer_limit") : QString());
   }
   return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
 }

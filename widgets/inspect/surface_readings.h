@@ -18,6 +18,7 @@ struct SurfaceReading {
   std::optional<MeasuredValue> measured;
   int decimals = 2;
   Message reason;
+  bool is_least = false;  ///< a part of it is at the layer's limit: shown as "at least"
 };
 
 /// The straight distance from A to B; radius of the ball, area, volume and mean depth of what

@@ -1,10 +1,10 @@
 #include "widgets/panels/view_options.h"
 
 #include "widgets/joined_words.h"
+#include "widgets/number_text.h"
 #include "widgets/picture/overlays.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <cmath>
 
 namespace alltact {
@@ -26,15 +26,16 @@ struct FrameWords {
 
   static QString readout(const LiveView& view, QPoint pixel) {
     const FrameResult& result = view.result;
-    const QLocale locale;
     const int grey = result.grey.at<std::uint8_t>(pixel.y(), pixel.x());
     const QString text = tr("u %1 px, v %2 px, grey %3").arg(pixel.x()).arg(pixel.y()).arg(grey);
     if (!result.depth) return text;
     const float depth = result.depth->depth_mm.at<float>(pixel.y(), pixel.x());
+    const std::uint8_t flag = result.depth->flags.at<std::uint8_t>(pixel.y(), pixel.x());
     return joined({text,
-                   std::isfinite(depth)
-                       ? tr("depth %1 mm").arg(locale.toString(depth, 'f', 2))
-                       : no_depth(result.depth->flags.at<std::uint8_t>(pixel.y(), pixel.x()))});
+                   std::isfinite(depth) ? tr("depth %1 mm")
+                                              .arg(is_at_limit(flag) ? limit_and_sd(depth, {}, 2)
+                                                                     : plain_number(depth, 2))
+                                        : no_depth(flag)});
   }
 
   static QString colour_bar() { return tr("Depth, mm"); }

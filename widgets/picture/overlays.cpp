@@ -1,7 +1,8 @@
 #include "widgets/picture/overlays.h"
 
+#include "widgets/number_text.h"
+
 #include <QFontMetricsF>
-#include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
@@ -200,20 +201,26 @@ void write_beside(QPainter& painter, QPointF widget, const QString& words, const
   write_on_plate(painter, at, words, colour);
 }
 
-Overlay colour_bar_overlay(const ColourScale& scale, const QString& title) {
-  return [scale, title](QPainter& painter, const ImageTransform& /*transform*/) {
+Overlay colour_bar_overlay(const ColourScale& scale,
+                           const QString& title,
+                           const std::vector<LegendLine>& legend) {
+  return [scale, title, legend](QPainter& painter, const ImageTransform& /*transform*/) {
     const QRectF room(painter.viewport());
     const QFontMetricsF metrics(painter.font());
     constexpr double kHeight = 14, kMargin = 10, kGap = 8;
-    const QLocale locale;
     const auto number_at = [&](int step) {
       const double part = static_cast<double>(step) / scale.steps;
-      return locale.toString(scale.low_mm + part * (scale.top_mm - scale.low_mm), 'f', 2);
+      return plain_number(scale.low_mm + part * (scale.top_mm - scale.low_mm), 2);
     };
-    const double width = std::clamp(0.3 * room.width(), 160.0, 280.0);
+    double width = std::clamp(0.3 * room.width(), 160.0, 280.0);
+    const double sample = 1.6 * metrics.height();
+    for (const LegendLine& line : legend)
+      width = std::max(width, sample + kGap + metrics.horizontalAdvance(line.words));
     const double number = std::max(metrics.horizontalAdvance(number_at(0)),
                                    metrics.horizontalAdvance(number_at(scale.steps)));
-    const double height = kHeight + 2 * metrics.height() + 2 * kGap;
+    const double line_height = 1.25 * metrics.height();
+    const double lines = line_height * static_cast<double>(legend.size());
+    const double height = kHeight + 2 * metrics.height() + 2 * kGap + lines;
     const QRectF panel(room.right() - kMargin - width - number - 2 * kGap,
                        room.bottom() - kMargin - height,
                        width + number + 2 * kGap,
@@ -222,18 +229,29 @@ Overlay colour_bar_overlay(const ColourScale& scale, const QString& title) {
     painter.setBrush(kHalo);
     painter.drawRoundedRect(panel, 4, 4);
     painter.setPen(kText);
-    painter.drawText(QPointF(panel.left() + kGap, panel.top() + kGap / 2 + metrics.ascent()),
-                     title);
-    const QRectF bar(panel.left() + kGap + 0.5 * number,
-                     panel.top() + kGap / 2 + metrics.height() + 3,
-                     width,
-                     kHeight);
+    double top = panel.top() + kGap / 2;
+    for (const LegendLine& line : legend) {
+      const QRectF patch(panel.left() + kGap, top + 2, sample, metrics.height() - 2);
+      painter.fillRect(patch, QColor(38, 130, 142));
+      painter.fillRect(patch, line.pattern);
+      painter.drawText(QPointF(patch.right() + kGap, top + metrics.ascent()), line.words);
+      top += line_height;
+    }
+    painter.drawText(QPointF(panel.left() + kGap, top + metrics.ascent()), title);
+    const QRectF bar(
+        panel.left() + kGap + 0.5 * number, top + metrics.height() + 3, width, kHeight);
     QLinearGradient gradient(bar.topLeft(), bar.topRight());
-    for (int i = 0; i <= 16; ++i) {
-      const MapColour colour = scale.colour(i / 16.0);
-      gradient.setColorAt(i / 16.0, QColor(colour.red, colour.green, colour.blue));
+    constexpr int kStops = 20;  // one of them at the zero of every scale
+    for (int i = 0; i <= kStops; ++i) {
+      const double part = static_cast<double>(i) / kStops;
+      const MapColour colour = scale.colour(part);
+      gradient.setColorAt(part, QColor(colour.red, colour.green, colour.blue));
     }
     painter.fillRect(bar, gradient);
+    if (scale.low_mm < 0 && scale.top_mm > 0) {
+      const double zero = bar.left() - bar.width() * scale.low_mm / (scale.top_mm - scale.low_mm);
+      painter.drawLine(QPointF(zero, bar.top() - 2), QPointF(zero, bar.bottom() + 2));
+    }
     for (int i = 0; i <= scale.steps; ++i) {
       const QString text = number_at(i);
       const double x = bar.left() + bar.width() * i / scale.steps;

@@ -8,6 +8,8 @@
 #include "core/sensing/markers/markers.h"
 #include "widgets/picture/image_view.h"
 
+#include <QBrush>
+#include <QString>
 #include <vector>
 
 #include <opencv2/core.hpp>
@@ -38,7 +40,15 @@ void stroke_over(QPainter& painter,
 [[nodiscard]] Overlay flash_overlay(const QString& words);
 /// Words on a dark plate beside a place of the picture, inside the view; `colour` of the letters.
 void write_beside(QPainter& painter, QPointF widget, const QString& words, const QColor& colour);
-/// The scale with its numbers, at the lower right of the view.
-[[nodiscard]] Overlay colour_bar_overlay(const ColourScale& scale, const QString& title);
+/// A pattern drawn over pixels and its meaning.
+struct LegendLine {
+  QBrush pattern;
+  QString words;
+};
+/// The scale with its numbers, zero marked where it lies within, and above it the legend's lines;
+/// at the lower right of the view.
+[[nodiscard]] Overlay colour_bar_overlay(const ColourScale& scale,
+                                         const QString& title,
+                                         const std::vector<LegendLine>& legend = {});
 
 }  // namespace alltact

@@ -1,4 +1,5 @@
 // Of each press its picture and its figures, and the light it was taken in.
+#include "widgets/number_text.h"
 #include "widgets/plots/press_light_plot.h"
 #include "widgets/report/press_picture.h"
 #include "widgets/report/report_pages.h"
@@ -18,16 +19,17 @@ QString ReportPages::press_words(const BallFit& ball) const {
   if (done_.inputs.said.has_other_balls()) words += "\n" + text("ball %1 mm").arg(ball.radius_mm);
   if (ball.cut_by_edge) words += "\n" + text("cut by the edge");
   if (ball.told_depth)
-    words += "\n" +
-             text("measured %1 ± %2 mm deep, the solution has %3 mm")
-                 .arg(mm(ball.told_depth->mm), mm(ball.told_depth->sd_mm), mm(ball.pressed_in_mm));
+    words += "\n" + text("measured %1 ± %2 mm deep, the solution has %3 mm")
+                        .arg(mm(ball.told_depth->mm),
+                             sd_number(ball.told_depth->sd_mm, 3),
+                             mm(ball.pressed_in_mm));
   return words;
 }
 
 QString ReportPages::punch_words(const StepFit& step) {
   return as_text(step.press) + "\n" +
          text("a punch with a step of %1 mm, which reads %2 ± %3 mm")
-             .arg(mm(step.step_mm), mm(step.reads_mm), mm(step.sd_mm));
+             .arg(mm(step.step_mm), mm(step.reads_mm), sd_number(step.sd_mm, 3));
 }
 
 void ReportPages::add_presses() {

@@ -52,12 +52,16 @@ struct ContactWords {
       const PlaceOnFinger& at = *contact.place;
       rows += row(tr("Along"), millimetres(at.along_mm, at.along_sd_mm, 2));
       if (at.across_mm) rows += row(tr("Across"), millimetres(*at.across_mm, at.across_sd_mm, 2));
-      if (at.depth_mm) rows += row(tr("Depth"), millimetres(*at.depth_mm, at.depth_sd_mm, 2));
+      if (at.depth_mm)
+        rows += row(tr("Depth"),
+                    (at.limits & kLayerLimit) != 0
+                        ? tr("%1 mm").arg(limit_and_sd(*at.depth_mm, at.depth_sd_mm, 2))
+                        : millimetres(*at.depth_mm, at.depth_sd_mm, 2));
     }
     if (!contact.direction) return rows;
     const Eigen::Vector3d& way = *contact.direction;
     const QString turned = contact.direction_sd_deg
-                               ? tr("± %1°").arg(plain_number(*contact.direction_sd_deg, 1))
+                               ? tr("± %1°").arg(sd_number(*contact.direction_sd_deg, 1))
                                : tr("(the face's normal)");
     const QString components =
         tr("x %1, y %2, z %3")
@@ -139,21 +143,6 @@ QString brief_touch_words(const FrameResult& result) {
 
 QString contact_words_help() {
   return ContactWords::help();
-}
-
-QString plain_number(double value, int digits) {
-  const double unit = std::pow(10, digits);
-  return QLocale().toString(std::round(value * unit) / unit + 0.0, 'f', digits);
-}
-
-QString number_and_sd(double value, const std::optional<double>& sd, int digits) {
-  const QString text = plain_number(value, digits);
-  if (!sd) return text;
-  const double least = std::pow(10, -digits);
-  const QString spread = *sd > 0 && *sd < 0.5 * least
-                             ? QStringLiteral("&lt;%1").arg(plain_number(least, digits))
-                             : plain_number(*sd, digits);
-  return QStringLiteral("%1 ± %2").arg(text, spread);
 }
 
 }  // namespace alltact

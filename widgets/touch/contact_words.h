@@ -1,6 +1,7 @@
 // What touches the finger, in words.
 #pragma once
 
+#include "widgets/number_text.h"
 #include "widgets/touch/touch_history.h"
 
 #include <QString>
@@ -17,11 +18,5 @@ namespace alltact {
 
 /// What the figures count from, for a tool tip.
 [[nodiscard]] QString contact_words_help();
-
-/// Without "-0.0".
-[[nodiscard]] QString plain_number(double value, int digits);
-/// "1.23 ± 0.04" as rich text, without the latter where it is not known; "1.23 ± <0.01" where the
-/// digits would make it none.
-[[nodiscard]] QString number_and_sd(double value, const std::optional<double>& sd, int digits);
 
 }  // namespace alltact

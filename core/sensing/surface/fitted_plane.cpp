@@ -50,6 +50,12 @@ Result<FittedPlane> fit_plane(const SurfacePatch& patch) {
                    "",
                    en::say("a larger piece, or one that is measured")};
   if (patch.points.size() < kLeastPoints) return none;
+  if (std::any_of(patch.points.begin(), patch.points.end(), [](const SurfacePoint& point) {
+        return point.is_limit;
+      }))
+    return Error{en::say("a part of this piece is at a limit of what is measured"),
+                 "",
+                 en::say("a piece that is pressed in less deep")};
   const auto slopes = slopes_of(patch, false), if_moved = slopes_of(patch, true);
   if (!slopes || !if_moved) return none;
   FittedPlane plane;

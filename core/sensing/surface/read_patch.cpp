@@ -21,6 +21,7 @@ std::optional<SurfacePoint> point_at(
   point.depth_mm = static_cast<double>(result.depth->depth_mm.at<float>(v, u));
   point.noise_mm = std::hypot(causes.noise, causes.lateral);
   point.common_mm = std::hypot(causes.mapping, causes.reference, causes.light);
+  point.is_limit = is_at_limit(result.depth->flags.at<std::uint8_t>(v, u));
   point.on_face_mm2 = area->on_face_mm2;
   point.flat_mm2 = area->flat_mm2;
   return point;

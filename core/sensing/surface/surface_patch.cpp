@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include <Eigen/Dense>
 
@@ -18,6 +19,12 @@ Error too_few(std::size_t have, std::size_t need) {
   return {en::say("{} measured pixels where {} are needed", have, need),
           "",
           en::say("a larger piece, or one that is measured")};
+}
+
+Error at_a_limit() {
+  return {en::say("a part of this piece is at a limit of what is measured"),
+          "",
+          en::say("a piece that is pressed in less deep")};
 }
 
 /// All depths moved by what is common to them.
@@ -125,8 +132,82 @@ std::vector<std::size_t> deep_half_of(const Sphere& ball, const SurfacePatch& pa
 std::vector<const SurfacePoint*> points_of(const SurfacePatch& patch,
                                            const std::vector<std::size_t>& chosen) {
   std::vector<const SurfacePoint*> points;
-  for (const std::size_t i : chosen) points.push_back(&patch.points[i]);
+  for (const std::size_t i : chosen)
+    if (!patch.points[i].is_limit) points.push_back(&patch.points[i]);
   return points;
+}
+
+/// A straight line through one side of a step, by least squares.
+struct Side {
+  std::vector<double> along_mm, depth_mm;
+  double noise_square = 0;  // sum
+  bool has_limit = false;
+  double slope = 0, slope_sd = 0, misfit_mm = 0, noise_mm = 0, independent = 1;
+
+  void add(double along, const SurfacePoint& point) {
+    along_mm.push_back(along);
+    depth_mm.push_back(point.depth_mm);
+    noise_square += std::pow(std::max(point.noise_mm, kLeastNoiseMm), 2);
+    has_limit |= point.is_limit;
+  }
+  [[nodiscard]] double length_mm() const {
+    return along_mm.empty() ? 0 : along_mm.back() - along_mm.front();
+  }
+  void fit(double noise_pixels) {
+    const auto n = static_cast<double>(along_mm.size());
+    const double middle = std::accumulate(along_mm.begin(), along_mm.end(), 0.0) / n;
+    const double mean = std::accumulate(depth_mm.begin(), depth_mm.end(), 0.0) / n;
+    double second = 0, mixed = 0, square = 0;
+    for (std::size_t i = 0; i < along_mm.size(); ++i) {
+      const double s = along_mm[i] - middle, d = depth_mm[i] - mean;
+      second += s * s, mixed += s * d, square += d * d;
+    }
+    noise_mm = std::sqrt(noise_square / n);
+    independent = std::max(1.0, n / noise_pixels - 2);
+    slope = mixed / second;
+    slope_sd = noise_mm * std::sqrt(noise_pixels / second);
+    misfit_mm = std::sqrt(std::max(0.0, square - slope * mixed) / n);
+  }
+};
+
+/// Why both sides of a step are not two parallel planes, if so.
+std::optional<Error> no_planes(const SurfacePatch& line,
+                               const std::vector<double>& along_mm,
+                               double at_mm,
+                               double gap_mm,
+                               double height_mm) {
+  constexpr double kLeastLength = 0.1;  // of the line
+  constexpr double kMostNoise = 1.5, kMostOfStep = 0.05;
+  constexpr double kSlopeSds = 4, kTiltOfStep = 0.1;
+  Side before, after;
+  for (std::size_t i = 0; i < along_mm.size(); ++i)
+    if (std::abs(along_mm[i] - at_mm) >= gap_mm)
+      (along_mm[i] < at_mm ? before : after).add(along_mm[i] - at_mm, line.points[i]);
+  const double length_mm = along_mm.back() - along_mm.front();
+  for (Side* side : {&before, &after}) {
+    if (side->along_mm.size() < kLeastOfStep / 3 || side->length_mm() < kLeastLength * length_mm)
+      return Error{en::say("one side of the step is too short to be a plane"),
+                   "",
+                   en::say("a line that reaches further over both sides")};
+    if (side->has_limit) return at_a_limit();
+    side->fit(line.noise_pixels);
+    // A mean square of so many independent values spreads by sqrt(2 / n) of itself.
+    const double spread = 1 + 2 * std::sqrt(2 / side->independent);
+    const double most_mm = std::max(kMostNoise * side->noise_mm * std::sqrt(spread),
+                                    kMostOfStep * std::abs(height_mm));
+    if (side->misfit_mm > most_mm)
+      return Error{en::say("one side of the step is not plane"),
+                   "",
+                   en::say("a line over two planes, with the step between them")};
+  }
+  const double tilt = std::abs(before.slope - after.slope);
+  const double most_tilt = std::max(kSlopeSds * std::hypot(before.slope_sd, after.slope_sd),
+                                    kTiltOfStep * std::abs(height_mm) / (0.5 * length_mm));
+  if (tilt > most_tilt)
+    return Error{en::say("both sides of the step are not parallel"),
+                 "",
+                 en::say("a line over two parallel planes, with the step between them")};
+  return std::nullopt;
 }
 
 }  // namespace
@@ -147,8 +228,9 @@ Result<FittedBall> fit_ball(const SurfacePatch& patch) {
   std::optional<Sphere> ball;
   constexpr int kChoices = 4;
   for (int choice = 0; choice < kChoices; ++choice) {
-    if (cap.size() < kLeastOfBall) return too_few(cap.size(), kLeastOfBall);
-    ball = fit_sphere(points_of(patch, cap), patch.noise_pixels);
+    const auto points = points_of(patch, cap);
+    if (points.size() < kLeastOfBall) return too_few(points.size(), kLeastOfBall);
+    ball = fit_sphere(points, patch.noise_pixels);
     if (!ball) return none;
     cap = deep_half_of(*ball, patch);
   }
@@ -163,11 +245,13 @@ Result<FittedBall> fit_ball(const SurfacePatch& patch) {
 Result<PressedSurface> pressed_part(const SurfacePatch& patch, double threshold_mm) {
   double area = 0, volume = 0, flat = 0;
   double noise_of_volume = 0, common_of_volume = 0, least = 0, most = 0;
+  bool is_least = false;
   for (const SurfacePoint& point : patch.points) {
     const double sd = std::hypot(point.noise_mm, point.common_mm);
     if (point.depth_mm - sd > threshold_mm) least += point.on_face_mm2;
     if (point.depth_mm + sd > threshold_mm) most += point.on_face_mm2;
     if (!(point.depth_mm > threshold_mm)) continue;
+    is_least |= point.is_limit;
     area += point.on_face_mm2;
     flat += point.flat_mm2;
     volume += point.flat_mm2 * point.depth_mm;
@@ -183,12 +267,17 @@ Result<PressedSurface> pressed_part(const SurfacePatch& patch, double threshold_
   part.volume_mm3 = {volume,
                      std::hypot(std::sqrt(noise_of_volume * patch.noise_pixels), common_of_volume)};
   part.mean_mm = {volume / flat, part.volume_mm3.sd / flat};
+  part.is_least = is_least;
   return part;
 }
 
 Result<Roughness> roughness(const SurfacePatch& patch) {
   const std::size_t n = patch.points.size();
   if (n < kLeastOfRoughness) return too_few(n, kLeastOfRoughness);
+  if (std::any_of(patch.points.begin(), patch.points.end(), [](const SurfacePoint& point) {
+        return point.is_limit;
+      }))
+    return at_a_limit();
   const auto plane = fit_plane(patch);
   if (!plane) return plane.error();
   // Heights along the patch's own normal, over two directions in it.
@@ -285,6 +374,7 @@ Result<StepHeight> step_height(const SurfacePatch& line, const std::vector<doubl
     return Error{en::say("no step along this line stands out of the noise"),
                  "",
                  en::say("a line that crosses the step at a right angle")};
+  if (auto problem = no_planes(line, along_mm, best_at, gap_mm, best->height)) return *problem;
   return StepHeight{{best->height, std::hypot(best->sd, if_moved->height - best->height)}, best_at};
 }
 

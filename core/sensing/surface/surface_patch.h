@@ -25,6 +25,7 @@ struct SurfacePoint {
   Eigen::Vector3d untouched_mm;  ///< camera frame, as if nothing pressed
   double depth_mm = 0;           ///< along z; the contact face is at untouched - (0, 0, depth)
   double noise_mm = 0, common_mm = 0;  ///< standard deviations of the depth
+  bool is_limit = false;  ///< the depth is only a least or greatest value (pixel_flags.h)
   double on_face_mm2 = 0,
          flat_mm2 = 0;  ///< that the pixel covers of the untouched face, and along z
 
@@ -51,8 +52,8 @@ struct FittedBall {
   double residual_mm = 0;  ///< root of the mean square
   std::size_t points = 0;
 };
-/// Errors: fewer than 30 points there; they lie in a plane, or hold the radius to no better than
-/// half of itself.
+/// Points at a limit are left out. Errors: fewer than 30 points there; they lie in a plane, or hold
+/// the radius to no better than half of itself.
 [[nodiscard]] Result<FittedBall> fit_ball(const SurfacePatch& patch);
 
 /// Of what is deeper than `threshold_mm`.
@@ -60,6 +61,7 @@ struct PressedSurface {
   MeasuredValue area_mm2;    ///< on the untouched face
   MeasuredValue volume_mm3;  ///< displaced along z
   MeasuredValue mean_mm;     ///< depth, by area
+  bool is_least = false;     ///< some points are at a limit: volume and mean depth are least values
 };
 /// Error: nothing is.
 [[nodiscard]] Result<PressedSurface> pressed_part(const SurfacePatch& patch, double threshold_mm);
@@ -73,7 +75,7 @@ struct Roughness {
   double sz_mm = 0;     ///< from the lowest to the highest, noise included
   double noise_mm = 0;  ///< what a perfectly smooth skin would show
 };
-/// Error: fewer than 30 points, or in one line.
+/// Errors: fewer than 30 points, or in one line; one of them is at a limit.
 [[nodiscard]] Result<Roughness> roughness(const SurfacePatch& patch);
 
 /// A plane, as the contact face has it within a patch.
@@ -82,19 +84,26 @@ struct FittedPlane {
   Eigen::Matrix3d covariance;       ///< of the normal, from noise
   Eigen::Vector3d normal_if_moved;  ///< with all depths moved by what is common
 };
-/// Error: fewer than 10 points, or in one line.
+/// Errors: fewer than 10 points, or in one line; one of them is at a limit.
 [[nodiscard]] Result<FittedPlane> fit_plane(const SurfacePatch& patch);
 /// Between two planes, degrees in [0, 180].
 [[nodiscard]] MeasuredValue angle_deg(const FittedPlane& a, const FittedPlane& b);
 
 /// A step of the depths along a line: two parallel straight lines, one before and one after the
 /// place where they fit best, a tenth of the length around it left out (ISO 5436 leaves a third).
+/// It needs two planes:
+/// - each side has a tenth of the line and 4 points at least, none of them at a limit;
+/// - each side is straight: a line of its own leaves no more than 1.5 times the noise (of as many
+///   independent pixels as it has), or a twentieth of the step;
+/// - both are parallel: their slopes differ by less than 4 sd, or by so little that over half of
+/// the
+///   line it makes less than a tenth of the step.
 struct StepHeight {
   MeasuredValue height_mm;  ///< second less first
   double at_mm = 0;         ///< along the line
 };
 /// `along_mm` ascending, one for each point. Errors: fewer than 12 points; no step that stands out
-/// of the noise.
+/// of the noise; not two planes, with what is missing.
 [[nodiscard]] Result<StepHeight> step_height(const SurfacePatch& line,
                                              const std::vector<double>& along_mm);
 

@@ -213,5 +213,75 @@ TEST(SurfacePatchTest, WithoutAStepNoneIsTold) {
       step_height(few, std::vector<double>(line.along_mm.begin(), line.along_mm.begin() + 8)));
 }
 
+/// A line of 120 points over a profile, its own noise.
+Line line_over(const std::function<double(double)>& depth_mm, double noise_mm, unsigned seed) {
+  Line line = line_with_step(0, 0, 0, noise_mm, seed);
+  for (std::size_t i = 0; i < line.along_mm.size(); ++i)
+    line.points.points[i].depth_mm += depth_mm(line.along_mm[i]) - 0.4;
+  return line;
+}
+
+TEST(SurfacePatchTest, WithoutTwoPlanesThereIsNoStep) {
+  const std::vector<std::pair<const char*, std::function<double(double)>>> profiles{
+      {"over a ball", [](double s) { return cap_depth(s - 3, 0, 4, 0.9); }},
+      {"from a ball's middle", [](double s) { return cap_depth(s, 0, 4, 1.2); }},
+      {"to a ball's flank", [](double s) { return cap_depth(s - 6, 0, 3, 1.4); }},
+      {"a ball beside the ends", [](double s) { return cap_depth(s - 1, 0, 2, 1.0); }},
+      {"a fold", [](double s) { return std::max(0.0, 0.4 * (s - 3)); }},
+      {"a wave", [](double s) { return 0.3 * std::sin(s); }},
+      {"a narrow ridge", [](double s) { return s > 2.8 && s < 3.4 ? 0.5 : 0.0; }},
+      {"a step near the end", [](double s) { return s > 5.8 ? 0.5 : 0.0; }}};
+  for (const auto& [name, profile] : profiles)
+    for (const double noise_mm : {0.0, 0.005, 0.02})
+      for (unsigned seed = 0; seed < 20; ++seed) {
+        const Line line = line_over(profile, noise_mm, seed);
+        const auto step = step_height(line.points, line.along_mm);
+        ASSERT_FALSE(step) << name << ", noise " << noise_mm << ": " << step->height_mm.value;
+        EXPECT_FALSE(step.error().what.empty());
+      }
+}
+
+TEST(SurfacePatchTest, AStepIsNoDeeperThanWhatItIsToldFrom) {
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  int told = 0;
+  for (unsigned seed = 0; seed < 2000; ++seed) {
+    const double a = unit(random), b = unit(random), c = unit(random), at = 3 + 2 * unit(random);
+    const Line line = line_over(
+        [&](double s) {
+          return a * std::sin(s * (1 + std::abs(b))) * std::abs(c) + (s > at ? 0.2 * b : 0.0);
+        },
+        0.01,
+        seed);
+    const auto step = step_height(line.points, line.along_mm);
+    if (!step) continue;
+    ++told;
+    double low = 1e9, high = -1e9;
+    for (const SurfacePoint& point : line.points.points)
+      low = std::min(low, point.depth_mm), high = std::max(high, point.depth_mm);
+    EXPECT_LE(std::abs(step->height_mm.value), high - low + 0.03) << seed;
+    EXPECT_GT(step->height_mm.sd, 0);
+  }
+  EXPECT_GT(told, 20) << "no test of what is told";
+}
+
+TEST(SurfacePatchTest, WhatIsCutAtALimitIsNotMeasuredAsASurface) {
+  Line line = line_with_step(0.3, 3, 0, 0.01, 1);
+  ASSERT_TRUE(step_height(line.points, line.along_mm));
+  line.points.points.back().is_limit = true;
+  EXPECT_FALSE(step_height(line.points, line.along_mm));
+  // A ball whose deepest part is cut flat has its radius from what is not.
+  auto patch =
+      pressed([](double x, double y) { return std::min(0.5, cap_depth(x, y, 3, 0.6)); }, 0, 1);
+  for (SurfacePoint& point : patch.points) point.is_limit = point.depth_mm >= 0.5;
+  const auto ball = fit_ball(patch);
+  ASSERT_TRUE(ball);
+  EXPECT_NEAR(ball->radius_mm.value, 3, 1e-6);
+  EXPECT_FALSE(fit_plane(patch));
+  EXPECT_FALSE(roughness(patch));
+  EXPECT_TRUE(pressed_part(patch, 0.05)->is_least);
+  EXPECT_FALSE(pressed_part(pressed([](double, double) { return 0.4; }, 0, 1), 0.05)->is_least);
+}
+
 }  // namespace
 }  // namespace alltact::test

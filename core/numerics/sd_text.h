@@ -1,0 +1,20 @@
+// How a standard deviation is written: never as 0.
+#pragma once
+
+#include <cmath>
+#include <string>
+
+namespace alltact {
+
+/// An sd beside a value with this many decimals. One that the decimals would make 0 is "under"
+/// their last digit; one that is 0, negative or not finite was not estimated.
+enum class SdKind { kNumber, kUnder, kUnknown };
+[[nodiscard]] inline SdKind sd_kind(double sd, int decimals) {
+  if (!(sd > 0) || !std::isfinite(sd)) return SdKind::kUnknown;
+  return sd < 0.5 * std::pow(10, -decimals) ? SdKind::kUnder : SdKind::kNumber;
+}
+
+/// In English: "1.234 +- 0.054", "1.234 +- under 0.001", "1.234 +- unknown".
+[[nodiscard]] std::string value_and_sd(double value, double sd, int decimals);
+
+}  // namespace alltact
