@@ -26,6 +26,40 @@ double normal(std::mt19937_64& random) {
   return radius * std::cos(2 * CV_PI * uniform(random, 0, 1));
 }
 
+/// Normal numbers by the handful: one of 65536 that were drawn before, sixteen bits each.
+class Noise {
+ public:
+  explicit Noise(std::uint64_t seed) : random_(seed) {}
+  float operator()() {
+    static const std::vector<float> kTable = [] {
+      std::mt19937_64 random(4711);
+      std::vector<float> table(1 << 16);
+      for (float& value : table) value = static_cast<float>(normal(random));
+      return table;
+    }();
+    if (left_ == 0) bits_ = random_(), left_ = 4;
+    --left_;
+    const float value = kTable[bits_ & 0xFFFFU];
+    bits_ >>= 16U;
+    return value;
+  }
+
+ private:
+  std::mt19937_64 random_;
+  std::uint64_t bits_ = 0;
+  int left_ = 0;
+};
+
+/// Blurs what has no detail finer than `sigma_px`, at a third of the resolution.
+cv::Mat1f wide_blur(const cv::Mat1f& image, double sigma_px) {
+  constexpr int kStep = 3;  // sides of an image are multiples of it
+  cv::Mat1f small, large;
+  cv::resize(image, small, image.size() / kStep, 0, 0, cv::INTER_AREA);
+  cv::GaussianBlur(small, small, {0, 0}, sigma_px / kStep);
+  cv::resize(small, large, image.size(), 0, 0, cv::INTER_LINEAR);
+  return large;
+}
+
 /// Reflectance of a layer over a coat: Kubelka 1948, eq. 18.
 double reflectance(double thickness_mm, double absorb_per_mm, double scatter_per_mm, double coat) {
   const double a = (scatter_per_mm + absorb_per_mm) / scatter_per_mm;
@@ -138,6 +172,7 @@ CampaignWorld::CampaignWorld(std::uint64_t seed) : seed_(seed) {
   draw_faults(random);
   draw_presses(random);
   draw_contacts(random);
+  light_ = light(faults.camera_shift_px, faults.lamp_drift, faults.drift_slope);
 }
 
 void CampaignWorld::draw_finger(Random& random) {
@@ -323,8 +358,8 @@ void CampaignWorld::press_in(const Indenter& indenter, PaintedFrame& frame) cons
   }
   if (bulge_ == 0) return;
   constexpr double kBesideMm = 0.3;  // over which skin that is lifted comes away from the indenter
-  cv::Mat1f blurred, beside;
-  cv::GaussianBlur(frame.depth_mm, blurred, {0, 0}, 0.6 * layer_mm / mm_per_px);
+  const cv::Mat1f blurred = wide_blur(frame.depth_mm, 0.6 * layer_mm / mm_per_px);
+  cv::Mat1f beside;
   cv::distanceTransform(255 - frame.contact, beside, cv::DIST_L2, cv::DIST_MASK_5);
   for (int v = 0; v < kHeightPx; ++v)
     for (int u = 0; u < kWidthPx; ++u)
@@ -333,9 +368,11 @@ void CampaignWorld::press_in(const Indenter& indenter, PaintedFrame& frame) cons
 }
 
 cv::Mat1f CampaignWorld::darkening(const cv::Mat1f& depth_mm) const {
-  cv::Mat1f local(depth_mm.size());
+  constexpr float kNothingMm = 1e-5F;
+  cv::Mat1f local = cv::Mat1f::zeros(depth_mm.size());
   for (int v = 0; v < depth_mm.rows; ++v) {
     for (int u = 0; u < depth_mm.cols; ++u) {
+      if (std::abs(depth_mm(v, u)) < kNothingMm) continue;
       const double x = across(u, depth_mm.cols), y = across(v, depth_mm.rows);
       const double scatter =
           scatter_per_mm_ * (1 + scatter_slope_ * x + scatter_bow_ * (x * x + y * y - 1));
@@ -346,18 +383,17 @@ cv::Mat1f CampaignWorld::darkening(const cv::Mat1f& depth_mm) const {
     }
   }
   if (skirt_share_ == 0) return local;
-  cv::Mat1f near, far;
-  cv::GaussianBlur(local, near, {0, 0}, 0.5 * skirt_mm_ / mm_per_px);
-  cv::GaussianBlur(local, far, {0, 0}, 1.2 * skirt_mm_ / mm_per_px);
+  const cv::Mat1f near = wide_blur(local, 0.5 * skirt_mm_ / mm_per_px);
+  const cv::Mat1f far = wide_blur(local, 1.2 * skirt_mm_ / mm_per_px);
   return (1 - skirt_share_) * local + 0.5 * skirt_share_ * (near + far);
 }
 
 cv::Mat1f CampaignWorld::light(cv::Point2d shift_px, double drift, double slope) const {
   // Texture lies on the skin: it is drawn larger than the image and moves with the camera.
   constexpr int kRim = 8;
-  Random random(seed_ + 77);
+  Noise noise(seed_ + 77);
   cv::Mat1f texture(kHeightPx + 2 * kRim, kWidthPx + 2 * kRim);
-  for (float& grain : texture) grain = static_cast<float>(normal(random));
+  for (float& grain : texture) grain = noise();
   constexpr double kGrainPx = 2.0;
   cv::GaussianBlur(texture, texture, {0, 0}, kGrainPx);
   texture *= texture_ * 2 * std::sqrt(CV_PI) * kGrainPx;  // a standard deviation of texture_ again
@@ -380,12 +416,12 @@ cv::Mat1f CampaignWorld::light(cv::Point2d shift_px, double drift, double slope)
 
 cv::Mat CampaignWorld::seen(cv::Mat1f level, std::uint64_t noise_seed) const {
   cv::GaussianBlur(level, level, {0, 0}, blur_px_);
-  Random random(seed_ * 1000003 + noise_seed);
+  Noise noise(seed_ * 1000003 + noise_seed);
   cv::Mat1b grey(level.size());
   for (int v = 0; v < level.rows; ++v) {
     for (int u = 0; u < level.cols; ++u) {
       const double sd = std::sqrt(read_sd_ * read_sd_ + shot_ * std::max(0.0F, level(v, u)));
-      grey(v, u) = cv::saturate_cast<std::uint8_t>(level(v, u) + sd * normal(random));
+      grey(v, u) = cv::saturate_cast<std::uint8_t>(level(v, u) + sd * noise());
     }
   }
   if (faults.jpeg_quality == 0) return grey;
@@ -414,8 +450,7 @@ PaintedFrame CampaignWorld::pressed(const Indenter& indenter, int frame) const {
   press_in(indenter, painted);
   Random random(seed_ * 7919 + static_cast<std::uint64_t>(frame));
   const double gain = 1 + faults.exposure_sd * normal(random);
-  const cv::Mat1f level = light(faults.camera_shift_px, faults.lamp_drift, faults.drift_slope);
-  painted.grey = seen(gain * level.mul(1 - darkening(painted.depth_mm)),
+  painted.grey = seen(gain * light_.mul(1 - darkening(painted.depth_mm)),
                       static_cast<std::uint64_t>(frame) + 1);
   return painted;
 }

@@ -104,6 +104,7 @@ class CampaignWorld {
   [[nodiscard]] static double across(double u, int count) { return 2 * u / (count - 1) - 1; }
 
   std::uint64_t seed_;
+  cv::Mat1f light_;  ///< of all that follows the reference
   double scatter_per_mm_ = 0.6, absorb_per_mm_ = 0.01, coat_ = 0.03;
   double scatter_slope_ = 0, scatter_bow_ = 0, layer_slope_ = 0;  ///< relative, at the sides
   double skirt_share_ = 0, skirt_mm_ = 1;
