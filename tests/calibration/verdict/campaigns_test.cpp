@@ -19,6 +19,7 @@
 // Development seeds are 1 to 500. The statement is made on 501 to 1500, which are drawn for nothing
 // else. ALLTACT_CAMPAIGNS=FIRST-LAST runs others.
 #include "calibration/finger/calibrate_finger.h"
+#include "calibration/verdict/verdict.h"
 #include "core/finger/finger_store.h"
 #include "core/sensing/pipeline.h"
 #include "tests/calibration/verdict/campaign_world.h"
@@ -48,8 +49,9 @@ struct Outcome {
   std::uint64_t seed = 0;
   std::string faults, traits;
   bool is_silent = false, names_number = false;
-  std::string word;  ///< of the verdict; "refused": there is no calibration
-  std::string why;   ///< its sentence, or the error
+  std::string word;            ///< of the verdict; "refused": there is no calibration
+  std::string why;             ///< its sentence, or the error
+  std::string parts, missing;  ///< of the verdict, blank before each
   double said_mm = 0;
   double measured_mm = NAN;                  ///< NaN: nothing to be measured
   std::map<std::string, double> by_kind_mm;  ///< median of each kind of contact
@@ -62,20 +64,6 @@ struct Outcome {
   [[nodiscard]] bool would_hold() const { return faults.empty() && measured_mm <= kGoodErrorMm; }
   [[nodiscard]] bool is_refusal() const { return would_hold() && !is_good(); }
 };
-
-std::string word_of(const Verdict& verdict) {
-  switch (verdict.grade) {
-    case Grade::kGood:
-      return "good";
-    case Grade::kUsable:
-      return "usable";
-    case Grade::kUnproven:
-      return "unproven";
-    case Grade::kUnfit:
-      return "unfit";
-  }
-  return "";
-}
 
 FramePtr frame_of(cv::Mat grey, std::string name) {
   auto frame = std::make_shared<Frame>();
@@ -201,7 +189,11 @@ Outcome run_campaign(std::uint64_t seed) {
     outcome.why = done.error().sentence();
     return outcome;
   }
-  outcome.word = word_of(done->verdict);
+  outcome.word = to_string(done->verdict.grade);
+  for (const ErrorPart& part : done->verdict.parts)
+    outcome.parts += fmt::format(" {}={:.3f}", to_string(part.cause), part.sd_mm);
+  for (const std::string_view name : done->verdict.missing_names)
+    outcome.missing += fmt::format(" {}", name);
   outcome.why = done->verdict.sentence.english();
   outcome.said_mm = done->verdict.error_mm;
   // As a person reads it: any figure that is typed wrongly stands in the sentence.
@@ -294,7 +286,11 @@ TEST(Campaigns, VerdictHoldsForTheNextContact) {
     if (HasFatalFailure()) return;
     summary.add(outcome);
     std::printf("%s\n", row(outcome).c_str());
-    if (std::getenv("ALLTACT_CAMPAIGNS") != nullptr) std::printf("     %s\n", outcome.why.c_str());
+    if (std::getenv("ALLTACT_CAMPAIGNS") != nullptr)
+      std::printf("     parts%s; missing%s; %s\n",
+                  outcome.parts.c_str(),
+                  outcome.missing.c_str(),
+                  outcome.why.c_str());
     std::fflush(stdout);
   }
   std::printf("seeds %lu-%lu: %s", first, last, summary.text().c_str());
