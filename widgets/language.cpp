@@ -51,6 +51,12 @@ QString window_sentence(const Message& message) {
   return in_window_language(en::say("{}.", Message::typed(line.toStdString())));
 }
 
+QString window_phrase(const Message& message) {
+  QString words = in_window_language(message);
+  if (!words.isEmpty()) words[0] = words[0].toUpper();
+  return words;
+}
+
 QString as_sentence(const QString& words) {
   return in_window_language(en::say("{}.", Message::typed(words.toStdString())));
 }

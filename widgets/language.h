@@ -15,6 +15,9 @@ namespace alltact {
 /// The same, as one to begin a line with: a capital first and a full stop last.
 [[nodiscard]] QString window_sentence(const Message& message);
 
+/// Without a full stop, as a title or in a label: a capital first.
+[[nodiscard]] QString window_phrase(const Message& message);
+
 /// Words that are in the window's language already, with its full stop.
 [[nodiscard]] QString as_sentence(const QString& words);
 

@@ -15,11 +15,13 @@ namespace fs = std::filesystem;
 constexpr int kSummarySymbol = 18;
 constexpr int kBetweenLooks_ms = 3000;
 
-std::string written_in(const fs::path& folder) {
+std::string written_in(const fs::path& folder, const std::vector<fs::path>& reference) {
   std::string times;
-  for (const char* file : {"finger.yaml", kCheckFile}) {
+  std::vector<fs::path> files{folder / "finger.yaml", folder / kCheckFile};
+  files.insert(files.end(), reference.begin(), reference.end());
+  for (const fs::path& file : files) {
     std::error_code failed;
-    const auto time = fs::last_write_time(folder / file, failed);
+    const auto time = fs::last_write_time(file, failed);
     times += failed ? "-" : std::to_string(time.time_since_epoch().count());
     times += ' ';
   }
@@ -45,8 +47,9 @@ FingerSummary::FingerSummary(const LiveSession& session, const Workspace& work, 
   connect(&look_, &QTimer::timeout, this, &FingerSummary::read);
   look_.start(kBetweenLooks_ms);
   connect(due_, &QPushButton::clicked, this, [this] {
-    const bool is_recording = card_ && card_->due == FingerDue::kRecording;
-    Q_EMIT due_wanted(is_recording ? "record" : "calibrate");
+    const bool records = card_ && (card_->due == FingerDue::kRecording ||
+                                   (card_->due == FingerDue::kRepair && card_->is_recorded));
+    Q_EMIT due_wanted(records ? "record" : "calibrate");
   });
   say([this] {
     text_->setAccessibleName(tr("What is known of this finger"));
@@ -66,8 +69,10 @@ void FingerSummary::follow() {
 void FingerSummary::read() {
   const auto folder = work_.state().finger;
   if (folder.empty()) return;
-  reading_.start([this, folder, before = written_](const Job&) {
-    const std::string written = written_in(folder);
+  const auto known = card_ ? card_->files : std::vector<fs::path>();
+  reading_.start([this, folder, known, before = written_](const Job&) {
+    // With other files than those known the next time differs, and reads once more.
+    const std::string written = written_in(folder, known);
     if (written == before) return std::function<void()>([] {});
     auto card = read_finger_card(folder, utc_now());
     return std::function<void()>([this, folder, written, card = std::move(card)] {
@@ -83,7 +88,7 @@ void FingerSummary::read() {
 void FingerSummary::tell() {
   setVisible(card_.has_value());
   if (!card_) return;
-  const Meaning meaning = meaning_of(*card_);
+  const Meaning meaning = headline_of(*card_).meaning;
   symbol_->setPixmap(symbol(meaning_symbol(meaning),
                             meaning_colour(meaning, palette()),
                             kSummarySymbol,
@@ -93,9 +98,12 @@ void FingerSummary::tell() {
   switch (card_->due) {
     case FingerDue::kRecording:
       return due_->setText(tr("Go to Record"));
+    case FingerDue::kRepair:
+      return due_->setText(card_->is_recorded ? tr("Go to Record") : tr("Go to Calibrate"));
     case FingerDue::kFirstCheck:
     case FingerDue::kCheck:
     case FingerDue::kLook:
+    case FingerDue::kMorePresses:
       return due_->setText(tr("Go to the check"));
     default:
       return due_->setText(tr("Go to Calibrate"));

@@ -5,6 +5,7 @@
 #include "calibration/finger/measuring_settings.h"
 #include "calibration/joint/joint_fit.h"
 #include "calibration/joint/step_press.h"
+#include "calibration/report/press_residuals.h"
 #include "core/sensing/pipeline.h"
 
 #include <algorithm>
@@ -63,7 +64,10 @@ Result<CheckedPress> measure(const Press& press,
   result.factor = ball->factor;
   result.depth_mm = ball->depth_mm;
   const double radius2 = ball->depth_mm * (2 * press.ball_radius_mm - ball->depth_mm);
-  result.spot = {ball->on_face_mm.x(), ball->on_face_mm.y(), std::sqrt(std::max(0.0, radius2)), 0};
+  result.spot = {ball->on_face_mm.x(),
+                 ball->on_face_mm.y(),
+                 std::sqrt(std::max(0.0, radius2)),
+                 face_length_mm(press.shape)};
   for (const double error_mm : ball->errors_mm) result.error_mm += std::abs(error_mm);
   result.error_mm /= static_cast<double>(ball->errors_mm.size());
   return result;
@@ -89,6 +93,7 @@ Result<CheckedPress> measure_step(const Press& press,
                       step->step_mm,
                       light_change,
                       {}};
+  result.spot.face_length_mm = face_length_mm(press.shape);
   const auto count = static_cast<double>(read.samples.samples.size());
   for (const Sample& sample : read.samples.samples) {
     result.spot.along_mm += sample.place_mm.x() / count;
@@ -218,7 +223,9 @@ void judge(const std::vector<CheckedPress>& own, double held_out_mm, PressCheck&
   check.light_limit = std::max(kLightLimit, kChance * light.sd / std::sqrt(n));
   std::vector<ContactSpot> spots;
   for (const CheckedPress& press : check.presses) spots.push_back(press.spot);
-  check.positions = coverage_of(std::move(spots)).positions;
+  const PressCoverage coverage = coverage_of(std::move(spots));
+  check.positions = coverage.positions;
+  check.thirds = coverage.thirds;
   check.verdict = check_verdict({static_cast<int>(check.presses.size()),
                                  check.positions,
                                  check.error_mm,
@@ -247,23 +254,43 @@ Message why_light_is_off(const PressCheck& check) {
                  how);
 }
 
+/// How many presses a check lacks, and where.
+Message press_again(const PressCheck& check) {
+  std::vector<Message> empty;
+  const bool is_known =
+      std::any_of(check.thirds.begin(), check.thirds.end(), [](int n) { return n > 0; });
+  for (std::size_t i = 0; i < check.thirds.size(); ++i)
+    if (is_known && check.thirds[i] == 0) empty.push_back(third_name(check.is_flat, i));
+  const Message thirds = en::list(empty);
+  return empty.empty()
+             ? en::say(
+                   "a check needs {} presses at different positions; these are at {}: press again",
+                   kCheckPresses,
+                   check.positions)
+             : en::say(
+                   "a check needs {} presses at different positions; these are at {}: press also "
+                   "in these thirds: {}",
+                   kCheckPresses,
+                   check.positions,
+                   thirds);
+}
+
 Message sentence_of(const PressCheck& check) {
+  const Message where =
+      en::count("at {0} positions", "at {0} position", static_cast<long>(check.positions));
   const Message figures = en::count(
-      "{1:.3f} mm of depth error on {0} presses (passes up to {2:.3f} mm), light {3:+.1f} %",
-      "{1:.3f} mm of depth error on {0} press (passes up to {2:.3f} mm), light {3:+.1f} %",
+      "{1:.3f} mm of depth error on {0} presses {4} (passes up to {2:.3f} mm), light {3:+.1f} %",
+      "{1:.3f} mm of depth error on {0} press {4} (passes up to {2:.3f} mm), light {3:+.1f} %",
       check.presses.size(),
       check.error_mm,
       check.drifting_above_mm,
-      100 * check.light_change);
+      100 * check.light_change,
+      where);
   Message advice;
   if (check.verdict == CheckVerdict::kDrifting) advice = en::say("calibrate again soon");
   if (check.verdict == CheckVerdict::kRecalibrate)
     advice = en::say("calibrate again before measuring with it");
-  if (check.verdict == CheckVerdict::kTooFew)
-    advice =
-        en::say("a check needs {} presses at different positions; these are at {}: press again",
-                kCheckPresses,
-                check.positions);
+  if (check.verdict == CheckVerdict::kTooFew) advice = press_again(check);
   std::vector<Message> names;
   for (const std::string& name : check.left_out_names) names.push_back(Message::typed(name));
   const Message left_out = en::list(names);
@@ -293,6 +320,7 @@ Result<PressCheck> check_with_presses(const FingerSnapshot& snapshot,
                  en::say("--ball-radius-mm with the radius of the ball that was pressed")};
   PressCheck check;
   check.ball_radius_mm = said.ball_radius_mm;
+  check.is_flat = finger.face.kind == FaceKind::kFlat;
   // Up to the brightness difference.
   auto pipeline = Pipeline::create(
       snapshot.without_mapping(), for_presses(measuring_settings(snapshot.folder)), job);

@@ -27,6 +27,7 @@
 #include "core/job.h"
 #include "core/result.h"
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -50,8 +51,10 @@ struct PressCheck {
   double light_change = 0;  ///< against the presses of the calibration
   double light_limit = 0;   ///< drifting above
   double ball_radius_mm = 0;
-  std::vector<CheckedPress> presses;        ///< by name
-  int positions = 0;                        ///< distinct ones on the face (PressCoverage)
+  std::vector<CheckedPress> presses;  ///< by name
+  int positions = 0;                  ///< distinct ones on the face (PressCoverage)
+  std::array<int, 3> thirds = {};     ///< of them in base, middle, tip (flat: left, ...)
+  bool is_flat = false;
   std::vector<Message> left_out;            ///< "press_3: why"
   std::vector<std::string> left_out_names;  ///< "press_3"
   Message sentence;                         ///< verdict, figures and what to do

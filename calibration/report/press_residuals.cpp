@@ -19,15 +19,6 @@ double face_width_mm(const FaceShape& shape, const Eigen::Vector2d& pixel) {
   return area ? std::sqrt(area->on_face_mm2) * shape.camera().size().height : 0.0;
 }
 
-/// From the first to the last column that shows the face.
-double face_length_mm(const FaceShape& shape) {
-  double longest = 0;
-  for (int u = 0; u < shape.width_px(); ++u)
-    if (shape.columns()[static_cast<std::size_t>(u)].valid)
-      longest = std::max(longest, shape.length_at(u));
-  return longest;
-}
-
 /// nullopt: nothing lies under the ball.
 std::optional<PressResiduals> residuals_of(const Press& press,
                                            const Face& face,
@@ -72,6 +63,14 @@ std::optional<PressResiduals> residuals_of(const Press& press,
 }
 
 }  // namespace
+
+double face_length_mm(const FaceShape& shape) {
+  double longest = 0;
+  for (int u = 0; u < shape.width_px(); ++u)
+    if (shape.columns()[static_cast<std::size_t>(u)].valid)
+      longest = std::max(longest, shape.length_at(u));
+  return longest;
+}
 
 std::vector<PressResiduals> press_residuals(const std::vector<const Press*>& presses,
                                             const Face& face,

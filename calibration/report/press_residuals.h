@@ -38,6 +38,9 @@ struct PressResiduals {
   std::vector<ResidualSample> samples;  ///< up to rim 1, at most about 800
 };
 
+/// From the first to the last column of an image that shows the face, along it.
+[[nodiscard]] double face_length_mm(const FaceShape& shape);
+
 /// One for each ball of the calibration whose press is among `presses`, in the order of the balls.
 /// Presses in which no sample lies under the ball are left out.
 [[nodiscard]] std::vector<PressResiduals> press_residuals(const std::vector<const Press*>& presses,

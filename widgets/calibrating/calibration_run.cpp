@@ -106,7 +106,8 @@ void CalibrationRun::reload() {
     recalling_.stop();
     result_.reset();
     from_.reset();
-    take_finger(nullptr);
+    finger_.reset();
+    worth_.reset();
     problem_.reset();
     recall_problem_.reset();
     lacks_residuals_ = false;
@@ -119,15 +120,17 @@ void CalibrationRun::reload() {
     auto inputs = std::make_shared<Result<CalibrationInputs>>(CalibrationInputs::load(folder));
     const auto finger = open_finger(folder);
     const FingerPtr opened = finger ? *finger : nullptr;
+    std::optional<FingerWorth> worth;
+    if (opened) worth = worth_of(*opened, utc_now());
     std::error_code failed;
     const bool has_report = fs::exists(folder / kReportPage, failed);
     std::shared_ptr<const FingerCalibration> recalled;
     if (auto kept = recall_calibration(folder))
       recalled = std::make_shared<const FingerCalibration>(std::move(*kept));
-    return std::function<void()>([this, folder, inputs, opened, has_report, recalled] {
+    return std::function<void()>([this, folder, inputs, opened, worth, has_report, recalled] {
       if (folder != desk_.folder()) return reload();
       if (*inputs) from_ = **inputs;
-      if (opened) take_finger(opened);
+      if (opened) finger_ = opened, worth_ = worth;
       if (recalled) take_recalled(recalled);
       if (!is_writing_report()) has_report_ = has_report;
       Q_EMIT changed();
@@ -162,15 +165,10 @@ void CalibrationRun::recall_residuals_once() {
   });
 }
 
-bool CalibrationRun::has_other_finger() const {
-  return finger_ && from_ && !from_->finger_checksum.empty() &&
-         from_->finger_checksum != finger_checksum_;
-}
-
 CalibrationState CalibrationRun::state() const {
   if (!finger_ || !finger_->mapping || !from_) return CalibrationState::kNone;
   if (!desk_.is_ready()) return CalibrationState::kCurrent;  // nobody could change anything yet
-  if (has_other_finger()) return CalibrationState::kStale;
+  if (worth_ && worth_->must_repeat) return CalibrationState::kStale;
   const auto& presses = desk_.presses();
   const bool same_presses = std::equal(
       presses.begin(),
@@ -215,15 +213,11 @@ CalibrationInputs CalibrationRun::next_inputs() const {
   return inputs;
 }
 
-void CalibrationRun::take_finger(const FingerPtr& finger) {
-  finger_ = finger;
-  finger_checksum_ = finger ? finger_checksum(finger->finger) : std::string();
-}
-
 void CalibrationRun::take(const Made& made) {
   result_ = made.result;
   from_ = made.from;
-  take_finger(made.finger);
+  finger_ = made.finger;
+  worth_ = made.worth;
   problem_.reset();
   recall_problem_.reset();
   // Undone to one whose presses were not read yet.
@@ -249,16 +243,20 @@ void CalibrationRun::start() {
     Files files;
     Made before;
     FingerPtr finger;
+    std::optional<FingerWorth> worth;
     std::optional<Result<FingerCalibration>> result;
   };
   auto done = std::make_shared<Done>();
-  done->before = {result_, from_, nullptr};
+  done->before = {result_, from_, nullptr, worth_};
   work_.start([this, input, done, disk = desk_.disk()](const Job& job) {
     disk->wait();
     done->files = read_written(input.folder);
     if (const auto finger = open_finger(input.folder)) done->before.finger = *finger;
     done->result.emplace(calibrate_finger(input, job));
-    if (const auto finger = open_finger(input.folder)) done->finger = *finger;
+    if (const auto finger = open_finger(input.folder)) {
+      done->finger = *finger;
+      done->worth = worth_of(**finger, utc_now());
+    }
     return std::function<void()>([this, done, folder = input.folder] {
       if (folder != desk_.folder()) return;
       if (!*done->result) {
@@ -266,7 +264,7 @@ void CalibrationRun::start() {
         return;
       }
       auto result = std::make_shared<const FingerCalibration>(std::move(**done->result));
-      const Made after{result, result->inputs, done->finger};
+      const Made after{result, result->inputs, done->finger, done->worth};
       take(after);
       has_report_ = false;
       undo_.push(new Undo(*this, std::move(done->files), done->before, after));

@@ -2,6 +2,7 @@
 // with the same bytes as the command line gives.
 #pragma once
 
+#include "calibration/checks/finger_worth.h"
 #include "calibration/finger/calibrate_finger.h"
 #include "widgets/calibrating/press_desk.h"
 #include "widgets/report/report_writer.h"
@@ -14,7 +15,7 @@ namespace alltact {
 enum class CalibrationState {
   kNone = 1,
   kCurrent,
-  kStale,  ///< made from other presses, or from other things said of them
+  kStale,  ///< made from other presses, other numbers or an older reference
 };
 
 class CalibrationRun : public QObject {
@@ -37,8 +38,10 @@ class CalibrationRun : public QObject {
   [[nodiscard]] std::vector<Round> rounds() const;
 
   [[nodiscard]] CalibrationState state() const;
-  /// The finger's sizes, camera or markers are not those that it was calibrated with.
-  [[nodiscard]] bool has_other_finger() const;
+  /// What the finger is worth, as its folder stands; nullopt: not known, or there is no finger.
+  [[nodiscard]] const std::optional<FingerWorth>& worth() const { return worth_; }
+  /// There are presses to calibrate from, and nothing runs.
+  [[nodiscard]] bool can_start() const { return !is_running() && desk_.usable_count() > 0; }
   /// With its figures: as it was made, or as the finger keeps it; null where there is none, or
   /// where an earlier version kept too little.
   [[nodiscard]] const std::shared_ptr<const FingerCalibration>& result() const { return result_; }
@@ -72,10 +75,10 @@ class CalibrationRun : public QObject {
     std::shared_ptr<const FingerCalibration> result;
     std::optional<CalibrationInputs> from;
     FingerPtr finger;
+    std::optional<FingerWorth> worth;
   };
   [[nodiscard]] FingerCalibrationInput input_for(const PressSet& said) const;
   void take(const Made& made);
-  void take_finger(const FingerPtr& finger);
   void take_recalled(const std::shared_ptr<const FingerCalibration>& recalled);
   void recall_residuals_once();
   void restore(const Files& files, const Made& made);
@@ -86,7 +89,7 @@ class CalibrationRun : public QObject {
   std::shared_ptr<const FingerCalibration> result_;
   std::optional<CalibrationInputs> from_;
   FingerPtr finger_;
-  std::string finger_checksum_;
+  std::optional<FingerWorth> worth_;
   std::optional<Error> problem_, recall_problem_;
   std::filesystem::path looked_at_;
   bool lacks_residuals_ = false;  // result_ was recalled, and its presses were not read yet

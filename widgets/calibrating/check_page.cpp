@@ -4,11 +4,11 @@
 #include "core/utc_time.h"
 #include "widgets/calibrating/press_guide.h"
 #include "widgets/calibrating/space_key.h"
+#include "widgets/calibrating/verdict_words.h"
 #include "widgets/language.h"
 #include "widgets/panels/side_panel.h"
 #include "widgets/report/report_words.h"
 #include "widgets/shell/icons.h"
-#include "widgets/theme.h"
 #include "widgets/value_change.h"
 
 #include <QDateTime>
@@ -22,26 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kCheckSideWidth = 330, kCheckSymbol = 28;
-
-QString verdict_text(CheckVerdict verdict) {
-  switch (verdict) {
-    case CheckVerdict::kPass:
-      return CheckPage::tr("Pass");
-    case CheckVerdict::kDrifting:
-      return CheckPage::tr("Drifting");
-    case CheckVerdict::kTooFew:
-      return CheckPage::tr("Too few to tell");
-    case CheckVerdict::kRecalibrate:
-      break;
-  }
-  return CheckPage::tr("Recalibrate");
-}
-
-Meaning meaning_of(CheckVerdict verdict) {
-  return verdict == CheckVerdict::kPass          ? Meaning::kGood
-         : verdict == CheckVerdict::kRecalibrate ? Meaning::kBad
-                                                 : Meaning::kDoubtful;
-}
 
 /// As the window's language writes it, in the time of this place.
 QString date_text(const std::string& utc) {
@@ -178,6 +158,7 @@ QWidget* CheckPage::make_side() {
   large.setPointSizeF(1.4 * large.pointSizeF());
   large.setBold(true);
   verdict_->setFont(large);
+  verdict_->setWordWrap(true);
   head->addWidget(verdict_, 1);
   inside->addLayout(head);
   inside->addWidget(sentence_);
@@ -194,7 +175,9 @@ const CheckEntry* CheckPage::latest() const {
 StepState CheckPage::state() const {
   const CheckEntry* check = latest();
   if (check == nullptr) return StepState::kToDo;
-  return check->verdict == CheckVerdict::kPass ? StepState::kDone : StepState::kLookAgain;
+  const bool holds =
+      verdict_now(*check) == CheckVerdict::kPass && run_.state() == CalibrationState::kCurrent;
+  return holds ? StepState::kDone : StepState::kLookAgain;
 }
 
 const QPushButton* CheckPage::to_do() const {
@@ -228,6 +211,7 @@ void CheckPage::check() {
             if (folder == folder_) write_history(content);
           }));
       show_verdict();
+      Q_EMIT checked();
     });
   });
   show_status();
@@ -269,12 +253,23 @@ void CheckPage::show_history() {
 }
 
 QString CheckPage::verdict_words(const CheckEntry& check) const {
-  const bool is_known = last_ && last_->verdict == check.verdict;
-  QStringList lines{is_known ? window_sentence(last_->sentence)
-                             : tr("Checked last on %1.").arg(date_text(check.time))};
-  if (is_known)
-    for (const Message& press : last_->left_out)
-      lines << tr("Left out: %1").arg(in_window_language(press));
+  QStringList lines;
+  if (const QString stale = why_again(run_); !stale.isEmpty()) lines << stale;
+  if (!last_ || last_->verdict != check.verdict) {
+    lines << tr("Checked last on %1 with %n press(es): %2 mm off (passes up to %3 mm).",
+                nullptr,
+                check.presses)
+                 .arg(date_text(check.time),
+                      local_mm(check.error_mm, 3),
+                      local_mm(check.drifting_above_mm, 3));
+    if (verdict_now(check) == CheckVerdict::kTooFew)
+      lines
+          << tr("A check needs %1 presses at different positions: press again.").arg(kCheckPresses);
+    return lines.join(QLatin1Char('\n'));
+  }
+  lines << window_sentence(last_->sentence);
+  for (const Message& press : last_->left_out)
+    lines << tr("Left out: %1").arg(in_window_language(press));
   return lines.join(QLatin1Char('\n'));
 }
 
@@ -289,14 +284,15 @@ void CheckPage::show_verdict() {
                                  .arg(date_text(history_.back().time)));
     return;
   }
-  const Meaning meaning = meaning_of(check->verdict);
-  symbol_->setPixmap(symbol(meaning == Meaning::kGood       ? QStringLiteral("good")
-                            : meaning == Meaning::kDoubtful ? QStringLiteral("doubtful")
-                                                            : QStringLiteral("bad"),
+  const CheckVerdict word = verdict_now(*check);
+  const bool is_stale = run_.state() == CalibrationState::kStale;
+  const Meaning meaning =
+      is_stale ? std::max(meaning_of(word), Meaning::kDoubtful) : meaning_of(word);
+  symbol_->setPixmap(symbol(meaning_symbol(meaning),
                             meaning_colour(meaning, palette()),
                             kCheckSymbol,
                             devicePixelRatioF()));
-  verdict_->setText(verdict_text(check->verdict));
+  verdict_->setText(is_stale ? changed_text() : check_text(word));
   sentence_->setText(verdict_words(*check));
 }
 

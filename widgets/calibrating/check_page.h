@@ -38,6 +38,10 @@ class CheckPage : public StepPage {
   void show_status();
   [[nodiscard]] const std::vector<CheckEntry>& history() const { return history_; }
 
+ Q_SIGNALS:
+  /// A check was added to the finger's.
+  void checked();
+
  protected:
   void changeEvent(QEvent* event) override;
   void hideEvent(QHideEvent* event) override;

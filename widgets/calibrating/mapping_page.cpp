@@ -183,10 +183,7 @@ void MappingPage::show_progress() {
       progress += QLatin1Char(' ') +
                   tr("(about %n second(s) left)", nullptr, static_cast<int>(std::ceil(*left)));
   } else if (run_.state() == CalibrationState::kStale) {
-    progress = (run_.has_other_finger()
-                    ? tr("The finger's sizes or markers have changed since this calibration.")
-                    : tr("The presses have changed since this calibration.")) +
-               QLatin1Char(' ') + forecast_text(forecast_, run_);
+    progress = why_again(run_) + QLatin1Char(' ') + forecast_text(forecast_, run_);
   } else if (run_.state() == CalibrationState::kCurrent && !run_.result()) {
     progress = tr("This finger is calibrated. Calibrating again shows the figures.");
   } else if (run_.is_recalling()) {

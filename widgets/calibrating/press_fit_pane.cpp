@@ -29,9 +29,9 @@ Overlay squares_overlay(const PressFit& fit) {
   };
 }
 
-QString error_text(const PressFit& fit) {
-  return PressFitPane::tr("%1 mm, %2")
-      .arg(local_mm(fit.error_mm, 3), error_word(meaning_of_error(fit.error_mm)));
+/// With a mapping that this press helped to make: no error of the press, see press_error_mm().
+QString difference_text(const PressFit& fit) {
+  return PressFitPane::tr("%1 mm").arg(local_mm(fit.error_mm, 3));
 }
 
 }  // namespace
@@ -50,7 +50,7 @@ PressFitPane::PressFitPane(QWidget* parent)
   words_->setWordWrap(true);
   words_->setTextFormat(Qt::RichText);
   words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  say([this] { words_->setAccessibleName(tr("Error of this press")); });
+  say([this] { words_->setAccessibleName(tr("Mapping minus ball in this press")); });
   hide();
   words_->hide();
 }
@@ -65,8 +65,9 @@ void PressFitPane::show_fit(const PressFit* fit,
   MappingPlotData data = mapping_figure(*calibration, {fit->residuals});
   data.is_small = true;
   plot_->set_data(std::move(data));
-  QStringList lines{tr("<b>This press:</b> error %1").arg(error_text(*fit))};
-  if (before != nullptr) lines << tr("as the calibration puts it: %1").arg(error_text(*before));
+  QStringList lines{tr("<b>Mapping − ball here:</b> %1").arg(difference_text(*fit))};
+  if (before != nullptr)
+    lines << tr("as the calibration puts it: %1").arg(difference_text(*before));
   if (!forecast.isEmpty()) lines << forecast.toHtmlEscaped();
   words_->setText(lines.join(QStringLiteral("<br>")));
 }

@@ -1,11 +1,9 @@
 #include "widgets/calibrating/press_model.h"
 
-#include "widgets/calibrating/verdict_words.h"
 #include "widgets/language.h"
 #include "widgets/report/report_words.h"
 
 #include <QFont>
-#include <QLocale>
 #include <QPixmap>
 #include <algorithm>
 
@@ -20,15 +18,13 @@ QString punch_state_text(double step_mm, const DeskPress& press, const StepFit* 
   return PressModel::tr("a punch with a step of %1 mm").arg(local_mm(step_mm, 3));
 }
 
-double error_of(const BallFit& ball) {
-  return ball.held_out_mm > 0 ? ball.held_out_mm : ball.residual_mm;
-}
-
 QString ball_state_text(const BallFit& ball) {
-  const double error = error_of(ball);
+  const QString depth = local_mm(ball.depth_mm, 2);
+  const auto error = press_error_mm(ball);
   const QString found =
-      PressModel::tr("%1 mm deep, error %2 mm: %3")
-          .arg(local_mm(ball.depth_mm, 2), local_mm(error, 3), error_word(meaning_of_error(error)));
+      error ? PressModel::tr("%1 mm deep, error %2 mm: %3")
+                  .arg(depth, local_mm(*error, 3), error_word(meaning_of_error(*error)))
+            : PressModel::tr("%1 mm deep, error unknown").arg(depth);
   if (!ball.told_depth) return found;
   return found + QLatin1Char('\n') +
          PressModel::tr("measured %1 mm deep, the solution has %2 mm")
@@ -36,10 +32,6 @@ QString ball_state_text(const BallFit& ball) {
 }
 
 }  // namespace
-
-QString local_mm(double value, int digits) {
-  return QLocale().toString(value, 'f', digits);
-}
 
 const BallFit* fitted_ball(const CalibrationRun& run, const std::string& press) {
   if (!run.result()) return nullptr;
@@ -80,7 +72,7 @@ std::optional<Meaning> press_meaning(const DeskPress& press,
   if (note.excluded) return std::nullopt;
   if (!note.step_mm)
     if (const BallFit* ball = fitted_ball(run, press.name))
-      return meaning_of_error(error_of(*ball));
+      if (const auto error = press_error_mm(*ball)) return meaning_of_error(*error);
   if (press.is_looked_at && press.looked.problem && !note.ball_mm) return Meaning::kDoubtful;
   return std::nullopt;
 }
@@ -97,7 +89,7 @@ void PressModel::follow() {
   for (const DeskPress& press : desk_.presses()) names.push_back(press.name);
   const auto error = [this](const std::string& name) {
     const BallFit* ball = desk_.said().of(name).excluded ? nullptr : fitted_ball(run_, name);
-    return ball == nullptr ? 0.0 : std::max(ball->held_out_mm, ball->residual_mm);
+    return ball == nullptr ? 0.0 : press_error_mm(*ball).value_or(0.0);
   };
   std::stable_sort(names.begin(), names.end(), [&](const auto& a, const auto& b) {
     return error(a) > error(b);

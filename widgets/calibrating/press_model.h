@@ -3,7 +3,7 @@
 
 #include "widgets/calibrating/calibration_run.h"
 #include "widgets/calibrating/shown_press.h"
-#include "widgets/theme.h"
+#include "widgets/worth_words.h"
 
 #include <QAbstractListModel>
 
@@ -21,9 +21,6 @@ namespace alltact {
 [[nodiscard]] std::optional<Meaning> press_meaning(const DeskPress& press,
                                                    const PressDesk& desk,
                                                    const CalibrationRun& run);
-
-/// As the window's language writes numbers.
-[[nodiscard]] QString local_mm(double value, int digits);
 
 class PressModel : public QAbstractListModel {
   Q_OBJECT

@@ -38,7 +38,7 @@ void paint_meaning(QPainter& painter, Meaning meaning, const QSize& size, double
   painter.setBrush(QColor(0, 0, 0, 190));
   painter.drawRoundedRect(plate, 4, 4);
   painter.drawPixmap(plate.topLeft() + QPoint(2, 2),
-                     symbol(symbol_name(meaning), colour, kSymbol, ratio));
+                     symbol(meaning_symbol(meaning), colour, kSymbol, ratio));
 }
 
 /// Of the picture, with the proportions of `size`, around the outline.

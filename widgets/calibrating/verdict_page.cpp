@@ -14,6 +14,8 @@
 #include <QHBoxLayout>
 #include <QUrl>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
 
 namespace alltact {
 namespace {
@@ -21,6 +23,7 @@ namespace {
 constexpr int kVerdictSymbol = 40;
 constexpr int kLeastPlotHeight = 110;
 constexpr int kBetweenWords = 2;
+constexpr std::size_t kShownFindings = 4;  // the rest stands in front of the remarks
 
 }  // namespace
 
@@ -29,8 +32,11 @@ VerdictPage::VerdictPage(CalibrationRun& run, QWidget* parent)
       run_(run),
       symbol_(new QLabel),
       grade_(new QLabel),
+      findings_(wrapped_text()),
       sentence_(wrapped_text()),
       zones_(wrapped_text()),
+      task_(new QPushButton),
+      running_(new QProgressBar),
       next_(wrapped_text()),
       face_(new FaceMapPlot),
       remarks_(new QListWidget),
@@ -61,6 +67,7 @@ VerdictPage::VerdictPage(CalibrationRun& run, QWidget* parent)
   column->addWidget(figures_, 1);
   make_foot(*column);
   connect(print_, &QPushButton::clicked, this, &VerdictPage::print);
+  connect(task_, &QPushButton::clicked, this, &VerdictPage::do_task);
   connect(report_, &QPushButton::clicked, this, [this] {
     QDesktopServices::openUrl(QUrl::fromLocalFile(QString::fromStdString(run_.report().string())));
   });
@@ -75,6 +82,7 @@ VerdictPage::VerdictPage(CalibrationRun& run, QWidget* parent)
   connect(&run_, &CalibrationRun::changed, this, &VerdictPage::show_status);
   say([this] {
     remarks_->setAccessibleName(tr("Remarks"));
+    running_->setAccessibleName(tr("Progress of the calibration"));
     print_->setText(tr("&Print…"));
     print_->setShortcut(QKeySequence::Print);  // a new text takes it away
     print_->setToolTip(tr("One sheet to keep beside the finger, on paper or as PDF"));
@@ -99,10 +107,16 @@ void VerdictPage::make_head(QVBoxLayout& column) {
   grade_->setFont(large);
   grade_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   words->addWidget(grade_);
+  words->addWidget(findings_);
   words->addWidget(sentence_);
   words->addWidget(zones_);
   words->addWidget(next_);
   head->addLayout(words, 1);
+  auto* side = new QVBoxLayout;
+  side->addWidget(task_);
+  side->addWidget(running_);
+  side->addStretch();
+  head->addLayout(side);
   column.addLayout(head);
 }
 
@@ -152,30 +166,105 @@ void VerdictPage::print() {
 }
 
 StepState VerdictPage::state() const {
-  if (run_.state() == CalibrationState::kStale) return StepState::kLookAgain;
-  return run_.state() == CalibrationState::kCurrent ? StepState::kDone : StepState::kToDo;
+  if (run_.state() == CalibrationState::kNone) return StepState::kToDo;
+  const auto known = verdict_of(run_);
+  const bool is_proven = known && (known->grade == Grade::kGood || known->grade == Grade::kUsable);
+  return run_.state() == CalibrationState::kCurrent && is_proven ? StepState::kDone
+                                                                 : StepState::kLookAgain;
+}
+
+VerdictPage::Task VerdictPage::task() const {
+  if (run_.state() == CalibrationState::kNone) return Task::kNone;
+  if (run_.is_running() || run_.state() == CalibrationState::kStale || !known_) return Task::kAgain;
+  if (known_->missing_names.empty()) return Task::kNone;
+  const std::string_view worst = known_->missing_names.front();
+  if (worst == "basis_stored" || worst == "complete") return Task::kAgain;
+  if (worst == "fresh") return Task::kCheck;
+  // Light that scatters, and an error between good and usable, are measured, not missing.
+  return known_->grade == Grade::kUsable ? Task::kNone : Task::kPresses;
+}
+
+const QPushButton* VerdictPage::to_do() const {
+  return task() != Task::kNone && task_->isEnabled() ? task_ : nullptr;
+}
+
+void VerdictPage::do_task() {
+  switch (task()) {
+    case Task::kAgain:
+      return run_.start();
+    case Task::kPresses:
+      Q_EMIT presses_wanted();
+      return;
+    case Task::kCheck:
+      Q_EMIT check_wanted();
+      return;
+    case Task::kNone:
+      return;
+  }
+}
+
+void VerdictPage::show_task() {
+  const Task now = task();
+  task_->setVisible(now != Task::kNone);
+  task_->setEnabled(now != Task::kAgain || run_.can_start());
+  task_->setText(now == Task::kPresses ? tr("Go to the presses")
+                 : now == Task::kCheck ? tr("Go to the check")
+                                       : tr("&Calibrate again"));
+  running_->setVisible(run_.is_running());
+  running_->setValue(static_cast<int>(100 * run_.work().fraction()));
 }
 
 QString VerdictPage::missing() const {
   return run_.state() == CalibrationState::kNone ? tr("Calibrate first.") : QString();
 }
 
-void VerdictPage::show_status() {
-  const auto known = verdict_of(run_);
-  const Meaning meaning = known ? meaning_of(known->grade) : Meaning::kDoubtful;
-  symbol_->setPixmap(symbol(symbol_name(meaning),
-                            meaning_colour(meaning, palette()),
+/// The word, what contradicts it or what it lacks, and what it rests on: nothing of it folded.
+void VerdictPage::show_head() {
+  known_ = verdict_of(run_);
+  const auto& worth = run_.worth();
+  const Headline headline = !known_ ? Headline{run_.state() == CalibrationState::kNone
+                                                   ? tr("Not calibrated yet")
+                                                   : tr("Calibrated; how well is not stored"),
+                                               Meaning::kDoubtful}
+                                    : headline_of(known_->grade,
+                                                  vouched_error_mm(*known_).value_or(0.0),
+                                                  worth->must_repeat,
+                                                  worth->reference);
+  symbol_->setPixmap(symbol(meaning_symbol(headline.meaning),
+                            meaning_colour(headline.meaning, palette()),
                             kVerdictSymbol,
                             devicePixelRatioF()));
-  grade_->setText(known ? grade_text(known->grade) : tr("Not calibrated yet"));
-  QString words;
-  if (known) words = window_sentence(known->reason);
-  if (run_.state() == CalibrationState::kStale)
-    words += QLatin1Char(' ') +
-             (run_.has_other_finger()
-                  ? tr("The finger's sizes or markers have changed since: calibrate again.")
-                  : tr("The presses have changed since: calibrate again."));
-  sentence_->setText(words);
+  grade_->setText(headline.text);
+  QStringList findings;
+  if (known_) {
+    const auto all = findings_of(*known_, worth->evidence->contradictions);
+    for (std::size_t i = 0; i < std::min(all.size(), kShownFindings); ++i)
+      findings << tr("• %1", "an item of a list").arg(window_sentence(all[i]));
+    if (all.size() > kShownFindings)
+      findings << tr("• And %n more, first of the remarks.",
+                     nullptr,
+                     static_cast<int>(all.size() - kShownFindings));
+  }
+  if (run_.state() == CalibrationState::kStale && !(worth && worth->must_repeat))
+    findings.prepend(tr("• The presses have changed since: calibrate again."));
+  findings_->setText(findings.join(QLatin1Char('\n')));
+  findings_->setVisible(!findings.isEmpty());
+  QStringList words;
+  if (known_) {
+    const bool is_vouched = vouched_error_mm(*known_).has_value();
+    if (!is_vouched && std::isfinite(known_->error_mm) && !worth->must_repeat)
+      words << tr("So far ±%1 mm are to be expected.").arg(local_mm(known_->error_mm, 3));
+    if (!known_->cause.empty() && !worth->must_repeat) words << window_sentence(known_->cause);
+    if (!known_->rests_on.empty())
+      words << tr("It rests on: %1.").arg(in_window_language(known_->rests_on));
+  }
+  sentence_->setText(words.join(QLatin1Char(' ')));
+  sentence_->setVisible(!words.isEmpty());
+}
+
+void VerdictPage::show_status() {
+  show_head();
+  show_task();
   more_->set_finger(run_.state() == CalibrationState::kCurrent ? run_.finger() : nullptr);
   report_->setEnabled(!run_.report().empty());
   print_->setEnabled(run_.result() != nullptr);
@@ -185,8 +274,10 @@ void VerdictPage::show_status() {
   report_state_->setText(run_.is_writing_report() ? tr("The report is being written.")
                          : run_.report_problem() ? window_sentence(run_.report_problem()->message())
                                                  : QString());
-  if (run_.result() != shown_ || !shown_) {
+  const QString findings = findings_->text();
+  if (run_.result() != shown_ || !shown_ || findings != shown_findings_) {
     shown_ = run_.result();
+    shown_findings_ = findings;
     zones_->setVisible(shown_ != nullptr);
     if (shown_)
       zones_->setText(
@@ -226,6 +317,11 @@ void VerdictPage::show_next_press() {
 void VerdictPage::show_remarks() {
   remarks_->clear();
   if (!shown_) return;
+  if (known_ && run_.worth()) {
+    const auto findings = findings_of(*known_, run_.worth()->evidence->contradictions);
+    for (std::size_t i = kShownFindings; i < findings.size(); ++i)
+      remarks_->addItem(window_sentence(findings[i]));
+  }
   const Calibration& calibration = shown_->calibration;
   const auto add = [this](const Message& text) { remarks_->addItem(window_sentence(text)); };
   for (const Message& sign : shown_->fault_signs) add(sign);

@@ -9,6 +9,7 @@
 #include "widgets/plots/press_error_plot.h"
 
 #include <QListWidget>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -24,16 +25,27 @@ class VerdictPage : public StepPage {
   [[nodiscard]] StepState state() const override;
   [[nodiscard]] QString missing() const override;
   [[nodiscard]] QWidget* main_control() const override { return print_; }
-  [[nodiscard]] const QPushButton* to_do() const override { return nullptr; }
+  /// Calibrates again, or leads to where the missing evidence is gathered.
+  [[nodiscard]] const QPushButton* to_do() const override;
   void show_status();
   /// Shows the remarks and the command.
   void unfold() { fold_->setChecked(true); }
+
+ Q_SIGNALS:
+  void presses_wanted();
+  void check_wanted();
 
  protected:
   void changeEvent(QEvent* event) override;
 
  private:
+  /// What helps where the calibration is not good.
+  enum class Task { kNone, kAgain, kPresses, kCheck };
+  [[nodiscard]] Task task() const;
+  void do_task();
   void make_head(QVBoxLayout& column);
+  void show_head();
+  void show_task();
   void make_foot(QVBoxLayout& column);
   void show_next_press();
   void show_remarks();
@@ -41,7 +53,10 @@ class VerdictPage : public StepPage {
   void print();
 
   CalibrationRun& run_;
-  QLabel *symbol_, *grade_, *sentence_, *zones_;
+  std::optional<Verdict> known_;
+  QLabel *symbol_, *grade_, *findings_, *sentence_, *zones_;
+  QPushButton* task_;
+  QProgressBar* running_;
   QLabel* next_;
   FaceMapPlot* face_;
   QListWidget* remarks_;
@@ -54,6 +69,7 @@ class VerdictPage : public StepPage {
   MoreBox* more_;
   QLabel *report_state_, *command_;
   std::shared_ptr<const FingerCalibration> shown_;
+  QString shown_findings_;
 };
 
 }  // namespace alltact

@@ -1,12 +1,11 @@
 #include "widgets/calibrating/verdict_sheet.h"
 
 #include "calibration/checks/check_history.h"
-#include "widgets/calibrating/press_model.h"
-#include "widgets/calibrating/verdict_words.h"
 #include "widgets/joined_words.h"
 #include "widgets/language.h"
 #include "widgets/report/calibration_figures.h"
 #include "widgets/report/report_words.h"
+#include "widgets/worth_words.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -45,9 +44,16 @@ class Sheet {
 
  private:
   void add_verdict() {
-    document_.box(grade_text(done_.verdict.grade),
-                  window_sentence(done_.verdict.reason),
-                  meaning_colour(meaning_of(done_.verdict.grade), light_));
+    const Verdict& worth = done_.verdict;
+    const Headline headline = headline_of(
+        worth.grade, vouched_error_mm(worth).value_or(0.0), false, ReferenceState::kWhole);
+    QStringList lines;
+    for (const Message& finding : findings_of(worth, done_.contradictions))
+      lines << window_sentence(finding);
+    for (const Message& line : {worth.cause, worth.rests_on})
+      if (!line.empty()) lines << window_sentence(line);
+    document_.box(
+        headline.text, lines.join(QLatin1Char('\n')), meaning_colour(headline.meaning, light_));
     const auto seconds = seconds_of(done_.inputs.date);
     const QString date =
         seconds ? QLocale().toString(QDateTime::fromSecsSinceEpoch(static_cast<qint64>(*seconds)),
@@ -97,11 +103,11 @@ class Sheet {
     std::vector<Document::Row> rows;
     for (const BallFit& ball : done_.calibration.balls) {
       if (rows.size() == kMostPresses) break;
-      const double error = ball.held_out_mm > 0 ? ball.held_out_mm : ball.residual_mm;
+      const auto error = press_error_mm(ball);
       rows.push_back({{as_text(ball.press), {}, 0},
                       {local_mm(ball.depth_mm, 2), {}, 0},
-                      {local_mm(error, 3), {}, 0},
-                      {error_word(meaning_of_error(error)), {}, 0}});
+                      {error ? local_mm(*error, 3) : SheetWords::tr("unknown"), {}, 0},
+                      {error ? error_word(meaning_of_error(*error)) : QString(), {}, 0}});
     }
     document_.table({SheetWords::tr("Press"),
                      SheetWords::tr("Depth (mm)"),

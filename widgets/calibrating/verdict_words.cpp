@@ -1,53 +1,26 @@
 #include "widgets/calibrating/verdict_words.h"
 
-#include "calibration/checks/finger_worth.h"
-#include "core/utc_time.h"
-#include "widgets/calibrating/press_model.h"
 #include "widgets/calibrating/verdict_page.h"
 #include "widgets/language.h"
 
 namespace alltact {
 
-QString grade_text(Grade grade) {
-  switch (grade) {
-    case Grade::kGood:
-      return VerdictPage::tr("Good");
-    case Grade::kUsable:
-      return VerdictPage::tr("Usable for contact and its place");
-    case Grade::kUnproven:
-      return VerdictPage::tr("Unproven");
-    case Grade::kUnfit:
-      break;
-  }
-  return VerdictPage::tr("Not fit to measure with");
-}
-
-Meaning meaning_of(Grade grade) {
-  if (grade == Grade::kGood) return Meaning::kGood;
-  return grade == Grade::kUnfit ? Meaning::kBad : Meaning::kDoubtful;
-}
-
-QString symbol_name(Meaning meaning) {
-  return meaning == Meaning::kGood       ? QStringLiteral("good")
-         : meaning == Meaning::kDoubtful ? QStringLiteral("doubtful")
-                                         : QStringLiteral("bad");
-}
-
-Meaning meaning_of_error(double error_mm) {
-  if (error_mm <= kGoodErrorMm) return Meaning::kGood;
-  return error_mm <= kUsableErrorMm ? Meaning::kDoubtful : Meaning::kBad;
-}
-
-QString error_word(Meaning meaning) {
-  return meaning == Meaning::kGood       ? VerdictPage::tr("good", "an error")
-         : meaning == Meaning::kDoubtful ? VerdictPage::tr("fair", "an error")
-                                         : VerdictPage::tr("poor", "an error");
-}
-
 std::optional<Verdict> verdict_of(const CalibrationRun& run) {
-  if (run.result()) return run.result()->verdict;
-  if (!run.finger() || !run.finger()->finger.mapping_record) return std::nullopt;
-  return verdict(evidence_in(*run.finger(), utc_now()));
+  const auto& worth = run.worth();
+  return worth && worth->evidence ? std::optional(window_verdict(*worth->evidence)) : std::nullopt;
+}
+
+QString why_again(const CalibrationRun& run) {
+  if (run.state() != CalibrationState::kStale) return {};
+  const auto known = verdict_of(run);
+  QStringList reasons;
+  for (std::size_t i = 0; known && i < known->missing.size(); ++i)
+    if (known->missing_names[i] == "numbers_unchanged" ||
+        known->missing_names[i] == "reference_older")
+      reasons << window_sentence(known->missing[i]);
+  if (reasons.isEmpty())
+    reasons << VerdictPage::tr("The presses have changed since this calibration.");
+  return reasons.join(QLatin1Char(' '));
 }
 
 QString forecast_text(const PressForecast& forecast, const CalibrationRun& run) {

@@ -56,6 +56,9 @@ CalibratePlace::CalibratePlace(LiveSession& session,
     go_to(kPressesStep);
     presses_->show_press(name);
   });
+  connect(verdict_, &VerdictPage::presses_wanted, this, [this] { go_to(kPressesStep); });
+  connect(verdict_, &VerdictPage::check_wanted, this, [this] { go_to(kSteps - 1); });
+  connect(check_, &CheckPage::checked, &run_, &CalibrationRun::reload);
   connect(&run_, &CalibrationRun::changed, this, &CalibratePlace::follow_run);
   connect(&session_, &LiveSession::status_ready, this, &CalibratePlace::follow);
   is_made_ = true;

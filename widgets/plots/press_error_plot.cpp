@@ -14,8 +14,17 @@ namespace {
 
 constexpr int kLongestName = 22;
 
-double worst_of(const PressError& error) {
-  return std::max(error.residual_mm, error.held_out_mm.value_or(0.0));
+/// What presses are sorted and named by: the press's error, as everywhere; with one press only,
+/// where it has none, the residual.
+double shown_mm(const PressError& error) {
+  return error.held_out_mm.value_or(error.residual_mm);
+}
+
+double longest_bar_mm(const std::vector<PressError>& errors) {
+  double longest = 1e-6;
+  for (const PressError& error : errors)
+    longest = std::max({longest, error.residual_mm, error.held_out_mm.value_or(0.0)});
+  return longest;
 }
 
 QString short_name(const std::string& name) {
@@ -29,7 +38,7 @@ QString short_name(const std::string& name) {
 void PressErrorPlot::set_data(std::vector<PressError> errors) {
   errors_ = std::move(errors);
   std::stable_sort(errors_.begin(), errors_.end(), [](const PressError& a, const PressError& b) {
-    return worst_of(a) > worst_of(b);
+    return shown_mm(a) > shown_mm(b);
   });
   if (!chosen_row()) chosen_.clear();
   tell();
@@ -71,7 +80,7 @@ void PressErrorPlot::tell() {
   if (errors_.empty()) return;
   const auto words = [](const QString& sentence, const PressError& error) {
     return sentence.arg(QString::fromStdString(error.press),
-                        QLocale().toString(worst_of(error), 'f', 3));
+                        QLocale().toString(shown_mm(error), 'f', 3));
   };
   setAccessibleDescription(
       words(tr("The worst of %n press(es) is %1 with %2 mm.", "", static_cast<int>(errors_.size())),
@@ -175,10 +184,10 @@ bool PressErrorPlot::draw() {
     bars->setBarsGroup(group);
     bars->setWidth(0.36);
   }
-  own->setName(tr("residual: the mapping knows this press"));
+  own->setName(tr("with this press in the mapping"));
   own->setPen(Qt::NoPen);
   own->setBrush(series_colour(0, palette()));
-  held_out->setName(tr("left out: the mapping was made without it"));
+  held_out->setName(tr("without this press: its error"));
   held_out->setPen(QPen(series_colour(1, palette()), 1));
   held_out->setBrush(QBrush(series_colour(1, palette()), Qt::Dense4Pattern));
 
@@ -197,13 +206,13 @@ bool PressErrorPlot::draw() {
   chart().yAxis->setTickLength(0);
   chart().yAxis->grid()->setVisible(false);
   chart().yAxis->setRange(-0.6, shown - 0.4);
-  chart().xAxis->setRange(0, 1.05 * std::max(worst_of(errors_.front()), 1e-6));
+  chart().xAxis->setRange(0, 1.05 * longest_bar_mm(errors_));
   const int cut = static_cast<int>(errors_.size()) - shown;
-  chart().xAxis->setLabel(cut > 0 ? tr("Mean depth error inside the contact (mm); %n better "
-                                       "press(es) not shown",
+  chart().xAxis->setLabel(cut > 0 ? tr("Mapping minus ball in the contact, mean (mm); %n "
+                                       "better press(es) not shown",
                                        "",
                                        cut)
-                                  : tr("Mean depth error inside the contact (mm)"));
+                                  : tr("Mapping minus ball in the contact, mean (mm)"));
   show_legend();
   return true;
 }

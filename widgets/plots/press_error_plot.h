@@ -9,11 +9,11 @@
 
 namespace alltact {
 
-/// Mean absolute errors in mm of press depth inside one contact.
+/// One measure on two sets of data: the mean magnitude of mapping minus ball in one contact, mm.
 struct PressError {
   std::string press;
-  double residual_mm = 0;             ///< with the mapping that it helped to make
-  std::optional<double> held_out_mm;  ///< with a mapping made without it
+  double residual_mm = 0;             ///< of the mapping that it helped to make
+  std::optional<double> held_out_mm;  ///< of one made without it: the press's error
 };
 
 class PressErrorPlot : public Plot {

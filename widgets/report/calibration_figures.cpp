@@ -1,6 +1,7 @@
 #include "widgets/report/calibration_figures.h"
 
 #include "core/finger/mapping.h"
+#include "widgets/worth_words.h"
 
 #include <QCoreApplication>
 #include <algorithm>
@@ -15,9 +16,9 @@ constexpr int kCurvePoints = 120;
 QString title_of(FaceQuantity quantity) {
   switch (quantity) {
     case FaceQuantity::kResidual:
-      return QCoreApplication::translate("Figures", "Residual (mm)");
+      return QCoreApplication::translate("Figures", "Mapping minus ball (mm)");
     case FaceQuantity::kHeldOut:
-      return QCoreApplication::translate("Figures", "Error, left out (mm)");
+      return QCoreApplication::translate("Figures", "Error of the press (mm)");
     case FaceQuantity::kDepthSd:
       return QCoreApplication::translate("Figures", "Depth's sd (mm)");
     case FaceQuantity::kCoverage:
@@ -67,7 +68,7 @@ std::vector<PressError> press_errors(const Calibration& calibration) {
     PressError& error = errors.emplace_back();
     error.press = ball.press;
     error.residual_mm = ball.residual_mm;
-    if (ball.held_out_mm > 0) error.held_out_mm = ball.held_out_mm;
+    error.held_out_mm = press_error_mm(ball);
   }
   return errors;
 }
@@ -97,8 +98,9 @@ FaceMapData face_figure(FaceQuantity quantity,
         if (quantity == FaceQuantity::kDepthSd)
           value = mapping->depth_sd_mm(sample.x, {sample.along_mm, sample.across_mm});
         if (quantity == FaceQuantity::kHeldOut) {
-          if (ball == nullptr || !(ball->held_out_mm > 0)) continue;
-          value = ball->held_out_mm;
+          const auto error = ball == nullptr ? std::nullopt : press_error_mm(*ball);
+          if (!error) continue;
+          value = *error;
         }
         cells.add(sample.along_mm, sample.across_mm, value);
       }

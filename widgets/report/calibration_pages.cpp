@@ -4,43 +4,55 @@
 #include "widgets/joined_words.h"
 #include "widgets/plots/history_plot.h"
 #include "widgets/report/report_pages.h"
+#include "widgets/worth_words.h"
+
+#include <cmath>
 
 namespace alltact {
 namespace {
-
-QString grade_word(Grade grade) {
-  switch (grade) {
-    case Grade::kGood:
-      return text("Good");
-    case Grade::kUsable:
-      return text("Usable for contact and its place");
-    case Grade::kUnproven:
-      return text("Unproven");
-    case Grade::kUnfit:
-      break;
-  }
-  return text("Not fit to measure with");
-}
 
 Error stopped() {
   return {en::say("stopped before the report was written"), "", ""};
 }
 
-Meaning meaning_of(Grade grade) {
-  if (grade == Grade::kGood) return Meaning::kGood;
-  return grade == Grade::kUnfit ? Meaning::kBad : Meaning::kDoubtful;
+QString cause_words(ErrorCause cause) {
+  switch (cause) {
+    case ErrorCause::kShape:
+      return text("shape of the mapping, by presses left out of it");
+    case ErrorCause::kScale:
+      return text("scale of the mapping as a whole");
+    case ErrorCause::kPixel:
+      return text("noise, reference and light of a single pixel");
+    case ErrorCause::kZone:
+      return text("parts of the face far from any press");
+    case ErrorCause::kHalo:
+      return text("light that scatters sideways");
+    case ErrorCause::kRadius:
+      break;
+  }
+  return text("the ball's radius");
 }
 
 }  // namespace
 
 void ReportPages::add_verdict() {
-  document_.box(grade_word(done_.verdict.grade),
-                sentence(done_.verdict.reason),
-                meaning_colour(meaning_of(done_.verdict.grade), light_));
+  const Verdict& worth = done_.verdict;
+  const auto error = vouched_error_mm(worth);
+  QStringList lines;
+  for (const Message& finding : findings_of(worth, done_.contradictions))
+    lines << sentence(finding);
+  if (!worth.cause.empty()) lines << sentence(worth.cause);
+  if (!worth.rests_on.empty()) lines << text("It rests on: %1.").arg(as_text(worth.rests_on));
+  const QString grade = phrase(word_of(worth.grade));
+  document_.box(error ? text("%1, ±%2 mm").arg(grade, mm(*error)) : grade,
+                lines.join('\n'),
+                meaning_colour(meaning_of(worth.grade), light_));
   document_.paragraph(
-      text("Good means at most %1 mm, usable at most %2 mm of mean error of press depth inside a "
-           "contact, on presses that the mapping was made without.")
+      text("The expected error is what the next contact will be off by, all known causes together: "
+           "two of three contacts are off by less. Good needs at most %1 mm, usable at most %2 mm, "
+           "and every piece of evidence that is listed.")
           .arg(mm(kGoodErrorMm, 2), mm(kUsableErrorMm, 2)));
+  add_causes();
   if (!done_.fault_signs.empty()) {
     QStringList signs;
     for (const Message& sign : done_.fault_signs) signs << sentence(sign);
@@ -49,6 +61,17 @@ void ReportPages::add_verdict() {
                   meaning_colour(Meaning::kDoubtful, light_));
   }
   add_zones();
+}
+
+void ReportPages::add_causes() {
+  std::vector<Document::Row> rows;
+  for (const ErrorPart& part : done_.verdict.parts)
+    rows.push_back({{cause_words(part.cause), {}, 0}, {mm(part.sd_mm), {}, 0}});
+  if (rows.empty()) return;
+  if (std::isfinite(done_.verdict.error_mm))
+    rows.push_back({{text("all together"), {}, 0}, {mm(done_.verdict.error_mm), {}, 0}});
+  document_.table(
+      {text("Cause of error"), text("Standard deviation of depth (mm)")}, rows, {false, true});
 }
 
 void ReportPages::add_zones() {
@@ -150,7 +173,7 @@ void ReportPages::add_methods() {
   document_.table({text("Method"),
                    text("Presses"),
                    text("Mean depth (mm)"),
-                   text("Residual (mm)"),
+                   text("With them in the mapping (mm)"),
                    text("Reads (mm)"),
                    text("Joint reads (mm)")},
                   rows,

@@ -54,6 +54,7 @@ class ReportPages {
   static constexpr double kSharpness = 2.0;  // pixels to each of these, for paper, dense screens
 
   void add_verdict();
+  void add_causes();
   void add_zones();
   void add_facts();
   [[nodiscard]] QString press_words(const BallFit& ball) const;

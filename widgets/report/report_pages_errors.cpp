@@ -37,8 +37,10 @@ void ReportPages::add_errors() {
       bars,
       bars.comfortable_height(),
       text("Good: all bars alike. One bar much longer than the others: look at that press' picture "
-           "above, and leave it out if it shows anything but one clean ball. Left out much longer "
-           "than residual: this press tells something that no other does; press more like it."));
+           "above, and leave it out if it shows anything but one clean ball. Much longer without "
+           "the "
+           "press than with it: this press shows something that no other does; press more like "
+           "it."));
 }
 
 void ReportPages::add_map(FaceQuantity quantity, const QString& caption) {
@@ -55,11 +57,10 @@ void ReportPages::add_map(FaceQuantity quantity, const QString& caption) {
 void ReportPages::add_maps() {
   document_.new_page();
   document_.heading(text("Where on the face"));
-  add_map(
-      FaceQuantity::kResidual,
-      text(
-          "Mean residual of each square millimetre. Good: no pattern. Errors that grow towards one "
-          "end or one side point to light or shape there."));
+  add_map(FaceQuantity::kResidual,
+          text("Mapping minus ball, mean of each square millimetre. Good: no pattern. Errors that "
+               "grow towards one "
+               "end or one side point to light or shape there."));
   if (done_.calibration.held_out_mm > 0)
     add_map(FaceQuantity::kHeldOut,
             text("Error of each press when the mapping was made without it. Hatched: nothing was "

@@ -3,6 +3,7 @@
 #include "widgets/plots/press_light_plot.h"
 #include "widgets/report/press_picture.h"
 #include "widgets/report/report_pages.h"
+#include "widgets/worth_words.h"
 
 #include <algorithm>
 #include <map>
@@ -39,9 +40,7 @@ void ReportPages::add_presses() {
   for (const TakenPress& press : done_.presses) taken[press.name] = &press;
   std::vector<const BallFit*> balls;
   for (const BallFit& ball : done_.calibration.balls) balls.push_back(&ball);
-  const auto worst = [](const BallFit* ball) {
-    return std::max(ball->residual_mm, ball->held_out_mm);
-  };
+  const auto worst = [](const BallFit* ball) { return press_error_mm(*ball).value_or(0.0); };
   std::stable_sort(balls.begin(), balls.end(), [&](const BallFit* a, const BallFit* b) {
     return worst(a) > worst(b);
   });
@@ -50,6 +49,7 @@ void ReportPages::add_presses() {
   std::vector<Document::Row> rows;
   for (const BallFit* ball : balls) {
     const auto press = taken.find(ball->press);
+    const auto error = press_error_mm(*ball);
     QImage picture;
     if (camera && press != taken.end())
       picture = press_picture(press->second->grey, *camera, *ball, touched_by(*ball), size);
@@ -58,7 +58,7 @@ void ReportPages::add_presses() {
          {press_words(*ball), {}, 0},
          {mm(ball->depth_mm), {}, 0},
          {mm(ball->residual_mm), {}, 0},
-         {ball->held_out_mm > 0 ? mm(ball->held_out_mm) : text("none"), {}, 0},
+         {error ? mm(*error) : text("unknown"), {}, 0},
          {mm(ball->centre_sd_mm.z()), {}, 0},
          {press == taken.end() ? QString() : percent(press->second->sign.light_change), {}, 0}});
   }
@@ -76,8 +76,8 @@ void ReportPages::add_presses() {
   document_.pictured_table({text("Picture"),
                             text("Press"),
                             text("Depth (mm)"),
-                            text("Residual (mm)"),
-                            text("Left out (mm)"),
+                            text("With this press (mm)"),
+                            text("Error (mm)"),
                             text("Ball's distance, sd (mm)"),
                             text("Light (%)")},
                            rows,
@@ -85,9 +85,10 @@ void ReportPages::add_presses() {
   document_.paragraph(text(
       "Orange: the outline of the ball as it was found, with its middle. Dashed: what the ball "
       "touches; the dark contact must lie in there, or something else was taken for the ball. "
-      "Depth: the deepest point. Residual: mean error inside the contact with the final mapping. "
-      "Left out: the same with a mapping made from the other presses; this is the figure that "
-      "counts. Ball's distance, sd: how well the ball's distance from the camera is known. Light: "
+      "Depth: the deepest point. Error: mapping minus ball inside the contact, on average, with a "
+      "mapping made without this press; this is the figure that counts. With this press: the same "
+      "with the final mapping, which this press helped to make. Ball's distance, sd: how well the "
+      "ball's distance from the camera is known. Light: "
       "how much brighter the untouched face is than in the reference; it should be 0 within 1 %."));
   add_left_out();
 }

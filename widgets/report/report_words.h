@@ -28,6 +28,13 @@ inline QString sentence(const Message& message) {
   return line;
 }
 
+/// The same without a full stop, as a title.
+inline QString phrase(const Message& message) {
+  QString words = as_text(message);
+  if (!words.isEmpty()) words[0] = words[0].toUpper();
+  return words;
+}
+
 /// 2026-01-31 12:00:00 UTC
 inline QString when(QString date) {
   return date.replace('T', ' ').replace('Z', " UTC");

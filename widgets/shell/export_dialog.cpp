@@ -1,7 +1,11 @@
 #include "widgets/shell/export_dialog.h"
 
 #include "core/finger/finger.h"
+#include "core/utc_time.h"
 #include "widgets/joined_words.h"
+#include "widgets/language.h"
+#include "widgets/shell/finger_card_words.h"
+#include "widgets/shell/icons.h"
 #include "widgets/tip_of_text.h"
 
 #include <QClipboard>
@@ -18,6 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr int kWorthSymbol = 16;
 constexpr int kIndent = 26;  // what a form is for stands below its words, not below the box
 
 QString text_of(const fs::path& path) {
@@ -30,6 +35,8 @@ ExportDialog::ExportDialog(const fs::path& finger, QWidget* parent)
     : FittedDialog(parent),
       finger_((finger / "").parent_path()),
       intro_(new QLabel),
+      worth_symbol_(new QLabel),
+      worth_(new QLabel),
       folder_label_(new QLabel),
       folder_(new QLineEdit),
       command_(new QLineEdit),
@@ -43,6 +50,11 @@ ExportDialog::ExportDialog(const fs::path& finger, QWidget* parent)
   auto* column = new QVBoxLayout(this);
   intro_->setWordWrap(true);
   column->addWidget(intro_);
+  auto* worth = new QHBoxLayout;
+  worth_->setWordWrap(true);
+  worth->addWidget(worth_symbol_, 0, Qt::AlignTop);
+  worth->addWidget(worth_, 1);
+  column->addLayout(worth);
   column->addLayout(make_forms());
   column->addLayout(make_folder_row());
   column->addLayout(make_command_row());
@@ -76,6 +88,7 @@ ExportDialog::ExportDialog(const fs::path& finger, QWidget* parent)
     setWindowTitle(tr("Export finger"));
     intro_->setText(
         tr("What finger %1 has learnt, for other programs.").arg(text_of(finger_.filename())));
+    show_worth();
     name_forms();
     folder_label_->setText(tr("&Folder for the files"));
     folder_->setAccessibleName(tr("Folder for the files"));
@@ -91,6 +104,28 @@ ExportDialog::ExportDialog(const fs::path& finger, QWidget* parent)
   show_command();
   show_running(false);
   resize(620, 460);
+  reading_.start([this, folder = finger_](const Job&) {
+    auto card = read_finger_card(folder, utc_now());
+    return std::function<void()>([this, card = std::move(card)] {
+      card_ = card;
+      show_worth();
+    });
+  });
+}
+
+/// Whoever uses the figures has to know what they are worth.
+void ExportDialog::show_worth() {
+  const bool is_good = card_ && card_->grade == Grade::kGood && card_->findings.empty();
+  for (QLabel* label : {worth_symbol_, worth_}) label->setVisible(card_ && !is_good);
+  if (!card_ || is_good) return;
+  const Headline headline = headline_of(*card_);
+  worth_symbol_->setPixmap(symbol(meaning_symbol(headline.meaning),
+                                  meaning_colour(headline.meaning, palette()),
+                                  kWorthSymbol,
+                                  devicePixelRatioF()));
+  QStringList sentences{as_sentence(headline.text)};
+  if (!card_->findings.empty()) sentences << window_sentence(card_->findings.front());
+  worth_->setText(sentences.join(QLatin1Char(' ')));
 }
 
 QLayout* ExportDialog::make_forms() {

@@ -3,6 +3,7 @@
 
 #include "calibration/export/export_finger.h"
 #include "widgets/background_work.h"
+#include "widgets/shell/finger_card.h"
 #include "widgets/shell/fitted_dialog.h"
 #include "widgets/shell/problem_list.h"
 
@@ -36,6 +37,7 @@ class ExportDialog : public FittedDialog {
   [[nodiscard]] QLayout* make_folder_row();
   [[nodiscard]] QLayout* make_command_row();
   void name_forms();
+  void show_worth();
   void choose_folder();
   void show_command();
   void show_running(bool is_running);
@@ -46,13 +48,14 @@ class ExportDialog : public FittedDialog {
 
   const std::filesystem::path finger_;
   std::vector<Form> forms_;
-  QLabel *intro_, *folder_label_;
+  QLabel *intro_, *worth_symbol_, *worth_, *folder_label_;
   QLineEdit *folder_, *command_;
   QPushButton *choose_, *copy_, *write_, *stop_;
   QProgressBar* progress_;
   ProblemList* outcome_;
   QDialogButtonBox* buttons_;
-  BackgroundWork work_;
+  std::optional<FingerCard> card_;
+  BackgroundWork work_, reading_;
 };
 
 }  // namespace alltact

@@ -3,8 +3,7 @@
 #include "calibration/checks/finger_worth.h"
 #include "calibration/finger/calibration_inputs.h"
 #include "core/finger/finger_store.h"
-
-#include <cmath>
+#include "widgets/worth_words.h"
 
 namespace alltact {
 namespace {
@@ -30,20 +29,34 @@ std::optional<FingerCard> read_finger_card(const fs::path& folder, const std::st
   FingerCard card;
   card.folder = folder;
   card.name = finger.name.empty() ? folder.filename().string() : finger.name;
-  const FingerWorth worth = worth_of(**opened, now);
+  const FingerWorth state = worth_of(**opened, now);
   if (finger.mapping)
     if (const auto date = finger.provenance.find("calibration_date");
         date != finger.provenance.end())
       card.calibrated_on = date->second;
-  if (worth.check) {
-    card.checked_on = worth.check->time;
-    card.checked_mm = worth.check->error_mm;
+  if (state.check) {
+    card.checked_on = state.check->time;
+    card.checked_mm = state.check->error_mm;
   }
-  if (worth.verdict) {
-    card.grade = worth.verdict->grade;
-    if (std::isfinite(worth.verdict->error_mm)) card.error_mm = worth.verdict->error_mm;
+  if (state.verdict) {
+    card.grade = state.verdict->grade;
+    const Verdict worth = window_verdict(*state.evidence);
+    card.error_mm = vouched_error_mm(worth).value_or(0.0);
+    card.findings = findings_of(worth, state.evidence->contradictions);
+    if (!worth.missing_names.empty()) card.lacks = worth.missing_names.front();
+    card.rests_on = worth.rests_on;
   }
-  card.due = worth.due;
+  card.reference = state.reference;
+  card.is_recorded = finger.face.kind == FaceKind::kFinRay;
+  card.must_repeat = state.must_repeat;
+  if (const Message broken = sentence(state.reference);
+      state.due == FingerDue::kRepair && card.findings.empty())
+    card.findings = {broken};
+  if (finger.reference)
+    for (const std::string& name :
+         {finger.reference->image, finger.reference->video, finger.reference->markers})
+      if (!name.empty()) card.files.push_back(folder / name);
+  card.due = state.due;
   if (const fs::path file = picture_of(folder, finger); !file.empty())
     if (const QImage whole(QString::fromStdString(file.string())); !whole.isNull())
       card.picture = whole.scaledToHeight(kPictureHeight, Qt::SmoothTransformation)

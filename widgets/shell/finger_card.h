@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace alltact {
 
@@ -15,10 +16,18 @@ struct FingerCard {
   std::filesystem::path folder;
   std::string name;
   std::optional<Grade> grade;  ///< of the calibration
-  std::string calibrated_on;   ///< UTC, 2026-01-31T12:00:00Z; empty: never
-  std::string checked_on;      ///< likewise; of this calibration
-  double error_mm = 0;         ///< to be expected of the next press; 0: not kept
-  double checked_mm = 0;       ///< what the last check was off by; 0: never checked
+  ReferenceState reference = ReferenceState::kAbsent;
+  bool is_recorded = false;       ///< its reference is a recording, not a single image
+  bool must_repeat = false;       ///< numbers or reference are not those of the calibration
+  std::vector<Message> findings;  ///< what contradicts the calibration, then what it lacks
+  std::string lacks;              ///< the worst requirement that is not met; empty: none
+  Message rests_on;               ///< see Verdict
+  /// Of its reference: where one of them changes, all of this may.
+  std::vector<std::filesystem::path> files;
+  std::string calibrated_on;  ///< UTC, 2026-01-31T12:00:00Z; empty: never
+  std::string checked_on;     ///< likewise; of this calibration
+  double error_mm = 0;        ///< of the next contact; 0: nothing vouches for a figure
+  double checked_mm = 0;      ///< what the last check was off by; 0: never checked
   FingerDue due = FingerDue::kNothing;
   QImage picture;  ///< of a press or of the untouched finger; null: none
 

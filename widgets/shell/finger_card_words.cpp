@@ -1,11 +1,12 @@
 #include "widgets/shell/finger_card_words.h"
 
 #include "core/utc_time.h"
+#include "widgets/language.h"
 #include "widgets/shell/finger_cards.h"
 
 #include <QDateTime>
 #include <QLocale>
-#include <cmath>
+#include <algorithm>
 
 namespace alltact {
 namespace {
@@ -14,34 +15,39 @@ QDateTime local_time(const std::string& utc) {
   return QDateTime::fromString(QString::fromStdString(utc), Qt::ISODate).toLocalTime();
 }
 
+/// What brings the evidence that a calibration lacks.
+QString evidence_due_text(const FingerCard& card) {
+  const auto lacks = [&card](std::initializer_list<std::string_view> names) {
+    return std::find(names.begin(), names.end(), card.lacks) != names.end();
+  };
+  if (!card.grade || lacks({"basis_stored", "complete"}))
+    return FingerCards::tr("Due: calibrate it again");
+  if (lacks({"fresh"})) return FingerCards::tr("Due: a check");
+  if (lacks({"held_out", "presses", "positions", "thirds", "depths", "scale_known"}))
+    return FingerCards::tr("Due: more presses");
+  return FingerCards::tr("Due: read its verdict");
+}
+
 QString in_mm(double value) {
-  return FingerCards::tr("%1 mm").arg(QLocale().toString(value, 'f', 3));
+  return FingerCards::tr("%1 mm").arg(local_mm(value, 3));
 }
 
 }  // namespace
 
-QString grade_word(const FingerCard& card) {
-  if (!card.grade && (card.due == FingerDue::kRecording || card.due == FingerDue::kCalibration))
-    return FingerCards::tr("Not calibrated yet");
-  if (!card.grade) return FingerCards::tr("Calibrated; how well is not kept");
-  switch (*card.grade) {
-    case Grade::kGood:
-      return FingerCards::tr("Good");
-    case Grade::kUsable:
-      return FingerCards::tr("Usable for contact and its place");
-    case Grade::kUnproven:
-      return FingerCards::tr("Unproven");
-    case Grade::kUnfit:
-      break;
+Headline headline_of(const FingerCard& card) {
+  if (card.grade) {
+    Headline headline = headline_of(*card.grade, card.error_mm, card.must_repeat, card.reference);
+    if (card.due == FingerDue::kAgain) headline.meaning = Meaning::kBad;
+    if (card.due != FingerDue::kNothing && headline.meaning == Meaning::kGood)
+      headline.meaning = Meaning::kDoubtful;
+    return headline;
   }
-  return FingerCards::tr("Not fit to measure with");
-}
-
-Meaning meaning_of(const FingerCard& card) {
-  if (!card.grade) return Meaning::kDoubtful;
-  if (*card.grade == Grade::kUnfit || card.due == FingerDue::kAgain) return Meaning::kBad;
-  const bool is_well = card.due == FingerDue::kNothing && *card.grade == Grade::kGood;
-  return is_well ? Meaning::kGood : Meaning::kDoubtful;
+  if (card.due == FingerDue::kRepair)
+    return headline_of(Grade::kUnfit, 0, card.must_repeat, card.reference);
+  const bool is_new = card.due == FingerDue::kRecording || card.due == FingerDue::kCalibration;
+  return {is_new ? FingerCards::tr("Not calibrated yet")
+                 : FingerCards::tr("Calibrated; how well is not kept"),
+          Meaning::kDoubtful};
 }
 
 QString local_day(const std::string& utc) {
@@ -65,16 +71,18 @@ QString dates_of(const FingerCard& card) {
                            : FingerCards::tr("Calibrated %1, checked %2").arg(made, checked);
 }
 
-QString due_text(FingerDue due) {
-  switch (due) {
+QString due_text(const FingerCard& card) {
+  switch (card.due) {
     case FingerDue::kRecording:
       return FingerCards::tr("Due: record it bending");
     case FingerDue::kCalibration:
       return FingerCards::tr("Due: calibrate it");
     case FingerDue::kRepair:
-      return FingerCards::tr("Due: repair its reference");
+      return card.reference == ReferenceState::kMissing
+                 ? FingerCards::tr("Due: restore its reference")
+                 : FingerCards::tr("Due: record its reference again");
     case FingerDue::kEvidence:
-      return FingerCards::tr("Due: more presses");
+      return evidence_due_text(card);
     case FingerDue::kFirstCheck:
     case FingerDue::kCheck:
     case FingerDue::kMorePresses:
@@ -90,15 +98,20 @@ QString due_text(FingerDue due) {
   return FingerCards::tr("Nothing is due");
 }
 
+QString findings_text(const FingerCard& card) {
+  QStringList lines;
+  for (const Message& finding : card.findings) lines << window_sentence(finding);
+  return lines.join(QLatin1Char('\n'));
+}
+
 QString summary_of(const FingerCard& card, const std::string& now) {
-  QStringList parts{grade_word(card)};
-  if (card.error_mm > 0) parts.back() += QString::fromUtf8(", \u00b1") + in_mm(card.error_mm);
+  QStringList parts{headline_of(card).text};
   const QString made = age_in_days(card.calibrated_on, now);
   if (!made.isEmpty()) parts << FingerCards::tr("calibrated %1").arg(made);
   const QString checked = age_in_days(card.checked_on, now);
   if (!checked.isEmpty())
     parts << FingerCards::tr("checked %1, %2 off").arg(checked, in_mm(card.checked_mm));
-  parts << due_text(card.due);
+  parts << due_text(card);
   return parts.join(QString::fromUtf8(" \u00b7 "));
 }
 

@@ -32,7 +32,7 @@ QIcon picture_of(const FingerCard& card, const QPalette& palette, double ratio) 
     painter.setClipRect(whole);
     painter.drawImage(placed, card.picture);
   }
-  const Meaning meaning = meaning_of(card);
+  const Meaning meaning = headline_of(card).meaning;
   const QRect corner(whole.right() - kCardSymbol - 3, 4, kCardSymbol, kCardSymbol);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(Qt::NoPen);
@@ -47,7 +47,7 @@ QIcon picture_of(const FingerCard& card, const QPalette& palette, double ratio) 
 QStringList lines_of(const FingerCard& card) {
   QStringList lines;
   for (const QString& line :
-       {QString::fromStdString(card.name), grade_word(card), dates_of(card), due_text(card.due)})
+       {QString::fromStdString(card.name), headline_of(card).text, dates_of(card), due_text(card)})
     if (!line.isEmpty()) lines << line;
   return lines;
 }
@@ -108,10 +108,11 @@ QToolButton* FingerCards::make_button(const FingerCard& card) {
   button->setMinimumWidth(kCardWidth);
   button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   button->setAccessibleName(tr("Open the finger %1").arg(QString::fromStdString(card.name)));
-  button->setAccessibleDescription(
-      QStringList{grade_word(card), dates_of(card), due_text(card.due)}.join(QLatin1String(". ")));
-  button->setToolTip(lines_of(card).join(QLatin1Char('\n')) + QLatin1Char('\n') +
-                     QString::fromStdString(card.folder.string()));
+  QStringList lines = lines_of(card);
+  if (const QString findings = findings_text(card); !findings.isEmpty()) lines << findings;
+  button->setAccessibleDescription(lines.mid(1).join(QLatin1String(". ")));
+  lines << QString::fromStdString(card.folder.string());
+  button->setToolTip(lines.join(QLatin1Char('\n')));
   connect(button, &QToolButton::clicked, this, [this, folder = card.folder] {
     Q_EMIT finger_chosen(QString::fromStdString(folder.string()));
   });

@@ -8,7 +8,6 @@
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QLocale>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -54,6 +53,11 @@ int urgency(const FingerCard& card) {
       break;
   }
   return 6;
+}
+
+/// Without the figure, which has a column of its own.
+QString worth_text(const FingerCard& card, const Headline& headline) {
+  return card.error_mm > 0 && card.grade ? grade_text(*card.grade) : headline.text;
 }
 
 }  // namespace
@@ -144,21 +148,24 @@ void FingerListDialog::fill() {
   const std::string now = utc_now();
   for (const FingerCard& card : cards_) {
     auto* row = new QTreeWidgetItem(list_);
-    const Meaning meaning = meaning_of(card);
+    const Headline headline = headline_of(card);
+    const Meaning meaning = headline.meaning;
     row->setIcon(kListName,
                  QIcon(symbol(meaning_symbol(meaning),
                               meaning_colour(meaning, palette()),
                               kListSymbol,
                               devicePixelRatioF())));
     row->setText(kListName, QString::fromStdString(card.name));
-    row->setText(kListWorth, grade_word(card));
-    row->setText(kListError,
-                 card.error_mm > 0 ? QLocale().toString(card.error_mm, 'f', 3) : QString());
+    row->setText(kListWorth, worth_text(card, headline));
+    row->setText(kListError, card.error_mm > 0 ? local_mm(card.error_mm, 3) : QString());
     row->setText(kListCalibrated, age_in_days(card.calibrated_on, now));
     row->setText(kListChecked, age_in_days(card.checked_on, now));
-    row->setText(kListDue, due_text(card.due));
+    row->setText(kListDue, due_text(card));
     row->setText(kListFolder, QString::fromStdString(card.folder.string()));
-    for (int i = 0; i < kListColumns; ++i) row->setToolTip(i, row->text(i));
+    const QString findings = findings_text(card);
+    for (int i = 0; i < kListColumns; ++i)
+      row->setToolTip(
+          i, findings.isEmpty() ? row->text(i) : row->text(i) + QLatin1Char('\n') + findings);
     row->setTextAlignment(kListError, Qt::AlignRight | Qt::AlignVCenter);
   }
   for (int i = 0; i < kListFolder; ++i) list_->resizeColumnToContents(i);
