@@ -4,14 +4,6 @@
 <context>
     <name>Figures</name>
     <message>
-        <source>Residual (mm)</source>
-        <translation>Restfehler (mm)</translation>
-    </message>
-    <message>
-        <source>Error, left out (mm)</source>
-        <translation>Fehler, ausgelassen (mm)</translation>
-    </message>
-    <message>
         <source>Depth&apos;s sd (mm)</source>
         <translation>Standardabweichung der Tiefe (mm)</translation>
     </message>
@@ -30,6 +22,14 @@
     <message>
         <source>projected</source>
         <translation>projiziert</translation>
+    </message>
+    <message>
+        <source>Mapping minus ball (mm)</source>
+        <translation>Abbildung minus Kugel (mm)</translation>
+    </message>
+    <message>
+        <source>Error of the press (mm)</source>
+        <translation>Fehler des Eindrucks (mm)</translation>
     </message>
 </context>
 <context>
@@ -422,18 +422,6 @@
 <context>
     <name>alltact::CheckPage</name>
     <message>
-        <source>Pass</source>
-        <translation>Bestanden</translation>
-    </message>
-    <message>
-        <source>Drifting</source>
-        <translation>Driftet</translation>
-    </message>
-    <message>
-        <source>Recalibrate</source>
-        <translation>Neu kalibrieren</translation>
-    </message>
-    <message>
         <source>Three presses</source>
         <translation>Drei Eindrücke</translation>
     </message>
@@ -486,10 +474,6 @@
         <translation>Noch nicht geprüft</translation>
     </message>
     <message>
-        <source>Checked last on %1.</source>
-        <translation>Zuletzt geprüft am %1.</translation>
-    </message>
-    <message>
         <source>%1 of %2 taken.</source>
         <translation>%1 von %2 aufgenommen.</translation>
     </message>
@@ -519,6 +503,17 @@
             <numerusform>%n Eindruck aufgenommen: genug.</numerusform>
             <numerusform>%n Eindrücke aufgenommen: genug.</numerusform>
         </translation>
+    </message>
+    <message numerus="yes">
+        <source>Checked last on %1 with %n press(es): %2 mm off (passes up to %3 mm).</source>
+        <translation>
+            <numerusform>Zuletzt geprüft am %1 mit %n Eindruck: %2 mm daneben (bestanden bis %3 mm).</numerusform>
+            <numerusform>Zuletzt geprüft am %1 mit %n Eindrücken: %2 mm daneben (bestanden bis %3 mm).</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A check needs %1 presses at different positions: press again.</source>
+        <translation>Eine Prüfung braucht %1 Eindrücke an verschiedenen Stellen: Drücken Sie noch einmal.</translation>
     </message>
 </context>
 <context>
@@ -1017,22 +1012,6 @@
         <translation>Kalibriert; wie gut, ist nicht festgehalten</translation>
     </message>
     <message>
-        <source>Good</source>
-        <translation>Gut</translation>
-    </message>
-    <message>
-        <source>Usable for contact and its place</source>
-        <translation>Für Kontakt und seinen Ort brauchbar</translation>
-    </message>
-    <message>
-        <source>Unproven</source>
-        <translation>Unbewiesen</translation>
-    </message>
-    <message>
-        <source>Not fit to measure with</source>
-        <translation>Zum Messen nicht geeignet</translation>
-    </message>
-    <message>
         <source>Calibrated %1</source>
         <translation>Kalibriert %1</translation>
     </message>
@@ -1094,6 +1073,22 @@
     <message>
         <source>checked %1, %2 off</source>
         <translation>geprüft %1, %2 Abweichung</translation>
+    </message>
+    <message>
+        <source>Due: more presses</source>
+        <translation>Fällig: weitere Eindrücke</translation>
+    </message>
+    <message>
+        <source>Due: read its verdict</source>
+        <translation>Fällig: sein Urteil lesen</translation>
+    </message>
+    <message>
+        <source>Due: restore its reference</source>
+        <translation>Fällig: Referenz wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Due: record its reference again</source>
+        <translation>Fällig: Referenz neu aufnehmen</translation>
     </message>
 </context>
 <context>
@@ -2776,10 +2771,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         </translation>
     </message>
     <message>
-        <source>The presses have changed since this calibration.</source>
-        <translation>Die Eindrücke haben sich seit dieser Kalibrierung geändert.</translation>
-    </message>
-    <message>
         <source>This finger is calibrated. Calibrating again shows the figures.</source>
         <translation>Dieser Finger ist kalibriert. Neu kalibrieren zeigt die Abbildungen.</translation>
     </message>
@@ -2802,10 +2793,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>The presses are read again to show what each pixel says.</source>
         <translation>Die Eindrücke werden neu gelesen, um zu zeigen, was jedes Pixel sagt.</translation>
-    </message>
-    <message>
-        <source>The finger&apos;s sizes or markers have changed since this calibration.</source>
-        <translation>Maße oder Marken des Fingers haben sich seit dieser Kalibrierung geändert.</translation>
     </message>
     <message>
         <source>What these presses would come to; not in use yet.</source>
@@ -3395,25 +3382,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Noch keine Eindrücke</translation>
     </message>
     <message>
-        <source>residual: the mapping knows this press</source>
-        <translation>Restfehler: Die Abbildung kennt diesen Eindruck</translation>
-    </message>
-    <message>
-        <source>left out: the mapping was made without it</source>
-        <translation>ausgelassen: Die Abbildung entstand ohne ihn</translation>
-    </message>
-    <message numerus="yes">
-        <source>Mean depth error inside the contact (mm); %n better press(es) not shown</source>
-        <translation>
-            <numerusform>Mittlerer Tiefenfehler im Kontakt (mm); %n besserer Eindruck nicht gezeigt</numerusform>
-            <numerusform>Mittlerer Tiefenfehler im Kontakt (mm); %n bessere Eindrücke nicht gezeigt</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Mean depth error inside the contact (mm)</source>
-        <translation>Mittlerer Tiefenfehler im Kontakt (mm)</translation>
-    </message>
-    <message>
         <source>%1: %2 mm</source>
         <translation>%1: %2 mm</translation>
     </message>
@@ -3421,28 +3389,47 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>No press is chosen</source>
         <translation>Kein Eindruck ist gewählt</translation>
     </message>
+    <message>
+        <source>with this press in the mapping</source>
+        <translation>mit diesem Eindruck in der Abbildung</translation>
+    </message>
+    <message>
+        <source>without this press: its error</source>
+        <translation>ohne diesen Eindruck: sein Fehler</translation>
+    </message>
+    <message numerus="yes">
+        <source>Mapping minus ball in the contact, mean (mm); %n better press(es) not shown</source>
+        <translation>
+            <numerusform>Abbildung minus Kugel im Kontakt, im Mittel (mm); %n besserer Eindruck nicht gezeigt</numerusform>
+            <numerusform>Abbildung minus Kugel im Kontakt, im Mittel (mm); %n bessere Eindrücke nicht gezeigt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Mapping minus ball in the contact, mean (mm)</source>
+        <translation>Abbildung minus Kugel im Kontakt, im Mittel (mm)</translation>
+    </message>
 </context>
 <context>
     <name>alltact::PressFitPane</name>
-    <message>
-        <source>%1 mm, %2</source>
-        <translation>%1 mm, %2</translation>
-    </message>
     <message>
         <source>Mapping − ball, mm</source>
         <translation>Abbildung − Kugel, mm</translation>
     </message>
     <message>
-        <source>Error of this press</source>
-        <translation>Fehler dieses Eindrucks</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;This press:&lt;/b&gt; error %1</source>
-        <translation>&lt;b&gt;Dieser Eindruck:&lt;/b&gt; Fehler %1</translation>
-    </message>
-    <message>
         <source>as the calibration puts it: %1</source>
         <translation>wie die Kalibrierung ihn ansetzt: %1</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Mapping minus ball in this press</source>
+        <translation>Abbildung minus Kugel in diesem Eindruck</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Mapping − ball here:&lt;/b&gt; %1</source>
+        <translation>&lt;b&gt;Abbildung − Kugel hier:&lt;/b&gt; %1</translation>
     </message>
 </context>
 <context>
@@ -3608,6 +3595,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>not written to the disk</source>
         <translation>nicht auf die Platte geschrieben</translation>
+    </message>
+    <message>
+        <source>%1 mm deep, error unknown</source>
+        <translation>%1 mm tief, Fehler unbekannt</translation>
     </message>
 </context>
 <context>
@@ -4941,6 +4932,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>Print the verdict</source>
         <translation>Das Urteil drucken</translation>
     </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
 </context>
 <context>
     <name>alltact::SideBySide</name>
@@ -5390,22 +5385,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
 <context>
     <name>alltact::VerdictPage</name>
     <message>
-        <source>Good</source>
-        <translation>Gut</translation>
-    </message>
-    <message>
-        <source>Usable for contact and its place</source>
-        <translation>Für Kontakt und seinen Ort brauchbar</translation>
-    </message>
-    <message>
-        <source>Unproven</source>
-        <translation>Unbewiesen</translation>
-    </message>
-    <message>
-        <source>Not fit to measure with</source>
-        <translation>Zum Messen nicht geeignet</translation>
-    </message>
-    <message>
         <source>Remarks</source>
         <translation>Anmerkungen</translation>
     </message>
@@ -5428,10 +5407,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Not calibrated yet</source>
         <translation>Noch nicht kalibriert</translation>
-    </message>
-    <message>
-        <source>The presses have changed since: calibrate again.</source>
-        <translation>Die Eindrücke haben sich seither geändert: Kalibrieren Sie neu.</translation>
     </message>
     <message>
         <source>The report is being written.</source>
@@ -5466,25 +5441,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Bemerkungen (%1)</translation>
     </message>
     <message>
-        <source>The finger&apos;s sizes or markers have changed since: calibrate again.</source>
-        <translation>Maße oder Marken des Fingers haben sich seither geändert: neu kalibrieren.</translation>
-    </message>
-    <message>
-        <source>good</source>
-        <comment>an error</comment>
-        <translation>gut</translation>
-    </message>
-    <message>
-        <source>fair</source>
-        <comment>an error</comment>
-        <translation>mäßig</translation>
-    </message>
-    <message>
-        <source>poor</source>
-        <comment>an error</comment>
-        <translation>schlecht</translation>
-    </message>
-    <message>
         <source>With the presses as they are now there is no calibration: %1</source>
         <translation>Mit den Eindrücken, wie sie jetzt sind, gibt es keine Kalibrierung: %1</translation>
     </message>
@@ -5507,6 +5463,54 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Error of every press, worst first</source>
         <translation>Fehler jedes Eindrucks, der größte zuerst</translation>
+    </message>
+    <message>
+        <source>Progress of the calibration</source>
+        <translation>Fortschritt der Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Go to the presses</source>
+        <translation>Zu den Eindrücken</translation>
+    </message>
+    <message>
+        <source>Go to the check</source>
+        <translation>Zur Prüfung</translation>
+    </message>
+    <message>
+        <source>&amp;Calibrate again</source>
+        <translation>Neu &amp;kalibrieren</translation>
+    </message>
+    <message>
+        <source>Calibrated; how well is not stored</source>
+        <translation>Kalibriert; wie gut, ist nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>• %1</source>
+        <comment>an item of a list</comment>
+        <translation>• %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>• And %n more, first of the remarks.</source>
+        <translation>
+            <numerusform>• Und %n weiterer Punkt, am Anfang der Bemerkungen.</numerusform>
+            <numerusform>• Und %n weitere Punkte, am Anfang der Bemerkungen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>• The presses have changed since: calibrate again.</source>
+        <translation>• Die Eindrücke haben sich seither geändert: Kalibrieren Sie neu.</translation>
+    </message>
+    <message>
+        <source>So far ±%1 mm are to be expected.</source>
+        <translation>Bisher sind ±%1 mm zu erwarten.</translation>
+    </message>
+    <message>
+        <source>It rests on: %1.</source>
+        <translation>Grundlage: %1.</translation>
+    </message>
+    <message>
+        <source>The presses have changed since this calibration.</source>
+        <translation>Die Eindrücke haben sich seit dieser Kalibrierung geändert.</translation>
     </message>
 </context>
 <context>
@@ -5706,6 +5710,37 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>none</source>
         <comment>source</comment>
         <translation>keine</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::WorthWords</name>
+    <message>
+        <source>Changed since it was calibrated</source>
+        <translation>Seit der Kalibrierung geändert</translation>
+    </message>
+    <message>
+        <source>Broken</source>
+        <translation>Defekt</translation>
+    </message>
+    <message>
+        <source>%1, ±%2 mm</source>
+        <comment>a grade and the expected error</comment>
+        <translation>%1, ±%2 mm</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <comment>an error</comment>
+        <translation>gut</translation>
+    </message>
+    <message>
+        <source>fair</source>
+        <comment>an error</comment>
+        <translation>mäßig</translation>
+    </message>
+    <message>
+        <source>poor</source>
+        <comment>an error</comment>
+        <translation>schlecht</translation>
     </message>
 </context>
 <context>
@@ -8288,14 +8323,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>recalibrate</source>
         <translation>neu kalibrieren</translation>
-    </message>
-    <message numerus="yes">
-        <source>{1:.3f} mm of depth error on {0} presses (passes up to {2:.3f} mm), light {3:+.1f} %</source>
-        <comment>{1:.3f} mm of depth error on {0} press (passes up to {2:.3f} mm), light {3:+.1f} %</comment>
-        <translation>
-            <numerusform>{1} mm Tiefenfehler bei {0} Eindruck (bestanden bis {2} mm), Licht {3} %</numerusform>
-            <numerusform>{1} mm Tiefenfehler bei {0} Eindrücken (bestanden bis {2} mm), Licht {3} %</numerusform>
-        </translation>
     </message>
     <message>
         <source>calibrate again soon</source>
@@ -13358,6 +13385,26 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>eine Prüfung braucht {} Eindrücke an verschiedenen Stellen; diese liegen an {}: weitere drücken</translation>
     </message>
     <message>
+        <source>a check needs {} presses at different positions; these are at {}: press also in these thirds: {}</source>
+        <translation>eine Prüfung braucht {} Eindrücke an verschiedenen Stellen, diese liegen an {}: auch in diesen Dritteln drücken: {}</translation>
+    </message>
+    <message numerus="yes">
+        <source>at {0} positions</source>
+        <comment>at {0} position</comment>
+        <translation>
+            <numerusform>an {0} Stelle</numerusform>
+            <numerusform>an {0} Stellen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{1:.3f} mm of depth error on {0} presses {4} (passes up to {2:.3f} mm), light {3:+.1f} %</source>
+        <comment>{1:.3f} mm of depth error on {0} press {4} (passes up to {2:.3f} mm), light {3:+.1f} %</comment>
+        <translation>
+            <numerusform>{1} mm Tiefenfehler bei {0} Eindruck {4} (bestanden bis {2} mm), Licht {3} %</numerusform>
+            <numerusform>{1} mm Tiefenfehler bei {0} Eindrücken {4} (bestanden bis {2} mm), Licht {3} %</numerusform>
+        </translation>
+    </message>
+    <message>
         <source>left out: {}</source>
         <translation>ausgelassen: {}</translation>
     </message>
@@ -13576,6 +13623,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>no error can be expected of it</source>
         <translation>ein Fehler lässt sich nicht angeben</translation>
+    </message>
+    <message>
+        <source>calibrate again from the stored presses</source>
+        <translation>aus den gespeicherten Eindrücken neu kalibrieren</translation>
     </message>
 </context>
 </TS>

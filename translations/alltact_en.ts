@@ -30,6 +30,13 @@
             <numerusform>%n presses taken: enough.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Checked last on %1 with %n press(es): %2 mm off (passes up to %3 mm).</source>
+        <translation>
+            <numerusform>Checked last on %1 with %n press: %2 mm off (passes up to %3 mm).</numerusform>
+            <numerusform>Checked last on %1 with %n presses: %2 mm off (passes up to %3 mm).</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>alltact::ContactWords</name>
@@ -135,10 +142,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>Mean depth error inside the contact (mm); %n better press(es) not shown</source>
+        <source>Mapping minus ball in the contact, mean (mm); %n better press(es) not shown</source>
         <translation>
-            <numerusform>Mean depth error inside the contact (mm); %n better press not shown</numerusform>
-            <numerusform>Mean depth error inside the contact (mm); %n better presses not shown</numerusform>
+            <numerusform>Mapping minus ball in the contact, mean (mm); %n better press not shown</numerusform>
+            <numerusform>Mapping minus ball in the contact, mean (mm); %n better presses not shown</numerusform>
         </translation>
     </message>
 </context>
@@ -210,13 +217,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>, room for about %n minute(s)</source>
-        <translation>
-            <numerusform>, room for about %n minute</numerusform>
-            <numerusform>, room for about %n minutes</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n frame(s) were lost because this computer or its disk was too slow.</source>
         <translation>
             <numerusform>%n frame was lost because this computer or its disk was too slow.</numerusform>
@@ -277,6 +277,13 @@
         <translation>
             <numerusform>It would bring: half of the references off by less than %1 mm, 95 % by less than %2 mm, from %n frame.</numerusform>
             <numerusform>It would bring: half of the references off by less than %1 mm, 95 % by less than %2 mm, from %n frames.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>room for about %n minute(s)</source>
+        <translation>
+            <numerusform>room for about %n minute</numerusform>
+            <numerusform>room for about %n minutes</numerusform>
         </translation>
     </message>
 </context>
@@ -342,6 +349,16 @@
     </message>
 </context>
 <context>
+    <name>alltact::VerdictPage</name>
+    <message numerus="yes">
+        <source>• And %n more, first of the remarks.</source>
+        <translation>
+            <numerusform>• And %n more, first of the remarks.</numerusform>
+            <numerusform>• And %n more, first of the remarks.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>alltact::en</name>
     <message numerus="yes">
         <source>{} frames</source>
@@ -349,14 +366,6 @@
         <translation>
             <numerusform>{} frame</numerusform>
             <numerusform>{} frames</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>{1:.3f} mm of depth error on {0} presses (passes up to {2:.3f} mm), light {3:+.1f} %</source>
-        <comment>{1:.3f} mm of depth error on {0} press (passes up to {2:.3f} mm), light {3:+.1f} %</comment>
-        <translation>
-            <numerusform>{1:.3f} mm of depth error on {0} press (passes up to {2:.3f} mm), light {3:+.1f} %</numerusform>
-            <numerusform>{1:.3f} mm of depth error on {0} presses (passes up to {2:.3f} mm), light {3:+.1f} %</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -429,6 +438,62 @@
         <translation>
             <numerusform>{} press is a different one, the others its copies</numerusform>
             <numerusform>{} presses are different ones, the others their copies</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>at {0} positions</source>
+        <comment>at {0} position</comment>
+        <translation>
+            <numerusform>at {0} position</numerusform>
+            <numerusform>at {0} positions</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{1:.3f} mm of depth error on {0} presses {4} (passes up to {2:.3f} mm), light {3:+.1f} %</source>
+        <comment>{1:.3f} mm of depth error on {0} press {4} (passes up to {2:.3f} mm), light {3:+.1f} %</comment>
+        <translation>
+            <numerusform>{1:.3f} mm of depth error on {0} press {4} (passes up to {2:.3f} mm), light {3:+.1f} %</numerusform>
+            <numerusform>{1:.3f} mm of depth error on {0} presses {4} (passes up to {2:.3f} mm), light {3:+.1f} %</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{0} of {1} presses have a dark part wider than the ball of {2:.2f} mm diameter ({3} radius): check the ball&apos;s radius</source>
+        <comment>{0} of {1} presses has a dark part wider than the ball of {2:.2f} mm diameter ({3} radius): check the ball&apos;s radius</comment>
+        <translation>
+            <numerusform>{0} of {1} presses has a dark part wider than the ball of {2:.2f} mm diameter ({3} radius): check the ball&apos;s radius</numerusform>
+            <numerusform>{0} of {1} presses have a dark part wider than the ball of {2:.2f} mm diameter ({3} radius): check the ball&apos;s radius</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{0} of {1} presses are deeper than the layer of {2:.2f} mm ({3}): check the layer&apos;s thickness and the ball&apos;s radius</source>
+        <comment>{0} of {1} presses is deeper than the layer of {2:.2f} mm ({3}): check the layer&apos;s thickness and the ball&apos;s radius</comment>
+        <translation>
+            <numerusform>{0} of {1} presses is deeper than the layer of {2:.2f} mm ({3}): check the layer&apos;s thickness and the ball&apos;s radius</numerusform>
+            <numerusform>{0} of {1} presses are deeper than the layer of {2:.2f} mm ({3}): check the layer&apos;s thickness and the ball&apos;s radius</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{0} of {1} presses are darker than the mapping reaches ({3} deep, the mapping ends at {2:.2f} mm): calibrate again with them</source>
+        <comment>{0} of {1} presses is darker than the mapping reaches ({3} deep, the mapping ends at {2:.2f} mm): calibrate again with it</comment>
+        <translation>
+            <numerusform>{0} of {1} presses is darker than the mapping reaches ({3} deep, the mapping ends at {2:.2f} mm): calibrate again with it</numerusform>
+            <numerusform>{0} of {1} presses are darker than the mapping reaches ({3} deep, the mapping ends at {2:.2f} mm): calibrate again with them</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{0} of {1} presses contradict the reference: something touched the face while it was recorded; record it again</source>
+        <comment>{0} of {1} presses contradicts the reference: something touched the face while it was recorded; record it again</comment>
+        <translation>
+            <numerusform>{0} of {1} presses contradicts the reference: something touched the face while it was recorded; record it again</numerusform>
+            <numerusform>{0} of {1} presses contradict the reference: something touched the face while it was recorded; record it again</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>all presses are at {0} positions, {1} are needed; press at others</source>
+        <comment>all presses are at {0} position, {1} are needed; press at others</comment>
+        <translation>
+            <numerusform>all presses are at {0} position, {1} are needed; press at others</numerusform>
+            <numerusform>all presses are at {0} positions, {1} are needed; press at others</numerusform>
         </translation>
     </message>
 </context>

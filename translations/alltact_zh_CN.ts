@@ -4,14 +4,6 @@
 <context>
     <name>Figures</name>
     <message>
-        <source>Residual (mm)</source>
-        <translation>残差 (mm)</translation>
-    </message>
-    <message>
-        <source>Error, left out (mm)</source>
-        <translation>留出误差 (mm)</translation>
-    </message>
-    <message>
         <source>Depth&apos;s sd (mm)</source>
         <translation>深度标准差 (mm)</translation>
     </message>
@@ -30,6 +22,14 @@
     <message>
         <source>projected</source>
         <translation>投影</translation>
+    </message>
+    <message>
+        <source>Mapping minus ball (mm)</source>
+        <translation>映射减球 (mm)</translation>
+    </message>
+    <message>
+        <source>Error of the press (mm)</source>
+        <translation>按压的误差 (mm)</translation>
     </message>
 </context>
 <context>
@@ -420,18 +420,6 @@
 <context>
     <name>alltact::CheckPage</name>
     <message>
-        <source>Pass</source>
-        <translation>通过</translation>
-    </message>
-    <message>
-        <source>Drifting</source>
-        <translation>漂移</translation>
-    </message>
-    <message>
-        <source>Recalibrate</source>
-        <translation>需要重新标定</translation>
-    </message>
-    <message>
         <source>Three presses</source>
         <translation>三次按压</translation>
     </message>
@@ -484,10 +472,6 @@
         <translation>尚未检查</translation>
     </message>
     <message>
-        <source>Checked last on %1.</source>
-        <translation>上次检查：%1。</translation>
-    </message>
-    <message>
         <source>%1 of %2 taken.</source>
         <translation>已拍摄 %1 / %2。</translation>
     </message>
@@ -516,6 +500,16 @@
         <translation>
             <numerusform>已采集 %n 次按压：足够了。</numerusform>
         </translation>
+    </message>
+    <message numerus="yes">
+        <source>Checked last on %1 with %n press(es): %2 mm off (passes up to %3 mm).</source>
+        <translation>
+            <numerusform>上次检查：%1，%n 次按压，偏差 %2 mm（不超过 %3 mm 即通过）。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A check needs %1 presses at different positions: press again.</source>
+        <translation>检查需要 %1 次位置不同的按压：请再次按压。</translation>
     </message>
 </context>
 <context>
@@ -1009,22 +1003,6 @@
         <translation>已标定；没有保存其质量</translation>
     </message>
     <message>
-        <source>Good</source>
-        <translation>良好</translation>
-    </message>
-    <message>
-        <source>Usable for contact and its place</source>
-        <translation>可用于判断接触及其位置</translation>
-    </message>
-    <message>
-        <source>Unproven</source>
-        <translation>未经证实</translation>
-    </message>
-    <message>
-        <source>Not fit to measure with</source>
-        <translation>不适合测量</translation>
-    </message>
-    <message>
         <source>Calibrated %1</source>
         <translation>标定于 %1</translation>
     </message>
@@ -1085,6 +1063,22 @@
     <message>
         <source>checked %1, %2 off</source>
         <translation>检查于 %1，偏差 %2</translation>
+    </message>
+    <message>
+        <source>Due: more presses</source>
+        <translation>待办：增加按压</translation>
+    </message>
+    <message>
+        <source>Due: read its verdict</source>
+        <translation>待办：查看其结论</translation>
+    </message>
+    <message>
+        <source>Due: restore its reference</source>
+        <translation>待办：恢复参考</translation>
+    </message>
+    <message>
+        <source>Due: record its reference again</source>
+        <translation>待办：重新录制参考</translation>
     </message>
 </context>
 <context>
@@ -2764,10 +2758,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         </translation>
     </message>
     <message>
-        <source>The presses have changed since this calibration.</source>
-        <translation>此次标定之后按压已有改动。</translation>
-    </message>
-    <message>
         <source>This finger is calibrated. Calibrating again shows the figures.</source>
         <translation>此手指已标定。重新标定可显示图表。</translation>
     </message>
@@ -2790,10 +2780,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>The presses are read again to show what each pixel says.</source>
         <translation>正在重新读取按压，以显示每个像素的结果。</translation>
-    </message>
-    <message>
-        <source>The finger&apos;s sizes or markers have changed since this calibration.</source>
-        <translation>此次标定之后，手指的尺寸或标记点已改变。</translation>
     </message>
     <message>
         <source>What these presses would come to; not in use yet.</source>
@@ -3381,24 +3367,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>还没有按压</translation>
     </message>
     <message>
-        <source>residual: the mapping knows this press</source>
-        <translation>残差：映射用过此按压</translation>
-    </message>
-    <message>
-        <source>left out: the mapping was made without it</source>
-        <translation>留出：映射未使用它</translation>
-    </message>
-    <message numerus="yes">
-        <source>Mean depth error inside the contact (mm); %n better press(es) not shown</source>
-        <translation>
-            <numerusform>接触内的平均深度误差 (mm)；另有 %n 次较好的按压未显示</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Mean depth error inside the contact (mm)</source>
-        <translation>接触内的平均深度误差 (mm)</translation>
-    </message>
-    <message>
         <source>%1: %2 mm</source>
         <translation>%1：%2 mm</translation>
     </message>
@@ -3406,28 +3374,46 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>No press is chosen</source>
         <translation>未选择按压</translation>
     </message>
+    <message>
+        <source>with this press in the mapping</source>
+        <translation>映射中含此按压</translation>
+    </message>
+    <message>
+        <source>without this press: its error</source>
+        <translation>不含此按压：其误差</translation>
+    </message>
+    <message numerus="yes">
+        <source>Mapping minus ball in the contact, mean (mm); %n better press(es) not shown</source>
+        <translation>
+            <numerusform>接触内映射减球的平均值 (mm)；另有 %n 次较好的按压未显示</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Mapping minus ball in the contact, mean (mm)</source>
+        <translation>接触内映射减球的平均值 (mm)</translation>
+    </message>
 </context>
 <context>
     <name>alltact::PressFitPane</name>
-    <message>
-        <source>%1 mm, %2</source>
-        <translation>%1 mm，%2</translation>
-    </message>
     <message>
         <source>Mapping − ball, mm</source>
         <translation>映射 − 球，mm</translation>
     </message>
     <message>
-        <source>Error of this press</source>
-        <translation>此次按压的误差</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;This press:&lt;/b&gt; error %1</source>
-        <translation>&lt;b&gt;此次按压：&lt;/b&gt;误差 %1</translation>
-    </message>
-    <message>
         <source>as the calibration puts it: %1</source>
         <translation>标定给出的位置：%1</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Mapping minus ball in this press</source>
+        <translation>此次按压的映射减球</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Mapping − ball here:&lt;/b&gt; %1</source>
+        <translation>&lt;b&gt;此处的映射 − 球：&lt;/b&gt;%1</translation>
     </message>
 </context>
 <context>
@@ -3593,6 +3579,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>not written to the disk</source>
         <translation>未写入磁盘</translation>
+    </message>
+    <message>
+        <source>%1 mm deep, error unknown</source>
+        <translation>深 %1 mm，误差未知</translation>
     </message>
 </context>
 <context>
@@ -4902,6 +4892,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>Print the verdict</source>
         <translation>打印结论</translation>
     </message>
+    <message>
+        <source>unknown</source>
+        <translation>未知</translation>
+    </message>
 </context>
 <context>
     <name>alltact::SideBySide</name>
@@ -5350,22 +5344,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 <context>
     <name>alltact::VerdictPage</name>
     <message>
-        <source>Good</source>
-        <translation>良好</translation>
-    </message>
-    <message>
-        <source>Usable for contact and its place</source>
-        <translation>可用于判断接触及其位置</translation>
-    </message>
-    <message>
-        <source>Unproven</source>
-        <translation>未经证实</translation>
-    </message>
-    <message>
-        <source>Not fit to measure with</source>
-        <translation>不适合测量</translation>
-    </message>
-    <message>
         <source>Remarks</source>
         <translation>备注</translation>
     </message>
@@ -5388,10 +5366,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Not calibrated yet</source>
         <translation>尚未标定</translation>
-    </message>
-    <message>
-        <source>The presses have changed since: calibrate again.</source>
-        <translation>此后按压已有改动：请重新标定。</translation>
     </message>
     <message>
         <source>The report is being written.</source>
@@ -5426,25 +5400,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>备注（%1）</translation>
     </message>
     <message>
-        <source>The finger&apos;s sizes or markers have changed since: calibrate again.</source>
-        <translation>手指的尺寸或标记点已改变：请重新标定。</translation>
-    </message>
-    <message>
-        <source>good</source>
-        <comment>an error</comment>
-        <translation>好</translation>
-    </message>
-    <message>
-        <source>fair</source>
-        <comment>an error</comment>
-        <translation>一般</translation>
-    </message>
-    <message>
-        <source>poor</source>
-        <comment>an error</comment>
-        <translation>差</translation>
-    </message>
-    <message>
         <source>With the presses as they are now there is no calibration: %1</source>
         <translation>以现在的按压无法标定：%1</translation>
     </message>
@@ -5467,6 +5422,53 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Error of every press, worst first</source>
         <translation>每次按压的误差，最差的在前</translation>
+    </message>
+    <message>
+        <source>Progress of the calibration</source>
+        <translation>标定进度</translation>
+    </message>
+    <message>
+        <source>Go to the presses</source>
+        <translation>前往按压</translation>
+    </message>
+    <message>
+        <source>Go to the check</source>
+        <translation>前往检查</translation>
+    </message>
+    <message>
+        <source>&amp;Calibrate again</source>
+        <translation>重新标定(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Calibrated; how well is not stored</source>
+        <translation>已标定；没有保存其质量</translation>
+    </message>
+    <message>
+        <source>• %1</source>
+        <comment>an item of a list</comment>
+        <translation>• %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>• And %n more, first of the remarks.</source>
+        <translation>
+            <numerusform>• 另有 %n 项，列于备注之首。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>• The presses have changed since: calibrate again.</source>
+        <translation>• 此后按压已有改动：请重新标定。</translation>
+    </message>
+    <message>
+        <source>So far ±%1 mm are to be expected.</source>
+        <translation>目前预期误差为 ±%1 mm。</translation>
+    </message>
+    <message>
+        <source>It rests on: %1.</source>
+        <translation>依据：%1。</translation>
+    </message>
+    <message>
+        <source>The presses have changed since this calibration.</source>
+        <translation>此次标定之后按压已有改动。</translation>
     </message>
 </context>
 <context>
@@ -5666,6 +5668,37 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>none</source>
         <comment>source</comment>
         <translation>无</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::WorthWords</name>
+    <message>
+        <source>Changed since it was calibrated</source>
+        <translation>标定后已有改动</translation>
+    </message>
+    <message>
+        <source>Broken</source>
+        <translation>已损坏</translation>
+    </message>
+    <message>
+        <source>%1, ±%2 mm</source>
+        <comment>a grade and the expected error</comment>
+        <translation>%1，±%2 mm</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <comment>an error</comment>
+        <translation>好</translation>
+    </message>
+    <message>
+        <source>fair</source>
+        <comment>an error</comment>
+        <translation>一般</translation>
+    </message>
+    <message>
+        <source>poor</source>
+        <comment>an error</comment>
+        <translation>差</translation>
     </message>
 </context>
 <context>
@@ -8247,13 +8280,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>recalibrate</source>
         <translation>重新标定</translation>
-    </message>
-    <message numerus="yes">
-        <source>{1:.3f} mm of depth error on {0} presses (passes up to {2:.3f} mm), light {3:+.1f} %</source>
-        <comment>{1:.3f} mm of depth error on {0} press (passes up to {2:.3f} mm), light {3:+.1f} %</comment>
-        <translation>
-            <numerusform>{} 次按压的深度误差为 {} mm（不超过 {} mm 即通过），光照 {} %</numerusform>
-        </translation>
     </message>
     <message>
         <source>calibrate again soon</source>
@@ -13307,6 +13333,24 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>检查需要 {} 次不同位置的按压；现有 {} 个位置：请继续按压</translation>
     </message>
     <message>
+        <source>a check needs {} presses at different positions; these are at {}: press also in these thirds: {}</source>
+        <translation>检查需要 {} 次位置不同的按压，现有 {} 处：请在以下三分之一区域也按压：{}</translation>
+    </message>
+    <message numerus="yes">
+        <source>at {0} positions</source>
+        <comment>at {0} position</comment>
+        <translation>
+            <numerusform>{0} 处</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{1:.3f} mm of depth error on {0} presses {4} (passes up to {2:.3f} mm), light {3:+.1f} %</source>
+        <comment>{1:.3f} mm of depth error on {0} press {4} (passes up to {2:.3f} mm), light {3:+.1f} %</comment>
+        <translation>
+            <numerusform>{0} 次按压（{4}）的深度误差为 {1} mm（不超过 {2} mm 即通过），光照 {3} %</numerusform>
+        </translation>
+    </message>
+    <message>
         <source>left out: {}</source>
         <translation>已排除：{}</translation>
     </message>
@@ -13520,6 +13564,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>no error can be expected of it</source>
         <translation>无法给出预期误差</translation>
+    </message>
+    <message>
+        <source>calibrate again from the stored presses</source>
+        <translation>请用已保存的按压重新标定</translation>
     </message>
 </context>
 </TS>

@@ -122,10 +122,10 @@ bool looks_until(const std::function<bool()>& is_so, int patience_ms) {
 
 QString verdict_read_by(const Newcomer& newcomer) {
   for (const Grade grade : {Grade::kGood, Grade::kUsable, Grade::kUnproven, Grade::kUnfit}) {
-    FingerCard card;
-    card.grade = grade;
+    const QRegularExpression headline("^" + QRegularExpression::escape(grade_text(grade)) +
+                                      "(, \u00b1[0-9.]+ mm)?$");
     for (const QString& text : newcomer.read())
-      if (text == grade_word(card)) return text;
+      if (headline.match(text).hasMatch()) return text;
   }
   return {};
 }

@@ -1,17 +1,23 @@
 // What the page that one begins with says of a finger, from its folder.
 #include "calibration/checks/check_history.h"
 #include "core/finger/finger_store.h"
+#include "core/io/atomic_file.h"
 #include "core/io/picture.h"
 #include "tests/support/good_evidence.h"
 #include "tests/support/program.h"
+#include "widgets/shell/finger_card_words.h"
 #include "widgets/shell/finger_cards.h"
 
 #include <QTest>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace alltact {
 namespace {
+
+using testing::HasSubstr;
+using testing::Not;
 
 class AFingersCard : public testing::Test {
  protected:
@@ -103,6 +109,108 @@ TEST_F(AFingersCard, SaysNothingGoodOfABrokenOrChangedFinger) {
   save();
   EXPECT_EQ(card().grade, Grade::kUnproven) << "the reference is newer";
   EXPECT_EQ(card().due, FingerDue::kRepeat);
+}
+
+/// The words of the card, the list and the line below the picture.
+std::string words_of(const FingerCard& card) {
+  return (headline_of(card).text + "; " + due_text(card) + "; " + findings_text(card))
+      .toStdString();
+}
+
+TEST_F(AFingersCard, NamesWhatIsBrokenAndWhatToDo) {
+  calibrate();
+  check(CheckVerdict::kPass);
+  EXPECT_THAT(words_of(card()), HasSubstr("Good, ±"));
+  EXPECT_THAT(words_of(card()), HasSubstr("Nothing is due"));
+  EXPECT_EQ(headline_of(card()).meaning, Meaning::kGood);
+  const std::filesystem::path reference = folder_ / "reference.png";
+  const std::string whole = read_file(reference).value();
+  const auto expect_broken = [&](const char* why, const char* due) {
+    const FingerCard now = card();
+    EXPECT_THAT(words_of(now), HasSubstr("Broken; "));
+    EXPECT_THAT(words_of(now), HasSubstr(due));
+    EXPECT_THAT(words_of(now), HasSubstr(why));
+    for (const char* large : {"Good", "Nothing is due", "±"})
+      EXPECT_THAT(words_of(now), Not(HasSubstr(large)));
+    EXPECT_EQ(headline_of(now).meaning, Meaning::kBad);
+    EXPECT_THAT(summary_of(now, "2026-03-06T12:00:00Z").toStdString(), Not(HasSubstr("Good")));
+  };
+  std::filesystem::remove(reference);
+  expect_broken("A file of the reference is missing", "Due: restore its reference");
+  ASSERT_TRUE(write_file_atomically(reference, whole.substr(0, whole.size() / 3)));
+  expect_broken("The reference is cut off or unreadable", "Due: record its reference again");
+  ASSERT_TRUE(write_picture(reference, cv::Mat(48, 64, CV_8UC1, cv::Scalar(99))));
+  expect_broken("another image size than the camera", "Due: record its reference again");
+  ASSERT_TRUE(write_file_atomically(reference, whole));
+  EXPECT_THAT(words_of(card()), HasSubstr("Nothing is due"));
+}
+
+TEST_F(AFingersCard, SaysWhatChangedSinceItWasCalibrated) {
+  calibrate();
+  check(CheckVerdict::kPass);
+  const auto expect_changed = [&](const char* what) {
+    EXPECT_THAT(words_of(card()), HasSubstr("Changed since it was calibrated; "));
+    EXPECT_THAT(words_of(card()), HasSubstr("Due: calibrate it again"));
+    EXPECT_THAT(words_of(card()), HasSubstr(what));
+    EXPECT_THAT(words_of(card()), Not(HasSubstr("Good")));
+  };
+  finger_.provenance["reference_date"] = "2026-03-02T12:00:00Z";
+  save();
+  expect_changed("The reference is newer than the calibration");
+  finger_.provenance.erase("reference_date");
+  finger_.face.layer_mm = 16;
+  save();
+  expect_changed("Layer was changed");
+  finger_.face.layer_mm = 1.5;
+  finger_.face.width_mm = 45000;
+  save();
+  expect_changed("Width was changed");
+  finger_.face.width_mm = 20;
+  finger_.camera.fx_px = 510;
+  save();
+  expect_changed("Camera or lens was changed");
+}
+
+TEST_F(AFingersCard, NothingIsDueOnlyWithTheEvidence) {
+  calibrate();
+  check(CheckVerdict::kPass);
+  ASSERT_THAT(words_of(card()), HasSubstr("Nothing is due"));
+  const MappingRecord good = *finger_.mapping_record;
+  const auto expect_due = [&](const char* due) {
+    save();
+    EXPECT_THAT(words_of(card()), Not(HasSubstr("Nothing is due"))) << due;
+    EXPECT_THAT(words_of(card()), Not(HasSubstr("Good"))) << due;
+    EXPECT_THAT(words_of(card()), HasSubstr(due));
+    finger_.mapping_record = good;
+  };
+  finger_.mapping_record->presses = {"a", "b"};
+  expect_due("Due: more presses");
+  finger_.mapping_record->basis->positions = 2;
+  finger_.mapping_record->basis->thirds = {1, 1, 0};
+  expect_due("Due: more presses");
+  finger_.mapping_record->basis.reset();
+  expect_due("Due: calibrate it again");
+  finger_.mapping_record.reset();
+  expect_due("Due: calibrate it again");
+  save();
+  ASSERT_THAT(words_of(card()), HasSubstr("Nothing is due"));
+  EXPECT_THAT(words_of(card("2027-09-06T12:00:00Z")), HasSubstr("Due: a check")) << "a year later";
+}
+
+TEST_F(AFingersCard, ACheckWithOnePressIsNoPass) {
+  calibrate();
+  CheckEntry entry;
+  entry.time = "2026-03-05T12:00:00Z";
+  entry.verdict = CheckVerdict::kPass;  // as earlier versions wrote it
+  entry.error_mm = 0.002;
+  entry.drifting_above_mm = 0.05;
+  entry.recalibrate_above_mm = 0.1;
+  entry.presses = 1;
+  entry.ball_radius_mm = 4;
+  entry.calibration_date = "2026-03-01T12:00:00Z";
+  entry.program_version = "0.1.0";
+  ASSERT_TRUE(append_check(folder_.path(), entry));
+  EXPECT_THAT(words_of(card()), HasSubstr("Due: a check"));
 }
 
 TEST_F(AFingersCard, ACheckOfAnotherCalibrationDoesNotCount) {
