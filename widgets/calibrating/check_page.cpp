@@ -211,7 +211,7 @@ void CheckPage::check() {
             if (folder == folder_) write_history(content);
           }));
       show_verdict();
-      Q_EMIT checked();
+      Q_EMIT this->checked();
     });
   });
   show_status();
