@@ -38,6 +38,7 @@ CalibrationBasis basis_of(const FingerCalibration& done) {
         basis.shallowest_mm > 0 ? std::min(basis.shallowest_mm, ball.depth_mm) : ball.depth_mm;
     basis.deepest_mm = std::max(basis.deepest_mm, ball.depth_mm);
   }
+  if (!calibration.steps.empty()) basis.ball_radii_mm.push_back(0);  // a flat punch
   std::sort(basis.ball_radii_mm.begin(), basis.ball_radii_mm.end());
   basis.ball_radii_mm.erase(std::unique(basis.ball_radii_mm.begin(), basis.ball_radii_mm.end()),
                             basis.ball_radii_mm.end());

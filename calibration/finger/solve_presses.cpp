@@ -124,6 +124,11 @@ Status solve_presses(FingerCalibration& done,
   done.pixel_mm = pixel.mean_mm;
   done.pixel_sd_mm = pixel.sd_without_mapping_mm;
   done.halo = measure_halo(presses, done.finger.face, done.calibration);
+  if (done.halo.is_seen)
+    done.calibration.remarks.push_back(
+        en::say("light scatters sideways in the layer: beside contacts it reads {:.3f} mm of depth "
+                "that is not there",
+                done.halo.excess_mm));
   done.contradictions = find_contradictions(done);
   Finger solved = done.finger;
   solved.mapping = done.calibration.mapping;

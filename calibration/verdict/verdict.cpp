@@ -25,35 +25,44 @@ double square(double x) {
   return x * x;
 }
 
-/// The root mean square depth under a ball cap, as a part of its deepest: sqrt(1 / 3), as depth is
-/// spread evenly from 0 to the deepest over the contact's area.
-constexpr double kMeanDepth = 0.5773502691896258;
+/// The mean depth under a ball's cap, as a part of its deepest: depth is spread evenly from 0 to
+/// the deepest over the contact's area.
+constexpr double kMeanDepth = 0.5;
+
+/// Nothing but balls of about one radius was pressed.
+bool is_one_body(const std::vector<double>& radii_mm) {
+  return radii_mm.empty() || radii_mm.back() < kOtherBody * radii_mm.front();
+}
 
 std::vector<ErrorPart> parts_of(const CalibrationEvidence& e) {
   const double student = student_factor(e.positions - 1);
-  const double on_presses = e.held_out_mm > 0 ? e.held_out_mm : e.residual_mm;
-  const double shape = student * on_presses / kMeanOfSd;
+  const double shape = student * (e.held_out_mm > 0 ? e.held_out_mm : e.residual_mm);
+  const double pixel = kMeanOfSd * e.pixel_sd_mm;
   // Presses spread evenly over the face have 2 / n: of the mean and of the slope.
   const double even = e.positions > 0 ? 2.0 / e.positions : 0.0;
   const double excess = e.position_leverage - even;
   const double leverage = excess <= 0 ? 0.0 : excess;  // no number stays none
+  const double depth_mm = kMeanDepth * e.deepest_mm;
   double radius = 0;
   for (const double radius_mm : e.ball_radii_mm) {
-    const double part =
-        std::abs(e.depth_per_radius) * kRadiusSdMm / radius_mm * kMeanDepth * e.deepest_mm;
+    if (radius_mm == 0) continue;
+    const double part = std::abs(e.depth_per_radius) * kRadiusSdMm / radius_mm * depth_mm;
     if (!(part <= radius)) radius = part;
   }
-  std::vector<ErrorPart> parts{{ErrorCause::kShape, shape},
-                               {ErrorCause::kScale, student * e.scale_sd_mm},
-                               {ErrorCause::kPixel, e.pixel_sd_mm},
-                               {ErrorCause::kZone, shape * std::sqrt(leverage)},
-                               {ErrorCause::kHalo, e.halo_mm},
-                               {ErrorCause::kRadius, radius}};
+  std::vector<ErrorPart> parts{
+      shape >= pixel ? ErrorPart{ErrorCause::kShape, shape} : ErrorPart{ErrorCause::kPixel, pixel},
+      {ErrorCause::kScale, student * kMeanOfSd * e.scale_sd_mm},
+      {ErrorCause::kZone, shape * std::sqrt(leverage)},
+      {ErrorCause::kHalo, e.halo_mm},
+      {ErrorCause::kRadius, radius},
+      {ErrorCause::kBody, is_one_body(e.ball_radii_mm) ? kBodyShare * depth_mm : 0.0}};
+  if (!std::isfinite(pixel) || !std::isfinite(shape))
+    parts.push_back({ErrorCause::kShape, std::numeric_limits<double>::infinity()});
   for (ErrorPart& part : parts)
-    if (!std::isfinite(part.sd_mm)) part.sd_mm = std::numeric_limits<double>::infinity();
-  std::erase_if(parts, [](const ErrorPart& part) { return part.sd_mm == 0; });
+    if (!std::isfinite(part.error_mm)) part.error_mm = std::numeric_limits<double>::infinity();
+  std::erase_if(parts, [](const ErrorPart& part) { return part.error_mm == 0; });
   std::stable_sort(parts.begin(), parts.end(), [](const ErrorPart& a, const ErrorPart& b) {
-    return a.sd_mm > b.sd_mm;
+    return a.error_mm > b.error_mm;
   });
   return parts;
 }
@@ -73,6 +82,9 @@ Message largest_cause(ErrorCause cause) {
       return en::say("mostly parts of the face far from any press: press there");
     case ErrorCause::kHalo:
       return en::say("mostly light that scatters sideways: bodies other than the ball read wrong");
+    case ErrorCause::kBody:
+      return en::say(
+          "mostly bodies of other shape than the ball: press a ball of another radius too");
     case ErrorCause::kRadius:
       break;
   }
@@ -169,8 +181,8 @@ Message word_of(Grade grade) {
 }
 
 std::string_view to_string(ErrorCause cause) {
-  constexpr std::array<std::string_view, 6> kWords{
-      "shape", "scale", "pixel", "zone", "halo", "radius"};
+  constexpr std::array<std::string_view, 7> kWords{
+      "shape", "scale", "pixel", "zone", "halo", "radius", "body"};
   return kWords.at(static_cast<std::size_t>(cause) - 1);
 }
 
@@ -387,15 +399,6 @@ const std::vector<Requirement>& calibration_requirements() {
                         e.days_unchecked.value_or(0.0),
                         kCheckPresses);
        }},
-      {"local_light",
-       Grade::kUsable,
-       [](const Evidence& e, double) { return !(e.halo_mm > 0); },
-       [](const Evidence& e, double) {
-         return en::say(
-             "light scatters sideways in the layer: beside contacts it reads {:.3f} mm "
-             "of depth that is not there",
-             e.halo_mm);
-       }},
       {"error_good",
        Grade::kUsable,
        [](const Evidence&, double error_mm) { return error_mm <= kGoodErrorMm; },
@@ -412,12 +415,13 @@ namespace {
 
 Message rests_on(const Evidence& e) {
   std::vector<Message> numbers;
-  if (e.ball_radii_mm.size() == 1) {
-    numbers.push_back(en::say("ball of {:.2f} mm diameter", 2 * e.ball_radii_mm.front()));
-  } else if (e.ball_radii_mm.size() > 1) {
-    numbers.push_back(en::say("balls of {:.2f} to {:.2f} mm diameter",
-                              2 * e.ball_radii_mm.front(),
-                              2 * e.ball_radii_mm.back()));
+  std::vector<double> radii_mm = e.ball_radii_mm;
+  std::erase(radii_mm, 0.0);
+  if (radii_mm.size() == 1) {
+    numbers.push_back(en::say("ball of {:.2f} mm diameter", 2 * radii_mm.front()));
+  } else if (radii_mm.size() > 1) {
+    numbers.push_back(en::say(
+        "balls of {:.2f} to {:.2f} mm diameter", 2 * radii_mm.front(), 2 * radii_mm.back()));
   }
   if (e.has_basis) numbers.push_back(en::say("layer {:.2f} mm", e.layer_mm));
   if (e.has_basis && e.width_mm > 0)
@@ -432,7 +436,7 @@ Verdict verdict(const CalibrationEvidence& evidence) {
   Verdict result;
   result.parts = parts_of(evidence);
   double squares = 0;
-  for (const ErrorPart& part : result.parts) squares += square(part.sd_mm);
+  for (const ErrorPart& part : result.parts) squares += square(part.error_mm);
   result.error_mm = evidence.presses > 0 && std::isfinite(squares)
                         ? std::sqrt(squares)
                         : std::numeric_limits<double>::quiet_NaN();

@@ -11,7 +11,7 @@ nlohmann::ordered_json verdict_json(const Verdict& verdict) {
   if (std::isfinite(verdict.error_mm)) json["expected_error_mm"] = verdict.error_mm;
   json["causes_mm"] = nlohmann::ordered_json::object();
   for (const ErrorPart& part : verdict.parts)
-    json["causes_mm"][std::string(to_string(part.cause))] = part.sd_mm;
+    json["causes_mm"][std::string(to_string(part.cause))] = part.error_mm;
   json["missing"] = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < verdict.missing.size(); ++i)
     json["missing"].push_back(

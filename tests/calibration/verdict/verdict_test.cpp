@@ -88,7 +88,6 @@ const std::vector<Lack>& lacks() {
        Grade::kUnproven,
        "7 of 13 presses had to be left out"},
       {"fresh", [](auto& e) { e.days_unchecked = 400; }, Grade::kUnproven, "for 400 days"},
-      {"local_light", [](auto& e) { e.halo_mm = 0.02; }, Grade::kUsable, "light scatters sideways"},
       {"error_good", [](auto& e) { e.scale_sd_mm = 0.08; }, Grade::kUsable, "at most 0.06 mm"},
   };
   return kLacks;
@@ -126,13 +125,13 @@ TEST(Verdict, EveryRequirementHasACaseAndNoCaseIsOfNone) {
 
 TEST(Verdict, TheWorstIsNamedFirst) {
   CalibrationEvidence evidence = good_evidence();
-  evidence.halo_mm = 0.02;
+  evidence.halo_mm = 0.09;
   evidence.presses = 3;
   evidence.changed = {en::say("layer")};
   const Verdict worth = verdict(evidence);
   EXPECT_EQ(worth.grade, Grade::kUnfit);
   EXPECT_THAT(worth.missing_names,
-              testing::ElementsAre("numbers_unchanged", "presses", "local_light"));
+              testing::ElementsAre("numbers_unchanged", "presses", "error_good"));
   Grade last = Grade::kUnfit;
   for (const Requirement& requirement : calibration_requirements()) {
     EXPECT_LE(requirement.without, last) << requirement.name;
@@ -142,21 +141,49 @@ TEST(Verdict, TheWorstIsNamedFirst) {
 
 TEST(Verdict, TheErrorIsTheRootOfTheSquaresOfItsCauses) {
   CalibrationEvidence evidence = good_evidence();
-  evidence.scale_sd_mm = 0.03;
+  evidence.scale_sd_mm = 0.05;
   evidence.halo_mm = 0.01;
   evidence.position_leverage = 2.0 / 6 + 4;
-  const double student = student_factor(5);
-  const double shape = student * 0.01 * std::sqrt(M_PI / 2), scale = student * 0.03;
-  const double radius = 1.2 * 0.01 / 4 * 0.9 / std::sqrt(3.0);
+  const double mean = std::sqrt(2 / M_PI), student = student_factor(5);
+  const double shape = student * 0.01, scale = student * mean * 0.05;
+  const double depth = 0.9 / 2, radius = 1.2 * 0.01 / 4 * depth, body = 0.05 * depth;
   const Verdict worth = verdict(evidence);
   EXPECT_NEAR(worth.error_mm,
-              std::sqrt(shape * shape + scale * scale + 0.01 * 0.01 + 4 * shape * shape +
-                        0.01 * 0.01 + radius * radius),
+              std::sqrt(shape * shape + scale * scale + 4 * shape * shape + 0.01 * 0.01 +
+                        body * body + radius * radius),
               1e-12);
   ASSERT_EQ(worth.parts.size(), 6U);
   EXPECT_EQ(worth.parts.front().cause, ErrorCause::kScale);
-  EXPECT_NEAR(worth.parts.front().sd_mm, scale, 1e-12);
+  EXPECT_NEAR(worth.parts.front().error_mm, scale, 1e-12);
   EXPECT_THAT(worth.sentence.english(), HasSubstr("mostly scale: measure one press's depth"));
+  // Noise and reference are in the error on presses left out already: the larger counts.
+  evidence.pixel_sd_mm = 0.1;
+  EXPECT_NEAR(
+      verdict(evidence).error_mm * verdict(evidence).error_mm - worth.error_mm * worth.error_mm,
+      mean * mean * 0.01 - shape * shape,
+      1e-12);
+}
+
+TEST(Verdict, AnotherBodyTellsWhatTheBallHides) {
+  CalibrationEvidence evidence = good_evidence();
+  const double alone = verdict(evidence).error_mm;
+  evidence.ball_radii_mm = {4, 4.5};
+  EXPECT_EQ(verdict(evidence).error_mm, alone);
+  for (const std::vector<double>& radii_mm : {std::vector<double>{2.5, 4}, {0, 4}}) {
+    evidence.ball_radii_mm = radii_mm;
+    const Verdict worth = verdict(evidence);
+    EXPECT_LT(worth.error_mm, alone);
+    for (const ErrorPart& part : worth.parts) EXPECT_NE(part.cause, ErrorCause::kBody);
+    EXPECT_THAT(worth.sentence.english(), HasSubstr("8.00 mm diameter"));
+  }
+}
+
+TEST(Verdict, ScatteredLightLowersTheWordByWhatItIsOff) {
+  CalibrationEvidence evidence = good_evidence();
+  evidence.halo_mm = 0.09;
+  const Verdict worth = verdict(evidence);
+  EXPECT_EQ(worth.grade, Grade::kUsable);
+  EXPECT_THAT(worth.sentence.english(), HasSubstr("mostly light that scatters sideways"));
 }
 
 TEST(Verdict, StudentsFactorIsThatOfTables) {
