@@ -7,6 +7,7 @@
 #include "calibration/checks/untouched_check.h"
 #include "calibration/finger/calibrate_finger.h"
 #include "calibration/hard_cases/hard_cases.h"
+#include "calibration/verdict/verdict_json.h"
 #include "core/program.h"
 #include "core/utc_time.h"
 
@@ -71,8 +72,6 @@ void tell(const PressCheck& check, Console& console) {
                        {"light_percent", 100 * press.light_change}});
   }
   for (const Message& reason : check.left_out) console.warn(fmt::format("Left out: {}", reason));
-  if (check.presses.size() < static_cast<std::size_t>(kCheckPresses))
-    console.say(fmt::format("Remark: {} presses at different places tell more.", kCheckPresses));
   console.say(fmt::format("Verdict: {}.", check.sentence));
   Console::Json& answer = console.answer();
   answer["verdict"] = to_string(check.verdict);
@@ -83,6 +82,7 @@ void tell(const PressCheck& check, Console& console) {
   answer["factor"] = check.factor;
   answer["light_percent"] = 100 * check.light_change;
   answer["ball_radius_mm"] = check.ball_radius_mm;
+  answer["positions"] = check.positions;
   answer["presses"] = std::move(presses);
   answer["left_out"] = in_english(check.left_out);
 }
@@ -150,10 +150,16 @@ Status run_check(const Path& folder, Console& console) {
   console.answer()["finger"] = (*finger)->finger.name;
   console.answer()["fit"] = check.fit;
   console.answer()["items"] = std::move(items);
+  if (check.verdict) console.answer()["verdict"] = verdict_json(*check.verdict);
   if (const Status told = tell_history(folder, console); !told) return told;
   if (!check.fit)
     return Error{en::say("not fit to use; what is missing stands above"), folder.string(), ""};
-  console.say(fmt::format("{} is fit to use.", (*finger)->finger.name));
+  const bool is_proven = check.verdict && (check.verdict->grade == Grade::kGood ||
+                                           check.verdict->grade == Grade::kUsable);
+  console.say(fmt::format(is_proven ? "{} is fit to use."
+                                    : "{} can be used, but its calibration is unproven; what it "
+                                      "lacks stands above.",
+                          (*finger)->finger.name));
   return {};
 }
 

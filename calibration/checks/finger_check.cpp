@@ -187,6 +187,7 @@ FingerCheck check_finger(const FingerSnapshot& snapshot, const Job& job, const s
   if (finger.mapping_record) check.items.push_back(check_inputs(snapshot.folder, finger));
   if (!finger.force_model.empty() && (snapshot.force || snapshot.force_problem))
     check.items.push_back(check_force(snapshot));
+  if (finger.mapping && finger.mapping_record) check.verdict = verdict(evidence);
   check.fit = std::none_of(check.items.begin(), check.items.end(), [](const CheckItem& item) {
     return item.state == CheckState::kMissing;
   });

@@ -1,10 +1,12 @@
 // Is a finger fit to use: what is missing, stale or weak.
 #pragma once
 
+#include "calibration/verdict/verdict.h"
 #include "core/finger/finger_store.h"
 #include "core/job.h"
 #include "core/message.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,7 +28,8 @@ struct CheckItem {
 
 struct FingerCheck {
   std::vector<CheckItem> items;
-  bool fit = false;  ///< nothing is missing, and the mapping is worth measuring with
+  bool fit = false;                ///< nothing is missing, and the mapping is worth measuring with
+  std::optional<Verdict> verdict;  ///< absent: not calibrated, or nothing is stored of how
 };
 
 /// Looks at everything a finger needs to measure, and reads the reference recording.

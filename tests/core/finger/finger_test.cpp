@@ -4,6 +4,9 @@
 #include "core/io/atomic_file.h"
 #include "tests/core/finger/finger_files.h"
 
+#include <cmath>
+#include <limits>
+
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -220,6 +223,61 @@ TEST_F(FingerFile, AnyTextsAndNumbersSurvive) {
     RC_ASSERT(saved(*loaded) == once);
   });
   EXPECT_TRUE(holds);
+}
+
+TEST_F(FingerFile, KeepsWhatACalibrationRestsOn) {
+  const std::string line =
+      "  basis: {ball_radii_mm: [2.5, 4.0], layer_mm: 1.5, width_mm: 24.0, plane_z_mm: 0.0, "
+      "camera: "
+      "\"0123456789abcdef\", reference: \"\", positions: 5, thirds: [1, 3, 1], position_leverage: "
+      "0.5, depths_mm: [0.4, 1.1], scale_sd_mm: 0.012, pixel_sd_mm: 0.01, halo_mm: 0.0, "
+      "depth_per_radius: -1.25, left_out: 1, complete: true, contradictions: "
+      "[\"depth_beyond_mapping\"], contradictions_mm: [[2.0, 6.0, 1.1, 1.2, 1.3]]}\n";
+  std::string text = kFinRay;
+  text.insert(text.find("reference:\n  video"), line);
+  const auto finger = load(text);
+  ASSERT_TRUE(finger.ok()) << (finger ? "" : finger.error().sentence());
+  ASSERT_TRUE(finger->mapping_record && finger->mapping_record->basis);
+  const CalibrationBasis& basis = *finger->mapping_record->basis;
+  EXPECT_EQ(basis.ball_radii_mm, (std::vector<double>{2.5, 4}));
+  EXPECT_EQ(basis.width_mm, 24);
+  EXPECT_EQ(basis.camera, "0123456789abcdef");
+  EXPECT_EQ(basis.thirds, (std::array<int, 3>{1, 3, 1}));
+  EXPECT_EQ(basis.deepest_mm, 1.1);
+  EXPECT_EQ(basis.depth_per_radius, -1.25);
+  ASSERT_EQ(basis.contradictions.size(), 1U);
+  EXPECT_EQ(basis.contradictions[0],
+            (RecordedContradiction{"depth_beyond_mapping", 2, 6, 1.1, 1.2, 1.3}));
+  const auto again = load(saved(*finger));
+  ASSERT_TRUE(again.ok()) << (again ? "" : again.error().sentence());
+  EXPECT_EQ(*again->mapping_record->basis, basis);
+  EXPECT_EQ(saved(*again), saved(*finger));
+  Finger impossible = *finger;
+  impossible.mapping_record->basis->scale_sd_mm = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(impossible.validate());
+  std::string cut = text;
+  cut.replace(cut.find("[1, 3, 1]"), 9, "[1, 3]");
+  EXPECT_FALSE(load(cut));
+}
+
+TEST_F(FingerFile, AnyNumberOfTheCameraChangesItsFingerprint) {
+  const auto finger = load(kFinRay);
+  ASSERT_TRUE(finger.ok());
+  const CameraParameters& camera = finger->camera;
+  const std::string before = camera_fingerprint(camera);
+  EXPECT_EQ(before.size(), 16U);
+  EXPECT_EQ(camera_fingerprint(load(saved(*finger))->camera), before) << "through a file";
+  for (double CameraParameters::*member : {&CameraParameters::fx_px,
+                                           &CameraParameters::fy_px,
+                                           &CameraParameters::cx_px,
+                                           &CameraParameters::cy_px}) {
+    CameraParameters other = camera;
+    other.*member = std::nextafter(other.*member, 1e9);
+    EXPECT_NE(camera_fingerprint(other), before);
+  }
+  CameraParameters bent = camera;
+  bent.distortion.back() += 1e-12;
+  EXPECT_NE(camera_fingerprint(bent), before);
 }
 
 }  // namespace
