@@ -130,6 +130,9 @@ Status solve_presses(FingerCalibration& done,
                 "that is not there",
                 done.halo.excess_mm));
   done.contradictions = find_contradictions(done);
+  // The verdict names the worst.
+  for (std::size_t i = 1; i < done.contradictions.size(); ++i)
+    done.calibration.remarks.push_back(sentence(done.contradictions[i]));
   Finger solved = done.finger;
   solved.mapping = done.calibration.mapping;
   solved.mapping_record = record_of(done);

@@ -13,6 +13,12 @@ NumberField* number(double low, double high, int decimals, double value) {
   return box;
 }
 
+/// What is typed counts before it is finished.
+template <class Field>
+auto now(const Field* field) {
+  return field->typed().value_or(field->value());
+}
+
 }  // namespace
 
 LensForm::LensForm(QWidget* parent)
@@ -125,9 +131,9 @@ Board LensForm::board() const {
       BoardPattern::kChessboard, BoardPattern::kCharuco, BoardPattern::kDots};
   Board board;
   board.pattern = kPatterns[pattern_->currentIndex()];
-  board.columns = columns_->value();
-  board.rows = rows_->value();
-  board.square_mm = square_->value();
+  board.columns = now(columns_);
+  board.rows = now(rows_);
+  board.square_mm = now(square_);
   return board;
 }
 
@@ -135,13 +141,21 @@ LensSettings LensForm::settings() const {
   LensSettings settings;
   settings.pattern = board().pattern;
   settings.model = model_->currentIndex() == 0 ? CameraModel::kBrown : CameraModel::kFisheye;
-  settings.distance_mm = distance_->value();
+  settings.distance_mm = now(distance_);
   return settings;
 }
 
 std::optional<FlatPort> LensForm::port() const {
   if (!has_port_->isChecked()) return std::nullopt;
-  return FlatPort{gap_->value(), plate_->value(), plate_index_->value(), medium_index_->value()};
+  return FlatPort{now(gap_), now(plate_), now(plate_index_), now(medium_index_)};
+}
+
+QString LensForm::refusal() const {
+  for (const NumberField* field : findChildren<NumberField*>())
+    if (field->isVisibleTo(this) && !field->typed()) return field->refusal();
+  for (const WholeNumberField* field : findChildren<WholeNumberField*>())
+    if (field->isVisibleTo(this) && !field->typed()) return field->refusal();
+  return {};
 }
 
 }  // namespace alltact

@@ -22,6 +22,8 @@ class LensForm : public Translated<QWidget> {
   [[nodiscard]] LensSettings settings() const;
   /// nullopt: there is no window.
   [[nodiscard]] std::optional<FlatPort> port() const;
+  /// Why a number in sight is refused; empty: none is. The others above are then those of before.
+  [[nodiscard]] QString refusal() const;
 
  Q_SIGNALS:
   /// Another board.

@@ -317,6 +317,8 @@ void LensPage::measure() {
   wanted.board = form_->board();
   wanted.settings = form_->settings();
   wanted.port = form_->port();
+  if (const QString refused = form_->refusal(); !refused.isEmpty())
+    return problems_->set_problems({{Meaning::kBad, refused, {}, {}, {}}});
   if (wanted.pictures.empty())
     return problems_->set_problems(
         {{Meaning::kBad, tr("No folder of pictures is named."), {}, {}, {}}});

@@ -272,6 +272,7 @@ template class TypedSpin<QSpinBox>;
 NumberField::NumberField(QWidget* parent) : TypedSpin(parent) {
   setDecimals(kMostDecimals);
   connect(lineEdit(), &QLineEdit::textChanged, this, &NumberField::text_changed);
+  connect(this, &QDoubleSpinBox::valueChanged, this, &NumberField::text_changed);
 }
 
 void NumberField::set_shown_decimals(int decimals) {

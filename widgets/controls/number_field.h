@@ -92,7 +92,7 @@ class NumberField : public TypedSpin<QDoubleSpinBox> {
   void set_shown_decimals(int decimals);
 
  Q_SIGNALS:
-  /// With every key: typed() may be another.
+  /// With every key and every value: typed() may be another.
   void text_changed();
 
  protected:

@@ -1,6 +1,7 @@
 // What a finger file says, and that it stays when it is written.
 #include "core/finger/finger.h"
 
+#include "core/finger/quantity.h"
 #include "core/io/atomic_file.h"
 #include "tests/core/finger/finger_files.h"
 
