@@ -176,7 +176,7 @@ CampaignWorld::CampaignWorld(std::uint64_t seed) : seed_(seed) {
 }
 
 void CampaignWorld::draw_finger(Random& random) {
-  mm_per_px = uniform(random, 0.08, 0.12);
+  mm_per_px = uniform(random, 0.12, 0.18);
   layer_mm = uniform(random, 1.2, 3.0);
   scatter_per_mm_ = uniform(random, 0.3, 1.2);
   absorb_per_mm_ = uniform(random, 0.002, 0.06);

@@ -73,7 +73,7 @@ class CampaignWorld {
   /// The same for the same seed, on any machine.
   explicit CampaignWorld(std::uint64_t seed);
 
-  static constexpr int kWidthPx = 240, kHeightPx = 180;
+  static constexpr int kWidthPx = 162, kHeightPx = 120;
   double mm_per_px = 0.1;  ///< true
   double layer_mm = 1.5;   ///< true
   CampaignFaults faults;
