@@ -72,17 +72,21 @@ Headline headline_of(Grade grade, double error_mm, bool must_repeat, ReferenceSt
 std::vector<Message> findings_of(const Verdict& verdict,
                                  const std::vector<Contradiction>& contradictions) {
   std::vector<Message> contradicting, lacking;
+  // A verdict has all contradictions of a kind in one sentence; here each has its own.
+  const auto add_each = [&](bool ruling_out) {
+    for (const Contradiction& one : contradictions)
+      if (rules_out_use(one.kind) == ruling_out) contradicting.push_back(sentence(one));
+  };
   for (std::size_t i = 0; i < verdict.missing.size(); ++i) {
-    const bool contradicts =
-        std::find(kContradicting.begin(), kContradicting.end(), verdict.missing_names[i]) !=
-        kContradicting.end();
-    (contradicts ? contradicting : lacking).push_back(verdict.missing[i]);
+    const std::string_view name = verdict.missing_names[i];
+    const bool is_of_numbers = name == "ball_possible" || name == "numbers_consistent";
+    if (is_of_numbers && !contradictions.empty())
+      add_each(name == "ball_possible");
+    else if (std::find(kContradicting.begin(), kContradicting.end(), name) != kContradicting.end())
+      contradicting.push_back(verdict.missing[i]);
+    else
+      lacking.push_back(verdict.missing[i]);
   }
-  // A verdict names the worst of each kind.
-  for (const Contradiction& one : contradictions)
-    if (const Message words = sentence(one);
-        std::find(contradicting.begin(), contradicting.end(), words) == contradicting.end())
-      contradicting.push_back(words);
   contradicting.insert(contradicting.end(), lacking.begin(), lacking.end());
   return contradicting;
 }

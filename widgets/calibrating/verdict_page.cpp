@@ -162,7 +162,7 @@ void VerdictPage::show_folds() {
 }
 
 void VerdictPage::print() {
-  if (shown_) print_sheet(verdict_sheet(*shown_, run_.command_line()), *this);
+  if (shown_) print_sheet(verdict_sheet(*shown_, run_.command_line(), run_.worth()), *this);
 }
 
 StepState VerdictPage::state() const {

@@ -27,8 +27,9 @@ struct SheetWords {
 /// One sheet, put together from top to bottom.
 class Sheet {
  public:
-  explicit Sheet(const FingerCalibration& done)
+  Sheet(const FingerCalibration& done, const std::optional<FingerWorth>& now)
       : done_(done),
+        now_(now),
         light_(theme_palette(Theme::kLight)),
         document_(SheetWords::tr("Finger %1: what its calibration is worth")
                       .arg(as_text(done.finger.name))) {}
@@ -44,11 +45,15 @@ class Sheet {
 
  private:
   void add_verdict() {
-    const Verdict& worth = done_.verdict;
-    const Headline headline = headline_of(
-        worth.grade, vouched_error_mm(worth).value_or(0.0), false, ReferenceState::kWhole);
+    const bool is_known = now_ && now_->evidence;
+    const Verdict worth = is_known ? window_verdict(*now_->evidence) : done_.verdict;
+    const Headline headline = headline_of(worth.grade,
+                                          vouched_error_mm(worth).value_or(0.0),
+                                          is_known && now_->must_repeat,
+                                          is_known ? now_->reference : ReferenceState::kWhole);
     QStringList lines;
-    for (const Message& finding : findings_of(worth, done_.contradictions))
+    for (const Message& finding :
+         findings_of(worth, is_known ? now_->evidence->contradictions : done_.contradictions))
       lines << window_sentence(finding);
     for (const Message& line : {worth.cause, worth.rests_on})
       if (!line.empty()) lines << window_sentence(line);
@@ -127,14 +132,17 @@ class Sheet {
   }
 
   const FingerCalibration& done_;
+  const std::optional<FingerWorth>& now_;
   const QPalette light_;
   Document document_;
 };
 
 }  // namespace
 
-Document verdict_sheet(const FingerCalibration& done, const QString& command) {
-  return Sheet(done).written(command);
+Document verdict_sheet(const FingerCalibration& done,
+                       const QString& command,
+                       const std::optional<FingerWorth>& now) {
+  return Sheet(done, now).written(command);
 }
 
 void print_sheet(const Document& sheet, QWidget& parent) {

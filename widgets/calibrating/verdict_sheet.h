@@ -2,13 +2,18 @@
 // beside the finger. The whole report is calibration_report.pdf.
 #pragma once
 
+#include "calibration/checks/finger_worth.h"
 #include "calibration/finger/calibrate_finger.h"
 #include "widgets/report/document.h"
 
 namespace alltact {
 
-/// `command`: makes the same calibration in a terminal. GUI thread.
-[[nodiscard]] Document verdict_sheet(const FingerCalibration& done, const QString& command);
+/// GUI thread.
+///   command: makes the same calibration in a terminal
+///   now: what the finger is worth since; nullopt: as the calibration left it
+[[nodiscard]] Document verdict_sheet(const FingerCalibration& done,
+                                     const QString& command,
+                                     const std::optional<FingerWorth>& now = std::nullopt);
 
 /// Asks for a printer, or a PDF file, and prints there.
 void print_sheet(const Document& sheet, QWidget& parent);

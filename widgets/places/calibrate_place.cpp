@@ -159,8 +159,10 @@ void CalibratePlace::show_steps() {
   next_->setVisible(!is_last);
   next_->setEnabled(missing.isEmpty());
   if (!is_last) next_->setText(tr("&Next: %1").arg(pages_[step_ + 1]->title()));
-  const bool is_enough = pages_[step_] != presses_ || desk_.usable_count() >= kGoodPresses ||
-                         run_.state() == CalibrationState::kCurrent;
+  const bool has_presses = run_.state() == CalibrationState::kCurrent
+                               ? verdict_->state() == StepState::kDone
+                               : desk_.usable_count() >= kGoodPresses;
+  const bool is_enough = pages_[step_] != presses_ || has_presses;
   const bool is_done = pages_[step_]->state() == StepState::kDone;
   const bool goes_on = !is_last && missing.isEmpty() && is_enough && is_done;
   set_primary(*next_, goes_on);
