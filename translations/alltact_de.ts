@@ -13628,5 +13628,9 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>calibrate again from the stored presses</source>
         <translation>aus den gespeicherten Eindrücken neu kalibrieren</translation>
     </message>
+    <message>
+        <source>mostly bodies of other shape than the ball: press a ball of another radius too</source>
+        <translation>vor allem Körper anderer Form als die Kugel: auch eine Kugel mit anderem Radius eindrücken</translation>
+    </message>
 </context>
 </TS>

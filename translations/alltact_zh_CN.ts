@@ -13569,5 +13569,9 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>calibrate again from the stored presses</source>
         <translation>请用已保存的按压重新标定</translation>
     </message>
+    <message>
+        <source>mostly bodies of other shape than the ball: press a ball of another radius too</source>
+        <translation>主要来自形状与球不同的物体：请也用另一种半径的球按压</translation>
+    </message>
 </context>
 </TS>

@@ -27,6 +27,8 @@ QString cause_words(ErrorCause cause) {
       return text("parts of the face far from any press");
     case ErrorCause::kHalo:
       return text("light that scatters sideways");
+    case ErrorCause::kBody:
+      return text("bodies of other shape than the ball");
     case ErrorCause::kRadius:
       break;
   }
@@ -66,12 +68,12 @@ void ReportPages::add_verdict() {
 void ReportPages::add_causes() {
   std::vector<Document::Row> rows;
   for (const ErrorPart& part : done_.verdict.parts)
-    rows.push_back({{cause_words(part.cause), {}, 0}, {mm(part.sd_mm), {}, 0}});
+    rows.push_back({{cause_words(part.cause), {}, 0}, {mm(part.error_mm), {}, 0}});
   if (rows.empty()) return;
   if (std::isfinite(done_.verdict.error_mm))
     rows.push_back({{text("all together"), {}, 0}, {mm(done_.verdict.error_mm), {}, 0}});
   document_.table(
-      {text("Cause of error"), text("Standard deviation of depth (mm)")}, rows, {false, true});
+      {text("Cause of error"), text("Mean depth error (mm)")}, rows, {false, true});
 }
 
 void ReportPages::add_zones() {
