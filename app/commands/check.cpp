@@ -156,10 +156,11 @@ Status run_check(const Path& folder, Console& console) {
     return Error{en::say("not fit to use; what is missing stands above"), folder.string(), ""};
   const bool is_proven = check.verdict && (check.verdict->grade == Grade::kGood ||
                                            check.verdict->grade == Grade::kUsable);
-  console.say(fmt::format(is_proven ? "{} is fit to use."
-                                    : "{} can be used, but its calibration is unproven; what it "
+  const std::string name = (*finger)->finger.name;
+  console.say(is_proven ? fmt::format("{} is fit to use.", name)
+                        : fmt::format("{} can be used, but its calibration is unproven; what it "
                                       "lacks stands above.",
-                          (*finger)->finger.name));
+                                      name));
   return {};
 }
 
