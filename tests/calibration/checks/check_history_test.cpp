@@ -12,7 +12,7 @@ namespace {
 CheckEntry some_entry(int i) {
   CheckEntry entry;
   entry.time = "2026-01-31T12:00:0" + std::to_string(i) + "Z";
-  entry.verdict = static_cast<CheckVerdict>(1 + i % 3);
+  entry.verdict = static_cast<CheckVerdict>(1 + i % 4);
   entry.error_mm = 0.1 / (i + 3);
   entry.drifting_above_mm = 0.02;
   entry.recalibrate_above_mm = 0.06;
