@@ -167,8 +167,8 @@ void CalibrationRun::recall_residuals_once() {
 
 CalibrationState CalibrationRun::state() const {
   if (!finger_ || !finger_->mapping || !from_) return CalibrationState::kNone;
-  if (!desk_.is_ready()) return CalibrationState::kCurrent;  // nobody could change anything yet
   if (worth_ && worth_->must_repeat) return CalibrationState::kStale;
+  if (!desk_.is_ready()) return CalibrationState::kCurrent;  // nobody could change anything yet
   const auto& presses = desk_.presses();
   const bool same_presses = std::equal(
       presses.begin(),
