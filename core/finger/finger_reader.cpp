@@ -114,9 +114,9 @@ CalibrationBasis read_basis(YamlSection section) {
   constexpr int kMostPresses = 1'000'000;
   CalibrationBasis basis;
   basis.ball_radii_mm = section.numbers("ball_radii_mm", kLength);
-  basis.layer_mm = section.number("layer_mm", kLength);
-  basis.width_mm = section.number("width_mm", kLength);
-  basis.plane_z_mm = section.number("plane_z_mm", kAnyNumber);
+  // In one list, so that who replaces a face's numbers throughout the file leaves these.
+  const auto face = section.numbers("face_mm", 3, 3, {-1e6, 1e6});
+  basis.width_mm = face[0], basis.layer_mm = face[1], basis.plane_z_mm = face[2];
   basis.camera = section.text("camera");
   basis.reference = section.text("reference");
   basis.positions = section.whole_number("positions", 0, kMostPresses);

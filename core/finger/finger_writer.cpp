@@ -38,9 +38,7 @@ std::string markers_text(const MarkerRows& markers, const UnknownKeys& unknown) 
 std::string basis_text(const CalibrationBasis& basis, const UnknownKeys& unknown) {
   YamlBlock block("mapping.basis");
   block.add("ball_radii_mm", yaml_numbers(basis.ball_radii_mm));
-  block.add("layer_mm", yaml_number(basis.layer_mm));
-  block.add("width_mm", yaml_number(basis.width_mm));
-  block.add("plane_z_mm", yaml_number(basis.plane_z_mm));
+  block.add("face_mm", yaml_numbers({basis.width_mm, basis.layer_mm, basis.plane_z_mm}));
   block.add("camera", '"' + basis.camera + '"');
   block.add("reference", '"' + basis.reference + '"');
   block.add("positions", fmt::format("{}", basis.positions));

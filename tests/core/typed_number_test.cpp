@@ -30,8 +30,11 @@ TEST(TypedNumber, IsWhatAPersonMeansOrIsRefusedInEveryLanguage) {
       const auto value = parse_typed_number(example.text, {mark, "mm"});
       EXPECT_EQ(value.ok(), meant.has_value())
           << '\'' << example.text << "' " << sentence_for(example.text, mark);
-      if (value && meant) EXPECT_EQ(*value, *meant) << example.text;
-      if (!value) EXPECT_FALSE(value.error().what.empty());
+      if (value && meant) {
+        EXPECT_EQ(*value, *meant) << example.text;
+      } else if (!value) {
+        EXPECT_FALSE(value.error().what.empty());
+      }
       ++(value ? taken : refused);
     }
   EXPECT_GT(taken, 150);

@@ -228,7 +228,7 @@ TEST_F(FingerFile, AnyTextsAndNumbersSurvive) {
 
 TEST_F(FingerFile, KeepsWhatACalibrationRestsOn) {
   const std::string line =
-      "  basis: {ball_radii_mm: [2.5, 4.0], layer_mm: 1.5, width_mm: 24.0, plane_z_mm: 0.0, "
+      "  basis: {ball_radii_mm: [2.5, 4.0], face_mm: [24.0, 1.5, 0.0], "
       "camera: "
       "\"0123456789abcdef\", reference: \"\", positions: 5, thirds: [1, 3, 1], position_leverage: "
       "0.5, depths_mm: [0.4, 1.1], scale_sd_mm: 0.012, pixel_sd_mm: 0.01, halo_mm: 0.0, "
