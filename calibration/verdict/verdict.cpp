@@ -450,7 +450,7 @@ Verdict verdict(const CalibrationEvidence& evidence) {
     result.missing_names.push_back(requirement.name);
   }
   result.rests_on = rests_on(evidence);
-  std::vector<Message> clauses;
+  std::vector<Message> clauses = result.missing;  // what contradicts comes first
   if (std::isfinite(result.error_mm)) {
     if (!result.parts.empty()) result.cause = largest_cause(result.parts.front().cause);
     clauses.push_back(result.cause.empty()
@@ -459,7 +459,6 @@ Verdict verdict(const CalibrationEvidence& evidence) {
   } else {
     clauses.push_back(en::say("no error can be expected of it"));
   }
-  clauses.insert(clauses.end(), result.missing.begin(), result.missing.end());
   clauses.push_back(result.rests_on);
   result.reason = en::clauses(clauses);
   result.sentence = en::at(word_of(result.grade), result.reason);

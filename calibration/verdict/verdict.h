@@ -139,7 +139,7 @@ struct Verdict {
   std::vector<Message> missing;  ///< what a better word lacks, worst first; empty: good
   std::vector<std::string_view> missing_names;  ///< of the requirements, in the same order
   Message rests_on;  ///< "ball of 8.00 mm diameter, layer 1.50 mm, face 24.00 mm wide"
-  Message reason;    ///< figure, largest cause, what is missing, what it rests on
+  Message reason;    ///< what is missing, figure and largest cause, what it rests on
   Message sentence;  ///< the same behind the grade
 };
 [[nodiscard]] Verdict verdict(const CalibrationEvidence& evidence);

@@ -96,10 +96,11 @@ void expect_meanings(Field& field, const std::string& language, int& taken) {
       ASSERT_FALSE(field.refusal().isEmpty());
       ASSERT_EQ(typed_in(field, *text), *text) << "what is refused stays";
       ASSERT_EQ(field.accessibleDescription(), field.refusal());
-      if (std::is_same_v<Field, NumberField> && meant)
+      if (std::is_same_v<Field, NumberField> && meant) {
         ASSERT_TRUE(*meant < static_cast<double>(field.minimum()) ||
                     *meant > static_cast<double>(field.maximum()) ||
                     field.refusal().contains(QLatin1String("mm")));
+      }
     }
   }
 }

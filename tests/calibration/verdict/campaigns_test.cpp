@@ -191,7 +191,7 @@ Outcome run_campaign(std::uint64_t seed) {
   }
   outcome.word = to_string(done->verdict.grade);
   for (const ErrorPart& part : done->verdict.parts)
-    outcome.parts += fmt::format(" {}={:.3f}", to_string(part.cause), part.sd_mm);
+    outcome.parts += fmt::format(" {}={:.3f}", to_string(part.cause), part.error_mm);
   for (const std::string_view name : done->verdict.missing_names)
     outcome.missing += fmt::format(" {}", name);
   outcome.why = done->verdict.sentence.english();
