@@ -49,9 +49,12 @@ std::vector<ErrorPart> parts_of(const CalibrationEvidence& e) {
     const double part = std::abs(e.depth_per_radius) * kRadiusSdMm / radius_mm * depth_mm;
     if (!(part <= radius)) radius = part;
   }
+  // A scale that nothing tells makes depths wrong by themselves, and by no more.
+  const double scale = student * kMeanOfSd * e.scale_sd_mm;
+  const bool is_bounded = depth_mm > 0 && scale > depth_mm;
   std::vector<ErrorPart> parts{
       shape >= pixel ? ErrorPart{ErrorCause::kShape, shape} : ErrorPart{ErrorCause::kPixel, pixel},
-      {ErrorCause::kScale, student * kMeanOfSd * e.scale_sd_mm},
+      {ErrorCause::kScale, is_bounded ? depth_mm : scale},
       {ErrorCause::kZone, shape * std::sqrt(leverage)},
       {ErrorCause::kHalo, e.halo_mm},
       {ErrorCause::kRadius, radius},
@@ -308,7 +311,11 @@ const std::vector<Requirement>& calibration_requirements() {
        [](const Evidence& e, double) { return contradictions(e, true); }},
       {"error_usable",
        Grade::kUnfit,
-       [](const Evidence&, double error_mm) { return error_mm <= kUsableErrorMm; },
+       // What too few positions leave open is no evidence against the presses: "positions" below.
+       [](const Evidence& e, double error_mm) {
+         const bool is_open = e.has_basis && e.positions < kGoodPositions && error_mm > 0;
+         return error_mm <= kUsableErrorMm || (is_open && e.residual_mm <= kUsableErrorMm);
+       },
        [](const Evidence&, double) {
          return en::say("press again with a clean ball of the radius given, whole on the face");
        }},

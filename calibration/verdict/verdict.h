@@ -11,8 +11,8 @@
 //   shape   t(p - 1) * error on presses left out    the mapping's shape, and noise and reference
 //   pixel   m * sd of a pixel by noise, reference, light and sideways (depth_sd.h): what presses
 //           left out hold as well, so that only the larger counts
-//   scale   t(p - 1) * m * sd of the whole mapping over its domain: balls take it up, so that no
-//           press left out shows it
+//   scale   t(p - 1) * m * sd of the whole mapping over its domain, at most m' * deepest press:
+//           balls take it up, so that no press left out shows it
 //   zone    shape * sqrt(leverage - 2 / p) of a line along the face: far from all presses
 //   halo    false depth beside contacts by light that scatters sideways (report/halo.h)
 //   body    kBodyShare * m' * deepest press, m' the mean depth of a ball's contact as a part of its

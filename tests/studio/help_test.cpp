@@ -70,8 +70,11 @@ std::set<QString> said_in(const std::string& language) {
       language == "en" ? QStringLiteral("source") : QStringLiteral("translation");
   while (!xml.atEnd()) {
     xml.readNext();
-    if (xml.isStartElement() && xml.name() == wanted)
-      said.insert(plain(xml.readElementText(QXmlStreamReader::IncludeChildElements)));
+    if (!xml.isStartElement() || xml.name() != wanted) continue;
+    QString text = plain(xml.readElementText(QXmlStreamReader::IncludeChildElements));
+    said.insert(text);
+    // Words of the libraries begin a line of the window with a capital.
+    if (!text.isEmpty()) said.insert(text.replace(0, 1, text.at(0).toUpper()));
   }
   return said;
 }
