@@ -29,7 +29,6 @@ class AFingersCard : public testing::Test {
     finger_.camera.cx_px = 319.5;
     finger_.camera.cy_px = 239.5;
     finger_.face.kind = FaceKind::kFlat;
-    finger_.face.width_mm = 20;
     finger_.face.layer_mm = 1.5;
     finger_.face.plane_z_mm = 30;
     save();
@@ -162,10 +161,10 @@ TEST_F(AFingersCard, SaysWhatChangedSinceItWasCalibrated) {
   save();
   expect_changed("Layer was changed");
   finger_.face.layer_mm = 1.5;
-  finger_.face.width_mm = 45000;
+  finger_.face.plane_z_mm = 31;
   save();
-  expect_changed("Width was changed");
-  finger_.face.width_mm = 20;
+  expect_changed("Distance of the face was changed");
+  finger_.face.plane_z_mm = 30;
   finger_.camera.fx_px = 510;
   save();
   expect_changed("Camera or lens was changed");
