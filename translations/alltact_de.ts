@@ -5929,8 +5929,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>&apos;{0}&apos; kann {1} oder {2} bedeuten: {1} oder {2} schreiben</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; has more than {} digits behind the decimal mark</source>
-        <translation>&apos;{}&apos; hat mehr als {} Nachkommastellen</translation>
+        <source>&apos;{}&apos; has too many digits behind the decimal mark (at most {})</source>
+        <translation>&apos;{}&apos; hat zu viele Nachkommastellen (höchstens {})</translation>
     </message>
     <message>
         <source>a comma parts the entries here, and &apos;{}&apos; is none</source>

@@ -5887,8 +5887,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>“{0}”可能是 {1} 或 {2}：请写成 {1} 或 {2}</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; has more than {} digits behind the decimal mark</source>
-        <translation>“{}”的小数位超过 {} 位</translation>
+        <source>&apos;{}&apos; has too many digits behind the decimal mark (at most {})</source>
+        <translation>“{}”的小数位太多（最多 {} 位）</translation>
     </message>
     <message>
         <source>a comma parts the entries here, and &apos;{}&apos; is none</source>

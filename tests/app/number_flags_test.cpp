@@ -44,8 +44,10 @@ std::vector<Flag> all_flags() {
     const std::regex with_value(
         "\n  (?:-[a-z],)?(--[a-z0-9-]+ (?!Excludes:|Needs:)[A-Za-z\\[][^\n]*)");
     for (const std::string& line : all_matches(page, with_value)) {
+      const bool is_number = line.find("NUMBER") != std::string::npos;
+      if (!is_number && line.find('{') != std::string::npos) continue;  // one of several words
       Flag flag{command, line.substr(0, line.find(' '))};
-      flag.is_number = line.find("NUMBER") != std::string::npos;
+      flag.is_number = is_number;
       flags.push_back(flag);
     }
   }

@@ -138,7 +138,9 @@ void FingerPage::show_sizes() {
   width_->setVisible(face.kind == FaceKind::kFinRay);
   width_label_->setVisible(face.kind == FaceKind::kFinRay);
   const auto width = width_->typed(), layer = layer_->typed();
-  change_->setEnabled(width && layer && (*width != face.width_mm || *layer != face.layer_mm));
+  const bool has_width = face.kind == FaceKind::kFinRay;
+  change_->setEnabled(width && layer &&
+                      ((has_width && *width != face.width_mm) || *layer != face.layer_mm));
 }
 
 void FingerPage::change_sizes() {

@@ -54,7 +54,8 @@ class TenthsBox : public WholeNumberField {
         std::abs(tenths - std::round(tenths)) < 1e-6)
       return static_cast<int>(std::lround(tenths));
     return Error{
-        en::say("'{}' has more than {} digits behind the decimal mark", text.toStdString(), 1),
+        en::say(
+            "'{}' has too many digits behind the decimal mark (at most {})", text.toStdString(), 1),
         "",
         ""};
   }

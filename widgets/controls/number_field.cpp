@@ -69,10 +69,16 @@ QString TypedSpin<Spin>::bare(const QString& text) const {
   return number.trimmed();  // a unit that was typed before the field's own is left
 }
 
+/// Rounded for the eye: text that nobody changed is the value itself.
+template <class Spin>
+bool TypedSpin<Spin>::is_written(const QString& text) const {
+  return !this->lineEdit()->isModified() &&
+         text == this->prefix() + textFromValue(this->value()) + this->suffix();
+}
+
 template <class Spin>
 Result<typename TypedSpin<Spin>::Value> TypedSpin<Spin>::value_of(const QString& text) const {
-  // Rounded for the eye: text that nobody changed is the value itself.
-  if (text == this->prefix() + textFromValue(this->value()) + this->suffix()) return this->value();
+  if (is_written(text)) return this->value();
   const QString number = bare(text), special = this->specialValueText();
   if (!special.isEmpty() && (number.isEmpty() || text.trimmed() == special.trimmed()))
     return this->minimum();
@@ -81,6 +87,7 @@ Result<typename TypedSpin<Spin>::Value> TypedSpin<Spin>::value_of(const QString&
 
 template <class Spin>
 std::optional<Message> TypedSpin<Spin>::problem_of(const QString& text) const {
+  if (is_written(text)) return std::nullopt;  // by the program, which knows what 0 means there
   const auto value = value_of(text);
   if (!value) return value.error().what;
   const bool is_special = !this->specialValueText().isEmpty() && *value == this->minimum();
@@ -108,9 +115,9 @@ QString TypedSpin<Spin>::refusal() const {
 
 template <class Spin>
 QString TypedSpin<Spin>::warning() const {
-  const bool is_special = !this->specialValueText().isEmpty() && this->value() == this->minimum();
-  if (quantity_ == nullptr || is_special) return {};
-  const auto warned = quantity_->warning(static_cast<double>(this->value()));
+  const auto value = static_cast<double>(this->value());
+  if (quantity_ == nullptr || !quantity_->possible.holds(value)) return {};  // 0: not known
+  const auto warned = quantity_->warning(value);
   return warned ? window_sentence(*warned) : QString();
 }
 
@@ -284,7 +291,7 @@ Result<double> NumberField::parsed(const QString& text) const {
   const auto value = parse_typed_number(text.toStdString(),
                                         {window_decimal_mark(), suffix().trimmed().toStdString()});
   if (!value || QString::number(*value, 'f', kMostDecimals).toDouble() == *value) return value;
-  return Error{en::say("'{}' has more than {} digits behind the decimal mark",
+  return Error{en::say("'{}' has too many digits behind the decimal mark (at most {})",
                        text.toStdString(),
                        kMostDecimals),
                "",

@@ -62,6 +62,7 @@ class TypedSpin : public Spin {
  private:
   [[nodiscard]] std::optional<Message> problem_of(const QString& text) const;
   [[nodiscard]] QString bare(const QString& text) const;
+  [[nodiscard]] bool is_written(const QString& text) const;
   [[nodiscard]] Result<Value> value_of(const QString& text) const;
   /// While somebody types, a note is taken away or follows the text, and none appears.
   void show_state(bool is_finished);
