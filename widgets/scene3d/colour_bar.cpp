@@ -20,7 +20,6 @@ constexpr double kWidth = 78, kHeight = 340;  // in pixels at scale 1
 ColourBar::ColourBar(vtkRenderer* renderer) {
   bar_->SetLookupTable(colours_);
   bar_->SetTitle("mm");
-  bar_->SetNumberOfLabels(5);
   bar_->SetLabelFormat("%.2f");
   bar_->UnconstrainedFontSizeOn();
   bar_->SetBarRatio(0.28);
@@ -46,6 +45,8 @@ void ColourBar::set_scale(const ColourScale& scale) {
   constexpr int kSteps = 256;
   colours_->SetNumberOfTableValues(kSteps);
   colours_->SetTableRange(scale.low_mm, scale.top_mm);
+  // As many as make zero one of them.
+  bar_->SetNumberOfLabels(scale.steps < 4 ? 2 * scale.steps + 1 : scale.steps + 1);
   for (int i = 0; i < kSteps; ++i) {
     const MapColour c = scale.colour(static_cast<double>(i) / (kSteps - 1));
     colours_->SetTableValue(i, c.red / 255.0, c.green / 255.0, c.blue / 255.0, 1);

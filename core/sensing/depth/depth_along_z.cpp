@@ -13,14 +13,17 @@
 namespace alltact {
 namespace {
 
-// Mean depth, either way, below which a cell only needs scaling: noise stays below it.
+// Mean depth below which a cell only needs scaling: noise stays below it.
 constexpr float kDentedMm = 0.02F, kMostDentedMm = 0.1F;
+// The same of a bulge: shallower ones are so wide that scaling is off by some hundredths at most.
+constexpr double kBulgingMm = 0.05;
 constexpr float kAboveNoise = 9.4F;  // 3 sd, by the quarter of a normal law's magnitudes (0.319 sd)
 constexpr int kSteps = 6;            // each at least halves the error
 
 /// The finger's length profile in the x-z plane, of the middle of the face. Across it a face that
 /// is twisted goes on as its normal says there.
-struct Profile {
+class Profile {
+ public:
   std::vector<double> foot_x_mm;  ///< x of the untouched face seen along the normal, ascending
   std::vector<double> z_mm, normal_x, normal_y, normal_z;
 
@@ -43,18 +46,24 @@ struct Profile {
   struct Place {
     double z_mm, normal_x, normal_y, normal_z;
   };
-  /// The face whose normal leads to x on the untouched face; clamped to the ends.
-  [[nodiscard]] Place at(double x_mm) const {
-    const auto above = std::lower_bound(foot_x_mm.begin(), foot_x_mm.end(), x_mm);
-    const auto last = static_cast<std::ptrdiff_t>(foot_x_mm.size()) - 1;
-    const auto right = std::clamp<std::ptrdiff_t>(above - foot_x_mm.begin(), 1, last);
-    const auto r = static_cast<std::size_t>(right), l = r - 1;
+  /// The face whose normal leads to x on the untouched face; clamped to the ends. The search begins
+  /// where the last one ended, because neighbours are asked for in turn.
+  [[nodiscard]] Place at(double x_mm) {
+    const std::size_t last = foot_x_mm.size() - 1;
+    std::size_t r = near_;
+    while (r < last && foot_x_mm[r] < x_mm) ++r;
+    while (r > 1 && !(foot_x_mm[r - 1] < x_mm)) --r;
+    near_ = r;
+    const std::size_t l = r - 1;
     const double part = std::clamp((x_mm - foot_x_mm[l]) / (foot_x_mm[r] - foot_x_mm[l]), 0.0, 1.0);
     const auto between = [&](const std::vector<double>& values) {
       return values[l] + part * (values[r] - values[l]);
     };
     return {between(z_mm), between(normal_x), between(normal_y), between(normal_z)};
   }
+
+ private:
+  std::size_t near_ = 1;
 };
 
 /// The mean depth from which on a cell is dented or bulges, by the quarter of the face that is
@@ -71,7 +80,8 @@ float dented_mm(const cv::Mat& cells_mm) {
 
 /// Cells near a dented one: where looking elsewhere can make a difference.
 cv::Mat dented_cells(const cv::Mat& cells_mm, const FaceShape& shape) {
-  cv::Mat dented = cv::abs(cells_mm) > static_cast<double>(dented_mm(cells_mm));
+  const double least_mm = static_cast<double>(dented_mm(cells_mm));
+  cv::Mat dented = (cells_mm > least_mm) | (cells_mm < -std::max(least_mm, kBulgingMm));
   double nearest_mm = 1e9;
   for (const FaceColumn& column : shape.columns())
     if (column.valid) nearest_mm = std::min(nearest_mm, column.z_mm);
@@ -90,7 +100,7 @@ struct Found {
 /// Depth along z over one pixel; NaN where the pixel that sees it has no measurement.
 Found look_up(const cv::Mat& depth_normal_mm,
               const FaceShape& shape,
-              const Profile& profile,
+              Profile& profile,
               const FaceShape::Local& here) {
   const double layer_mm = shape.face().layer_mm;
   const Eigen::Vector3d untouched = untouched_point_mm(here, layer_mm, MappingAlong::kZ);
@@ -130,7 +140,7 @@ cv::Mat depth_along_z(const cv::Mat& depth_normal_mm,
             flags.type() == CV_8UC1 && flags.size() == depth_normal_mm.size());
   cv::Mat depth_mm = depth_normal_mm.clone();
   const cv::Mat flags_before = flags.clone();
-  const Profile profile(shape);
+  Profile profile(shape);
   const std::vector<float>& along_z = shape.along_z_per_normal();
   const cv::Mat dented = dented_cells(cells_mm, shape);
   for (int row = 0; row < depth_mm.rows; ++row) {

@@ -235,7 +235,10 @@ TEST(ContactWordsTest, TellWhereHowAndThatItSlips) {
   EXPECT_THAT(after, HasSubstr("It slipped."));
   result.reference.reset();
   EXPECT_THAT(contact_words(result, nullptr).toStdString(), HasSubstr("reference recording"));
-  EXPECT_EQ(number_and_sd(-0.001, 0.002, 2).toStdString(), "0.00 ± &lt;0.01");
+  EXPECT_EQ(number_and_sd(-0.001, 0.002, 2).toStdString(), "0.00 ± under 0.01");
+  EXPECT_EQ(number_and_sd(17.549, 0.0, 3).toStdString(), "17.549 ± unknown");
+  EXPECT_EQ(limit_and_sd(1.5, 0.04, 2).toStdString(), "at least 1.50 ± 0.04");
+  EXPECT_EQ(limit_and_sd(-1.5, {}, 2).toStdString(), "at most -1.50");
 }
 
 }  // namespace
