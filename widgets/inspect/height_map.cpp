@@ -28,8 +28,10 @@ struct Pattern {
 const std::array<Pattern, 4> kPatterns{
     {{kAnyEnd, {255, 255, 255, 255}, [](int u, int v) { return (u + v) % 6 < 2; }},
      {kOutOfRange, {0, 0, 0, 255}, [](int u, int v) { return (u + 5 * v) % 6 < 2; }},
-     {kDoubtfulLight, {60, 150, 255, 255}, [](int u, int v) { return u % 12 < 2 && v % 12 < 2; }},
-     {kSteep, {150, 150, 150, 150}, [](int u, int v) { return u % 4 == 0 && v % 4 == 0; }}}};
+     {kDoubtfulLight,
+      {60, 150, 255, 255},
+      [](int u, int v) { return (u + 6) % 12 < 2 && (v + 6) % 12 < 2; }},
+     {kSteep, {120, 120, 120, 120}, [](int u, int v) { return u % 6 == 3 && v % 6 == 3; }}}};
 
 struct LimitWords {
   Q_DECLARE_TR_FUNCTIONS(alltact::LimitWords)

@@ -233,7 +233,9 @@ Overlay colour_bar_overlay(const ColourScale& scale,
     for (const LegendLine& line : legend) {
       const QRectF patch(panel.left() + kGap, top + 2, sample, metrics.height() - 2);
       painter.fillRect(patch, QColor(38, 130, 142));
+      painter.setBrushOrigin(patch.topLeft());
       painter.fillRect(patch, line.pattern);
+      painter.setBrushOrigin(0, 0);
       painter.drawText(QPointF(patch.right() + kGap, top + metrics.ascent()), line.words);
       top += line_height;
     }

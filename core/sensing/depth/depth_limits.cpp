@@ -38,10 +38,12 @@ bool is_light_doubtful(const DepthMap& depth) {
 }
 
 std::uint8_t limits_of(const DepthCauses& causes, bool is_doubtful) {
+  constexpr double kLeastLightMm = 0.02;  // less is no matter: corners of every face have some
   std::uint8_t limits = kNoLimit;
   const double total = causes.total();
   if (causes.per_px > total) limits |= kSteep;
-  if (is_doubtful || 2 * causes.light * causes.light > total * total) limits |= kDoubtfulLight;
+  const bool is_most_light = 2 * causes.light * causes.light > total * total;
+  if (is_doubtful || (is_most_light && causes.light > kLeastLightMm)) limits |= kDoubtfulLight;
   return limits;
 }
 

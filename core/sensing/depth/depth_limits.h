@@ -18,7 +18,7 @@ enum DepthLimit : std::uint8_t {
   kBulgeTop = 2,       ///< bulges by the layer's thickness: the depth is at most minus that
   kOutOfRange = 4,     ///< deeper than calibrated: read from the straight line beyond the curve
   kSteep = 8,          ///< a pixel of misplacement changes the depth by more than its sd
-  kDoubtfulLight = 16  ///< as is_light_doubtful() says, or most of its variance is the light's
+  kDoubtfulLight = 16  ///< is_light_doubtful(), or more than 0.02 mm and half the variance is light
 };
 inline constexpr std::uint8_t kAnyEnd = kLayerLimit | kBulgeTop;
 
