@@ -9525,6 +9525,34 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Bild {}: Etwas drückte auf die Kontaktfläche, {} mm von ihrem Fuß ({} % dunkler als unberührt)</translation>
     </message>
     <message>
+        <source>frames {} to {}: something may have pressed on the contact face, {:.0f} mm from its base (up to {:.1f} % darker than untouched)</source>
+        <translation>Bilder {} bis {}: Etwas drückte vielleicht auf die Kontaktfläche, {} mm von ihrem Fuß (bis zu {} % dunkler als unberührt)</translation>
+    </message>
+    <message>
+        <source>frames {} to {}: something pressed on the contact face, {:.0f} mm from its base (up to {:.0f} % darker than untouched)</source>
+        <translation>Bilder {} bis {}: Etwas drückte auf die Kontaktfläche, {} mm von ihrem Fuß (bis zu {} % dunkler als unberührt)</translation>
+    </message>
+    <message>
+        <source>something presses on the contact face in {} of {} frames</source>
+        <translation>in {} von {} Bildern drückt etwas auf die Kontaktfläche</translation>
+    </message>
+    <message>
+        <source>record again with nothing on the contact face</source>
+        <translation>noch einmal aufnehmen, ohne dass etwas die Kontaktfläche berührt</translation>
+    </message>
+    <message>
+        <source>only {} frames are left of those that are to be used</source>
+        <translation>von den zu verwendenden Bildern bleiben nur {} übrig</translation>
+    </message>
+    <message>
+        <source>leave out fewer frames</source>
+        <translation>weniger Bilder weglassen</translation>
+    </message>
+    <message>
+        <source>{} frames show poses that no other frame shows at another time; whether something pressed on the contact face in them is not known</source>
+        <translation>{} Bilder zeigen Haltungen, die kein anderes Bild zu anderer Zeit zeigt; ob in ihnen etwas auf die Kontaktfläche drückte, ist nicht bekannt</translation>
+    </message>
+    <message>
         <source>No markers can be used: {}; poses are told by the shape of the face alone, which cannot tell twist; if the finger has dots, light both side faces so that they stand out, and focus</source>
         <translation>Keine Marken sind brauchbar: {}. Haltungen werden allein aus der Form der Fläche gelesen, die keine Verdrehung zeigt; hat der Finger Punkte, beide Seitenflächen so beleuchten, dass sie sich abheben, und scharf stellen</translation>
     </message>

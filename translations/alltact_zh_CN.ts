@@ -9482,6 +9482,34 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>第 {} 帧：接触面受压，距根部 {} mm（比未触碰时暗 {} %）</translation>
     </message>
     <message>
+        <source>frames {} to {}: something may have pressed on the contact face, {:.0f} mm from its base (up to {:.1f} % darker than untouched)</source>
+        <translation>第 {} 至 {} 帧：接触面上可能有物体按压，距根部 {} mm（比未接触时最多暗 {} %）</translation>
+    </message>
+    <message>
+        <source>frames {} to {}: something pressed on the contact face, {:.0f} mm from its base (up to {:.0f} % darker than untouched)</source>
+        <translation>第 {} 至 {} 帧：有物体按压接触面，距根部 {} mm（比未接触时最多暗 {} %）</translation>
+    </message>
+    <message>
+        <source>something presses on the contact face in {} of {} frames</source>
+        <translation>{} 帧（共 {} 帧）中有物体按压接触面</translation>
+    </message>
+    <message>
+        <source>record again with nothing on the contact face</source>
+        <translation>请重新录制，接触面上不要有任何物体</translation>
+    </message>
+    <message>
+        <source>only {} frames are left of those that are to be used</source>
+        <translation>可用的帧只剩 {} 帧</translation>
+    </message>
+    <message>
+        <source>leave out fewer frames</source>
+        <translation>请少排除一些帧</translation>
+    </message>
+    <message>
+        <source>{} frames show poses that no other frame shows at another time; whether something pressed on the contact face in them is not known</source>
+        <translation>{} 帧的姿态在其他时刻没有出现过；无法得知其中接触面上是否有物体按压</translation>
+    </message>
+    <message>
         <source>No markers can be used: {}; poses are told by the shape of the face alone, which cannot tell twist; if the finger has dots, light both side faces so that they stand out, and focus</source>
         <translation>没有可用的标记点：{}。姿态仅由面的形状判断，无法判断扭转；若手指有标记点，请照亮两个侧面使其突出，并对好焦</translation>
     </message>

@@ -3,6 +3,8 @@
 #include "app/console/number_flags.h"
 #include "calibration/reference/new_reference.h"
 
+#include <charconv>
+
 #include <fmt/format.h>
 
 namespace alltact {
@@ -37,6 +39,11 @@ void tell(const ReferenceReport& report, Console& console) {
   if (report.rejected.size() > kShown)
     console.say(
         fmt::format("  left out: {} more; --json lists them all", report.rejected.size() - kShown));
+  if (report.doubtful > 0)
+    console.say(
+        fmt::format("  {} of these frames are doubtful; --keep-frames FIRST-LAST keeps those that "
+                    "were untouched",
+                    report.doubtful));
   if (report.repeated > 0)
     console.say(fmt::format("  {} frames repeat a pose that is already held and were left out",
                             report.repeated));
@@ -66,6 +73,17 @@ void tell(const ReferenceReport& report, Console& console) {
   answer["frames_kept"] = report.frames_kept;
   answer["median_step_px"] = report.median_step_px;
   answer["rejected"] = in_english(report.rejected);
+  answer["touched"] = report.touched;
+  answer["doubtful"] = report.doubtful;
+  answer["uncompared"] = report.uncompared;
+  answer["stretches"] = Console::Json::array();
+  for (const ReferenceStretch& stretch : report.stretches)
+    answer["stretches"].push_back({{"first", stretch.first},
+                                   {"last", stretch.last},
+                                   {"doubtful", stretch.is_doubtful},
+                                   {"kept", stretch.is_kept},
+                                   {"darker", stretch.darker},
+                                   {"along_mm", stretch.along_mm}});
   answer["repeated"] = report.repeated;
   answer["missing_markers"] = report.missing;
   answer["by_shape"] = report.by_shape;
@@ -84,6 +102,42 @@ void tell(const ReferenceReport& report, Console& console) {
   answer["covered"] = seen.covered();
   answer["remarks"] = in_english(report.remarks);
   answer["warnings"] = in_english(report.warnings);
+}
+
+/// "12-40" or "12"; nullopt: neither.
+std::optional<FrameRange> frame_range(const std::string& text) {
+  FrameRange range;
+  const char* end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, range.first);
+  if (first.ec != std::errc() || range.first < 0) return std::nullopt;
+  range.last = range.first;
+  if (first.ptr == end) return range;
+  if (*first.ptr != '-') return std::nullopt;
+  const auto last = std::from_chars(first.ptr + 1, end, range.last);
+  if (last.ec != std::errc() || last.ptr != end || range.last < range.first) return std::nullopt;
+  return range;
+}
+
+void add_ranges(CLI::App& command,
+                const char* flag,
+                const char* help,
+                const std::shared_ptr<ReferenceOptions>& options,
+                std::vector<FrameRange> ReferenceChoices::*ranges) {
+  command
+      .add_option_function<std::vector<std::string>>(
+          flag,
+          [options, ranges](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts)
+              if (const auto range = frame_range(text))
+                (options->choices.*ranges).push_back(*range);
+          },
+          help)
+      ->type_name("FIRST-LAST")
+      ->delimiter(',')
+      ->check([](const std::string& text) {
+        return frame_range(text) ? std::string()
+                                 : fmt::format("'{}' is no range of frames such as 12-40", text);
+      });
 }
 
 }  // namespace
@@ -124,6 +178,16 @@ void add_reference(CLI::App& program, Chosen& chosen) {
                    "the one in the middle of all poses)")
       ->type_name("N")
       ->transform(typed_whole_number(0, std::numeric_limits<int>::max()));
+  add_ranges(*command,
+             "--keep-frames",
+             "Frames that were untouched whatever they look like: 12-40, or several with commas",
+             options,
+             &ReferenceChoices::keep);
+  add_ranges(*command,
+             "--leave-out-frames",
+             "Frames that are not used at all: 12-40, or several with commas",
+             options,
+             &ReferenceChoices::leave_out);
   command->callback([=, &chosen] {
     chosen = [=](Console& console) { return run_reference(*options, console); };
   });

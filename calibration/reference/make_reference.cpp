@@ -4,8 +4,11 @@
 #include "calibration/reference/recording_problem.h"
 #include "calibration/reference/recording_study.h"
 #include "calibration/reference/rest_pose.h"
+#include "calibration/reference/skin_patches.h"
+#include "calibration/reference/touch_search.h"
 #include "core/recording/video_file.h"
 #include "core/sensing/markers/layout_search.h"
+#include "core/sensing/reference/recorded_faces.h"
 #include "core/sensing/reference/reference_library.h"
 
 #include <algorithm>
@@ -135,9 +138,149 @@ Status choose_rest(const ReferenceChoices& choices,
   return {};
 }
 
-// Compares the frames with each other; takes out those that are dented and says what the rest is
-// worth.
-Status study(const fs::path& video,
+// What is read of the recording again, frame by frame.
+struct RecordedVideo {
+  const RecordingPass& pass;
+  const fs::path& file;
+  const Finger& finger;
+  const Camera& camera;
+  VideoFile reader;
+
+  [[nodiscard]] Result<cv::Mat> frame(std::size_t number) {
+    if (!pass.greys[number].empty()) return pass.greys[number];
+    const auto read = reader.frame(number);
+    if (!read) return read.error();
+    return oriented_for(finger.camera, (*read)->grey, en::say("the recording's picture"), "", "");
+  }
+};
+
+MarkerTable table_in_video(const RecordingPass& pass,
+                           const MadeReference& made,
+                           const std::vector<std::size_t>& kept) {
+  MarkerTable table = table_of(made.numbered, kept);
+  for (std::size_t i = 0; i < kept.size(); ++i) table.frames[i] = pass.in_video[kept[i]];
+  return table;
+}
+
+bool is_in(const std::vector<FrameRange>& ranges, std::size_t frame) {
+  return std::any_of(ranges.begin(), ranges.end(), [&](const FrameRange& range) {
+    return range.holds(static_cast<int>(frame));
+  });
+}
+
+struct JudgedFrames {
+  std::vector<std::size_t> numbers;  // in the recording
+  std::vector<FrameEvidence> evidence;
+};
+
+// What presses in which of the frames. Frames without a face are not among those that come back.
+Result<JudgedFrames> judge_frames(RecordedVideo& video,
+                                  const std::vector<std::size_t>& kept,
+                                  const MadeReference& made,
+                                  const Job& job) {
+  const MarkerTable table = table_in_video(video.pass, made, kept);
+  const FrameOfRecording frame = [&](std::size_t number) { return video.frame(number); };
+  constexpr std::size_t kMostBytes = std::size_t{512} << 20;
+  const auto read = read_recorded_faces({frame, video.pass.greys.size(), video.file, table},
+                                        video.finger,
+                                        video.camera,
+                                        kMostBytes,
+                                        job);
+  if (!read) return read.error();
+  JudgedFrames judged;
+  for (const std::size_t row : read->kept) judged.numbers.push_back(kept[row]);
+  const bool has_places = made.numbered.places.has_value();
+  const std::vector<int> missing = has_places ? std::vector<int>{} : made.numbered.missing;
+  const auto model = MarkerModel::learn(table.layouts, table.typical, missing);
+  if (!model) return Error{model.error().what, video.file.string(), model.error().advice};
+  const auto rows = static_cast<Eigen::Index>(judged.numbers.size());
+  const Eigen::VectorXd mode_sd = model->mode_sd_px();
+  Eigen::MatrixXd modes(rows, mode_sd.size());
+  Eigen::VectorXd off_px(rows);
+  std::vector<int> numbers;
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    const std::size_t number = judged.numbers[static_cast<std::size_t>(i)];
+    const Markers& markers = *made.numbered.markers[number];
+    modes.row(i) = model->modes(markers).cwiseProduct(mode_sd).transpose();
+    off_px[i] = model->residual_px(markers);
+    numbers.push_back(static_cast<int>(number));
+  }
+  const SkinPatches patches = skin_patches(read->grid, read->faces, video.finger.face.width_mm);
+  judged.evidence = find_touches(patches, modes, off_px, numbers).frames;
+  return judged;
+}
+
+// A frame that could not be compared and lies beside a touched one in time counts as touched, too.
+void spread_to_uncompared(JudgedFrames& judged) {
+  auto& frames = judged.evidence;
+  const auto pass_on = [&](std::size_t from, std::size_t to) {
+    if (frames[from].touch == FrameTouch::kTouched && frames[to].touch == FrameTouch::kUncompared)
+      frames[to] = frames[from];
+  };
+  for (std::size_t i = 1; i < frames.size(); ++i) pass_on(i - 1, i);
+  for (std::size_t i = frames.size(); i-- > 1;) pass_on(i, i - 1);
+}
+
+Message sentence_of(const ReferenceStretch& stretch) {
+  const double percent = 100.0 * stretch.darker;
+  if (stretch.is_doubtful)
+    return en::say(
+        "frames {} to {}: something may have pressed on the contact face, {:.0f} mm from "
+        "its base (up to {:.1f} % darker than untouched)",
+        stretch.first,
+        stretch.last,
+        stretch.along_mm,
+        percent);
+  if (stretch.first == stretch.last)
+    return en::say(
+        "frame {}: something pressed on the contact face, {:.0f} mm from its base "
+        "({:.0f} % darker than untouched)",
+        stretch.first,
+        stretch.along_mm,
+        percent);
+  return en::say(
+      "frames {} to {}: something pressed on the contact face, {:.0f} mm from its base "
+      "(up to {:.0f} % darker than untouched)",
+      stretch.first,
+      stretch.last,
+      stretch.along_mm,
+      percent);
+}
+
+// Takes touched and doubtful frames out of `kept`, unless they are chosen, and reports stretches.
+void leave_out_touched(const JudgedFrames& judged,
+                       const ReferenceChoices& choices,
+                       std::vector<std::size_t>& kept,
+                       ReferenceReport& report) {
+  kept.clear();
+  for (std::size_t i = 0; i < judged.numbers.size(); ++i) {
+    const std::size_t number = judged.numbers[i];
+    const FrameTouch touch = judged.evidence[i].touch;
+    report.touched += touch == FrameTouch::kTouched;
+    report.doubtful += touch == FrameTouch::kDoubtful;
+    report.uncompared += touch == FrameTouch::kUncompared;
+    const bool is_suspect = touch == FrameTouch::kTouched || touch == FrameTouch::kDoubtful;
+    if (!is_suspect || is_in(choices.keep, number)) kept.push_back(number);
+  }
+  for (const TouchStretch& found : stretches_of(judged.evidence)) {
+    if (found.touch == FrameTouch::kUncompared) continue;
+    const FrameEvidence& darkest = judged.evidence[found.darkest];
+    ReferenceStretch stretch{static_cast<int>(judged.numbers[found.first]),
+                             static_cast<int>(judged.numbers[found.last]),
+                             found.touch == FrameTouch::kDoubtful,
+                             true,
+                             darkest.darker,
+                             darkest.along_mm,
+                             static_cast<int>(judged.numbers[found.darkest])};
+    for (std::size_t i = found.first; i <= found.last; ++i)
+      stretch.is_kept = stretch.is_kept && is_in(choices.keep, judged.numbers[i]);
+    report.stretches.push_back(stretch);
+    if (!stretch.is_kept) report.rejected.push_back(sentence_of(stretch));
+  }
+}
+
+// Finds what pressed while the recording was made, takes it out, and says what the rest is worth.
+Status study(const fs::path& file,
              const RecordingPass& pass,
              const Camera& camera,
              const Finger& finger,
@@ -145,18 +288,27 @@ Status study(const fs::path& video,
              const ReferenceChoices& choices,
              std::vector<std::size_t>& kept,
              MadeReference& made) {
-  MarkerTable table = table_of(made.numbered, kept);
-  for (std::size_t i = 0; i < kept.size(); ++i) table.frames[i] = pass.in_video[kept[i]];
-  auto reader = VideoFile::open(video, job);
+  auto reader = VideoFile::open(file, job);
   if (!reader) return reader.error();
-  const FrameOfRecording frame = [&](std::size_t number) -> Result<cv::Mat> {
-    if (!pass.greys[number].empty()) return pass.greys[number];
-    const auto read = reader->frame(number);
-    if (!read) return read.error();
-    return oriented_for(finger.camera, (*read)->grey, en::say("the recording's picture"), "", "");
-  };
+  const double frames_per_s = reader->frames_per_s();
+  RecordedVideo video{pass, file, finger, camera, std::move(*reader)};
+  auto judged = judge_frames(video, kept, made, Job(job, 0.0, 0.4));
+  if (!judged) return judged.error();
+  spread_to_uncompared(*judged);
+  leave_out_touched(*judged, choices, kept, made.report);
+  ReferenceReport& report = made.report;
+  if (report.touched > kMostTouchedFrames * static_cast<double>(judged->numbers.size()) &&
+      choices.keep.empty())
+    return Error{en::say("something presses on the contact face in {} of {} frames",
+                         report.touched,
+                         judged->numbers.size()),
+                 en::say("recording"),
+                 en::say("record again with nothing on the contact face")};
+  if (kept.size() < 2) return {};
+  const MarkerTable table = table_in_video(pass, made, kept);
+  const FrameOfRecording frame = [&](std::size_t number) { return video.frame(number); };
   const auto library = ReferenceLibrary::from_frames(
-      frame, pass.greys.size(), video, table, finger, camera, Job(job, 0.0, 0.4));
+      frame, pass.greys.size(), file, table, finger, camera, Job(job, 0.4, 0.6));
   if (!library) return library.error();
   std::vector<std::size_t> of_library;  // by the library's index, the number in the recording
   std::vector<Markers> markers;
@@ -166,26 +318,12 @@ Status study(const fs::path& video,
     markers.push_back(*made.numbered.markers[kept[i]]);
     ++row;
   }
-  const auto studied = study_recording(
-      *library, markers, frame, reader->frames_per_s(), finger, camera, Job(job, 0.4, 1.0));
+  kept = std::move(of_library);
+  const auto studied =
+      study_recording(*library, markers, frame, frames_per_s, finger, camera, Job(job, 0.6, 1.0));
   if (!studied) return studied.error();
-  ReferenceReport& report = made.report;
-  kept.clear();
   std::vector<const StudiedFrame*> untouched;
-  for (std::size_t row = 0; row < of_library.size(); ++row) {
-    if (const auto& dent = studied->dented[row]) {
-      report.rejected.push_back(
-          en::say("frame {}: something pressed on the contact face, {:.0f} mm from its base "
-                  "({:.0f} % darker than untouched)",
-                  of_library[row],
-                  dent->along_mm,
-                  100.0 * dent->darker));
-      continue;
-    }
-    kept.push_back(of_library[row]);
-    untouched.push_back(&studied->frames[row]);
-  }
-  if (kept.size() < 2) return {};
+  for (const StudiedFrame& one : studied->frames) untouched.push_back(&one);
   const Status rested = choose_rest(choices, kept, untouched, made);
   if (!rested) return rested;
   const auto rest = std::find(kept.begin(), kept.end(), made.rest) - kept.begin();
@@ -284,6 +422,11 @@ Status make_reference(Source& source,
   tell_missing(made);
   std::vector<std::size_t> kept = numbered_frames(*pass, made);
   if (kept.size() < 2) return refuse(too_few(report, kept.size()));
+  std::erase_if(kept, [&](std::size_t frame) { return is_in(choices.leave_out, frame); });
+  if (kept.size() < 2)
+    return Error{en::say("only {} frames are left of those that are to be used", kept.size()),
+                 en::say("recording"),
+                 en::say("leave out fewer frames")};
   const Status studied = study(video,
                                *pass,
                                camera,
@@ -292,7 +435,11 @@ Status make_reference(Source& source,
                                choices,
                                kept,
                                made);
-  if (!studied) return studied;
+  if (!studied) {
+    // What was found goes with the refusal.
+    if (!report.stretches.empty()) return refuse(studied.error());
+    return studied;
+  }
   if (kept.size() < 2) return refuse(too_few(report, kept.size()));
   for (const auto* sentences : {&report.warnings, &report.remarks})
     if (!sentences->empty()) made.problem = draw(sentences->front().english() + ".");

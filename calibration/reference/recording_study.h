@@ -18,44 +18,20 @@ struct StudiedFrame {
   int number = 0;         ///< in the video
   bool compared = false;  ///< false: no face was found, or no other frame is near
   double error = 0;       ///< mean |x| over the face in patches of a millimetre or so, less noise
-  double nearest_error = 0;  ///< the same with the nearest frame alone
-  /// The darkest patch in each zone of the face (FaceZones): how much darker than it should be
-  /// (0.1: by 10 %); NaN where the zone is not seen.
-  std::vector<float> darkest;
+  double nearest_error = 0;                    ///< the same with the nearest frame alone
   std::vector<std::optional<TipPlace>> pairs;  ///< by pair of dots, from base to tip
-};
-
-/// Zones of the face in which frames are compared: pieces of its length, each in thirds across.
-struct FaceZones {
-  static constexpr int kAcross = 3;
-  double piece_mm = 5.0;
-  int pieces = 40;
-
-  [[nodiscard]] int count() const { return pieces * kAcross; }
-  [[nodiscard]] double along_mm(int zone) const { return (zone / kAcross + 0.5) * piece_mm; }
-};
-
-/// A frame in which something pressed on the face: its darkest patch.
-struct DentedFrame {
-  double darker = 0;    ///< 0.1: by 10 %
-  double along_mm = 0;  ///< from the base
 };
 
 struct RecordingStudy {
   std::vector<StudiedFrame> frames;  ///< by the library's index
-  /// By the library's index: something pressed on the face.
-  std::vector<std::optional<DentedFrame>> dented;
-  /// Over the frames that are not dented: what references of this recording are off by in
-  /// brightness, as parts of it.
+  /// What references of this recording are off by in brightness, as fractions of it.
   double error_median = 0, error_p95 = 0;
   double nearest_error_median = 0;
 };
 
 /// Compares every frame with the local regression over the others, leaving out those taken shortly
-/// before and after, which show the same pose and the same dent (an eighth of the recording, at
-/// most two seconds of it). A frame counts as dented where a patch is darker by 4 % and by far
-/// more than patches of its zone typically are (the dark end of a finger is told less well), also
-/// when no other dented frame has part in its reference. `numbered`: the markers of the library's
+/// before and after, which show the same pose (an eighth of the recording, at most two seconds of
+/// it). The frames must be untouched (touch_search.h). `numbered`: the markers of the library's
 /// frames, by index. Errors: a stopped job; a frame that cannot be read.
 [[nodiscard]] Result<RecordingStudy> study_recording(const ReferenceLibrary& library,
                                                      const std::vector<Markers>& numbered,

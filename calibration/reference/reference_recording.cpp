@@ -34,6 +34,11 @@ void remark(const MarkerTable& table, ReferenceReport& report) {
                 "covered or not found",
                 estimated,
                 report.frames_kept));
+  if (report.uncompared > 0)
+    report.remarks.push_back(
+        en::say("{} frames show poses that no other frame shows at another time; whether something "
+                "pressed on the contact face in them is not known",
+                report.uncompared));
   if (report.frames_kept + report.repeated < 100)
     report.remarks.push_back(
         en::say("{} frames are few: a recording of a minute (about 1500 frames) over all "

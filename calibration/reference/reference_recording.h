@@ -14,10 +14,27 @@
 
 namespace alltact {
 
+/// Frames of a recording that follow each other and in which something pressed on the contact face,
+/// or may have.
+struct ReferenceStretch {
+  int first = 0, last = 0;   ///< numbers in the recording
+  bool is_doubtful = false;  ///< nearly as dark as a touch; left out unless a choice keeps it
+  bool is_kept = false;      ///< ReferenceChoices keeps all of it all the same
+  double darker = 0;         ///< at most, 0.1: by 10 %
+  double along_mm = 0;       ///< where that is, from the base
+  int darkest = 0;           ///< number of the frame in which it is
+};
+
 struct ReferenceReport {
   int frames_read = 0;
   int frames_kept = 0;
-  std::vector<Message> rejected;  ///< "frame 17: only 5 of 12 markers found", ...
+  /// "frame 17: only 5 of 12 markers found", "frames 120 to 163: something pressed ...", ...
+  std::vector<Message> rejected;
+  std::vector<ReferenceStretch> stretches;  ///< touched, or doubtful; ascending
+  int touched = 0;                          ///< frames in which something pressed
+  int doubtful = 0;                         ///< frames in which something may have pressed
+  /// Frames of poses that no other frame shows at another time: a touch would not be seen in them.
+  int uncompared = 0;
   std::vector<Message> remarks;
   std::vector<Message> warnings;  ///< sentences: settings of camera and light that do not fit
   double median_step_px = 0;      ///< mean marker distance from a frame to its nearest other
@@ -41,6 +58,16 @@ struct RestPose {
   TipPlace place;
 };
 
+/// Frames of a recording, both ends included.
+struct FrameRange {
+  int first = 0, last = 0;
+
+  [[nodiscard]] bool holds(int frame) const { return first <= frame && frame <= last; }
+};
+
+/// A recording in more of whose frames than this fraction something presses is refused.
+inline constexpr double kMostTouchedFrames = 0.6;
+
 /// What a recording is installed with.
 struct ReferenceChoices {
   MotionNeed need;
@@ -48,13 +75,16 @@ struct ReferenceChoices {
   /// to `rest_pose`, and without that the one nearest to the middle of all poses.
   std::optional<int> rest_frame;
   std::optional<RestPose> rest_pose;
+  /// Frames that count as untouched whatever they look like, and frames that are not used at all,
+  /// which wins where both name a frame.
+  std::vector<FrameRange> keep, leave_out;
 };
 
 /// Name of the picture that a refused recording leaves in the finger's folder.
 inline constexpr const char* kReferenceProblem = "reference.problem.png";
 
 /// Tracks the markers through the recording (see recording_layouts.h), rejects frames that cannot
-/// be used or in which something presses on the contact face (see recording_study.h), thins those
+/// be used or in which something presses on the contact face (see touch_search.h), thins those
 /// that repeat a pose, and installs what is left in the folder: reference.mkv (lossless, grey, as
 /// the source gave it), reference.csv, and in `finger` the file names, the markers' polarity and
 /// the numbers of those it lacks, the layout at rest, the touch threshold (from the recording's own
@@ -65,7 +95,8 @@ inline constexpr const char* kReferenceProblem = "reference.problem.png";
 ///
 /// Where markers are missing or the recording is refused, reference.problem.png in the folder shows
 /// what was found (problem_picture.h); it is removed by a recording without such a problem.
-/// Errors: fewer than 2 frames, wrong size, no face, a frame at rest that cannot be used.
+/// Errors: fewer than 2 frames, wrong size, no face, a frame at rest that cannot be used, more
+/// touched frames than kMostTouchedFrames.
 [[nodiscard]] Result<ReferenceReport> install_reference(Source& source,
                                                         const std::filesystem::path& folder,
                                                         Finger& finger,

@@ -1,0 +1,89 @@
+#include "calibration/reference/skin_patches.h"
+
+#include "core/grey_range.h"
+#include "core/numerics/parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace alltact {
+namespace {
+
+// Beside the face's edges a shift of a tenth of a pixel shows as a change of brightness.
+constexpr double kRimPx = 1.5, kRimMm = 1.0;
+constexpr float kLeastPixels = 2;   // of a patch
+constexpr float kMostHidden = 0.1;  // fraction of a patch that a frame need not show
+
+/// By pixel of the grid's runs, its patch; -1 where there is none.
+std::vector<std::int32_t> patch_of_pixels(const FaceGrid& grid, SkinPatches& patches) {
+  const FaceChart& chart = grid.chart;
+  const auto [least, greatest] = std::minmax_element(chart.along_mm.begin(), chart.along_mm.end());
+  const double from_mm = *least;
+  patches.along = std::max(1, static_cast<int>((*greatest - from_mm) / patches.along_mm));
+  std::vector<std::int32_t> patch(grid.runs.pixels(), -1);
+  for (const FaceRun& run : grid.runs.runs)
+    for (int u = run.first; u < run.end; ++u) {
+      const auto column = static_cast<std::size_t>(u);
+      const double v = run.row + grid.origin.y;
+      const double upper = chart.upper_v[column], lower = chart.lower_v[column];
+      if (v < upper + kRimPx || v > lower - kRimPx) continue;
+      const double t = (v - upper) / (lower - upper);
+      if (std::min(t, 1 - t) * patches.width_mm < kRimMm) continue;
+      const double length_mm = chart.base_at_low_u ? chart.along_mm[column] - from_mm
+                                                   : *greatest - chart.along_mm[column];
+      const int i = static_cast<int>(length_mm / patches.along_mm);
+      const int j = std::min(patches.across - 1, static_cast<int>(t * patches.across));
+      if (i >= patches.along) continue;
+      patch[run.before + static_cast<std::uint32_t>(u - run.first)] = i * patches.across + j;
+    }
+  return patch;
+}
+
+}  // namespace
+
+SkinPatches skin_patches(const FaceGrid& grid,
+                         const std::vector<FacePicture>& faces,
+                         double face_width_mm,
+                         double patch_mm) {
+  SkinPatches patches;
+  patches.along_mm = patch_mm;
+  patches.width_mm = face_width_mm;
+  patches.across = std::max(3, static_cast<int>(std::lround(face_width_mm / patch_mm)));
+  patches.across_mm = face_width_mm / patches.across;
+  const std::vector<std::int32_t> patch = patch_of_pixels(grid, patches);
+  const auto count = static_cast<std::size_t>(patches.count());
+  patches.pixels.assign(count, 0.0F);
+  for (const std::int32_t p : patch)
+    if (p >= 0) patches.pixels[static_cast<std::size_t>(p)] += 1;
+  patches.log_level.resize(static_cast<Eigen::Index>(faces.size()), patches.count());
+  patches.log_level.setConstant(std::numeric_limits<float>::quiet_NaN());
+  over_parts(static_cast<int>(faces.size()), all_cores(), [&](int first, int last) {
+    std::vector<std::uint32_t> sum(count), seen(count);
+    for (int i = first; i < last; ++i) {
+      const FacePicture& face = faces[static_cast<std::size_t>(i)];
+      std::fill(sum.begin(), sum.end(), 0);
+      std::fill(seen.begin(), seen.end(), 0);
+      for (const FaceRun& run : grid.runs.runs)
+        for (int u = std::max(run.first, face.first); u < std::min(run.end, face.end); ++u) {
+          const std::uint32_t pixel = run.before + static_cast<std::uint32_t>(u - run.first);
+          const std::int32_t p = patch[pixel];
+          if (p < 0 || face.grey[pixel] >= kClippedFrom) continue;
+          sum[static_cast<std::size_t>(p)] += face.grey[pixel];
+          ++seen[static_cast<std::size_t>(p)];
+        }
+      for (std::size_t p = 0; p < count; ++p) {
+        const float pixels = patches.pixels[p];
+        const auto shown = static_cast<float>(seen[p]);
+        if (pixels < kLeastPixels || shown < (1 - kMostHidden) * pixels) continue;
+        const float level = static_cast<float>(sum[p]) / shown;
+        if (level < kTooDarkBelow) continue;
+        patches.log_level(i, static_cast<Eigen::Index>(p)) = std::log(level);
+      }
+    }
+  });
+  return patches;
+}
+
+}  // namespace alltact
