@@ -4095,6 +4095,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Weggelassene Bilder mit Grund</translation>
     </message>
     <message>
+        <source>Tick frames that were untouched, and install again.</source>
+        <translation>Bilder ankreuzen, die unberührt waren, und neu installieren.</translation>
+    </message>
+    <message>
         <source>The markers have to be seen to tell how it bends.</source>
         <translation>Um die Biegung zu erkennen, müssen die Marken zu sehen sein.</translation>
     </message>
@@ -9547,6 +9551,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>leave out fewer frames</source>
         <translation>weniger Bilder weglassen</translation>
+    </message>
+    <message>
+        <source>the face is {:.0f} % brighter than its reference {:.0f} mm from the base: something pressed there when the reference was recorded, near its frame {}; record the reference again</source>
+        <translation>die Fläche ist um {} % heller als ihre Referenz, {} mm von ihrem Fuß: Bei der Aufnahme der Referenz drückte dort etwas, nahe ihrem Bild {}; die Referenz neu aufnehmen</translation>
     </message>
     <message>
         <source>{} frames show poses that no other frame shows at another time; whether something pressed on the contact face in them is not known</source>

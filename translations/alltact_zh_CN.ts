@@ -4073,6 +4073,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>被舍弃的帧及原因</translation>
     </message>
     <message>
+        <source>Tick frames that were untouched, and install again.</source>
+        <translation>勾选实际未接触的帧，然后重新安装。</translation>
+    </message>
+    <message>
         <source>The markers have to be seen to tell how it bends.</source>
         <translation>必须看得见标记点才能判断弯曲。</translation>
     </message>
@@ -9504,6 +9508,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>leave out fewer frames</source>
         <translation>请少排除一些帧</translation>
+    </message>
+    <message>
+        <source>the face is {:.0f} % brighter than its reference {:.0f} mm from the base: something pressed there when the reference was recorded, near its frame {}; record the reference again</source>
+        <translation>接触面比参考亮 {} %（距根部 {} mm）：录制参考时该处有物体按压，在其第 {} 帧附近；请重新录制参考</translation>
     </message>
     <message>
         <source>{} frames show poses that no other frame shows at another time; whether something pressed on the contact face in them is not known</source>

@@ -1,6 +1,7 @@
 #include "calibration/checks/untouched_check.h"
 
 #include "calibration/finger/measuring_settings.h"
+#include "calibration/reference/reference_suspect.h"
 #include "core/sensing/depth/depth_cells.h"
 #include "core/sensing/pipeline.h"
 #include "core/sources/open/open_source.h"
@@ -97,6 +98,14 @@ Result<UntouchedCheck> check_untouched(const FingerSnapshot& snapshot,
     as_it_is.noise_sd = result->edges ? result->edges->noise_sd : as_it_is.noise_sd;
     const DepthMap uncorrected =
         depth_map(result->grey, *result->reference, *result->shape, as_it_is, mapping);
+    DifferenceOptions corrected = as_it_is;
+    corrected.correct_light = true;
+    const auto suspect = find_reference_suspect(
+        difference(result->grey, *result->reference, *result->shape, corrected),
+        *result->reference,
+        *result->shape);
+    if (suspect && (!check.suspect || suspect->brighter > check.suspect->brighter))
+      check.suspect = suspect;
     ++check.pictures;
     check.light_change += result->depth->light.change();
     check.false_depth_mm += worst_patch_mm(*result->depth);
@@ -113,15 +122,17 @@ Result<UntouchedCheck> check_untouched(const FingerSnapshot& snapshot,
        {&check.light_change, &check.false_depth_mm, &check.uncorrected_mm, &noise_mm})
     *mean /= check.pictures;
   check.limit_mm = std::max(kLeastErrorMm, 3.0 * noise_mm);
-  check.verdict = check_verdict({check.pictures,
-                                 check.pictures,
-                                 check.false_depth_mm,
-                                 check.limit_mm,
-                                 check.limit_mm,
-                                 std::abs(check.light_change),
-                                 kLightLimit,
-                                 kLightOff});
+  check.verdict = check_verdict({.count = check.pictures,
+                                 .positions = check.pictures,
+                                 .error = check.false_depth_mm,
+                                 .drifting_above = check.limit_mm,
+                                 .recalibrate_above = check.limit_mm,
+                                 .light_change = std::abs(check.light_change),
+                                 .light_drifting_above = kLightLimit,
+                                 .light_recalibrate_above = kLightOff,
+                                 .reference_is_touched = check.suspect.has_value()});
   check.sentence = sentence_of(check);
+  if (check.suspect) check.sentence = en::clauses({check.sentence, sentence_of(*check.suspect)});
   return check;
 }
 

@@ -2,11 +2,13 @@
 #pragma once
 
 #include "calibration/checks/press_check.h"
+#include "calibration/reference/reference_suspect.h"
 #include "core/finger/finger_store.h"
 #include "core/job.h"
 #include "core/result.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +24,8 @@ struct UntouchedCheck {
   /// is measured, and what it would be if the light were not corrected.
   double false_depth_mm = 0, uncorrected_mm = 0;
   double limit_mm = 0;  ///< false depth above this is no noise: 0.02 mm, or three times the noise
+  /// The pictures show skin that is brighter than the reference: it was touched (kRecalibrate).
+  std::optional<ReferenceSuspect> suspect;
   int pictures = 0;
   std::vector<Message> left_out;  ///< "frame_3: why"
   Message sentence;               ///< verdict, figures and what to do

@@ -271,11 +271,13 @@ void leave_out_touched(const JudgedFrames& judged,
                              true,
                              darkest.darker,
                              darkest.along_mm,
-                             static_cast<int>(judged.numbers[found.darkest])};
+                             static_cast<int>(judged.numbers[found.darkest]),
+                             {}};
     for (std::size_t i = found.first; i <= found.last; ++i)
       stretch.is_kept = stretch.is_kept && is_in(choices.keep, judged.numbers[i]);
-    report.stretches.push_back(stretch);
-    if (!stretch.is_kept) report.rejected.push_back(sentence_of(stretch));
+    stretch.sentence = sentence_of(stretch);
+    if (!stretch.is_kept) report.rejected.push_back(stretch.sentence);
+    report.stretches.push_back(std::move(stretch));
   }
 }
 

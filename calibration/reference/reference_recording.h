@@ -23,6 +23,7 @@ struct ReferenceStretch {
   double darker = 0;         ///< at most, 0.1: by 10 %
   double along_mm = 0;       ///< where that is, from the base
   int darkest = 0;           ///< number of the frame in which it is
+  Message sentence;          ///< frames, what pressed where, how much darker
 };
 
 struct ReferenceReport {

@@ -481,7 +481,7 @@ CheckVerdict check_verdict(const CheckEvidence& e) {
   static constexpr Rule kRules[] = {
       {CheckVerdict::kRecalibrate,
        [](const CheckEvidence& of) {
-         return !(of.error <= of.recalibrate_above) ||
+         return of.reference_is_touched || !(of.error <= of.recalibrate_above) ||
                 !(of.light_change <= of.light_recalibrate_above);
        }},
       {CheckVerdict::kTooFew,

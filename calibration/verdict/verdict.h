@@ -162,6 +162,7 @@ struct CheckEvidence {
   int positions = 0;  ///< distinct ones of them; of untouched images their number
   double error = 0, drifting_above = 0, recalibrate_above = 0;  ///< all of one unit
   double light_change = 0, light_drifting_above = 0, light_recalibrate_above = 0;  ///< magnitudes
+  bool reference_is_touched = false;  ///< an untouched image shows a body in the reference
 };
 /// kRecalibrate is said from one press; kPass and kDrifting need kCheckPresses positions.
 [[nodiscard]] CheckVerdict check_verdict(const CheckEvidence& evidence);

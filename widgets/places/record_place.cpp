@@ -101,6 +101,7 @@ void RecordPlace::connect_parts() {
   connect(onward_, &QPushButton::clicked, this, [this] { Q_EMIT lead_wanted("calibrate"); });
   connect(video_, &QPushButton::clicked, this, &RecordPlace::choose_video);
   connect(stop_install_, &QPushButton::clicked, this, &RecordPlace::stop_installing);
+  connect(rejected_, &QListWidget::itemChanged, this, &RecordPlace::choose_frames);
   connect(&judge_, &TakeJudge::changed, this, &RecordPlace::follow_judge);
   connect(&install_work_, &BackgroundWork::progressed, this, &RecordPlace::show_installing);
   connect(&install_work_, &BackgroundWork::finished, this, &RecordPlace::show_status);
@@ -191,6 +192,7 @@ void RecordPlace::name_parts() {
   stop_install_->setAccessibleDescription(tr("Stops the installation; nothing is changed."));
   bar_->setAccessibleName(tr("Progress of the installation"));
   rejected_->setAccessibleName(tr("Frames that were left out, with the reason"));
+  rejected_->setToolTip(tr("Tick frames that were untouched, and install again."));
   list_rejected();
   show_status();
   show_coverage();
@@ -253,6 +255,7 @@ void RecordPlace::start_or_stop() {
 
 void RecordPlace::begin_recording() {
   report_.reset();
+  untouched_.clear();
   problem_picture_ = {};  // it told of the recording before
   installed_.clear();
   kept_.clear();

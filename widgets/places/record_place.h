@@ -71,6 +71,8 @@ class RecordPlace : public Place {
   [[nodiscard]] bool is_installing() const;
   [[nodiscard]] const BackgroundWork& installing_work() const;
   void list_rejected();
+  /// Takes the frames whose boxes are ticked for the next installation.
+  void choose_frames();
   void show_status();
   void show_button(const LiveStatus& status);
   void show_progress(const RecordingStatus& recording);
@@ -128,6 +130,7 @@ class RecordPlace : public Place {
   std::optional<Result<ReferenceReport>> report_;
   std::filesystem::path recorded_, installed_, kept_;
   std::optional<RestPose> rest_pose_;  // of the recording
+  std::vector<FrameRange> untouched_;  // frames of it that count as that by the user's choice
   QImage problem_picture_;             // what the installation found, where that was not enough
   QElapsedTimer since_space_;
 };

@@ -3,6 +3,10 @@
 #include "widgets/places/record_place.h"
 #include "widgets/shell/picture_dialog.h"
 
+#include <QPoint>
+#include <QSignalBlocker>
+#include <set>
+
 namespace alltact {
 namespace {
 
@@ -50,9 +54,10 @@ void RecordPlace::install_now() {
   const auto video = recorded_;
   ReferenceChoices choices;
   choices.rest_pose = rest_pose_;
+  choices.keep = untouched_;
+  const auto judged = untouched_.empty() ? judge_.judged() : nullptr;
   install_work_.start(
-      [this, folder, video, choices, judged = judge_.judged(), installer = installer_](
-          const Job& job) {
+      [this, folder, video, choices, judged, installer = installer_](const Job& job) {
         auto report = std::make_shared<Result<ReferenceReport>>(
             install_take(installer, judged, folder, video, choices, job));
         const QImage picture(QString::fromStdString((folder / kReferenceProblem).string()));
@@ -93,10 +98,32 @@ void RecordPlace::show_problem_picture() {
 }
 
 void RecordPlace::list_rejected() {
+  const QSignalBlocker no_choice(rejected_);
   rejected_->clear();
   if (!report_ || !*report_) return;
+  std::set<std::string> listed;
+  for (const ReferenceStretch& stretch : report_->value().stretches) {
+    auto* item = new QListWidgetItem(in_window_language(stretch.sentence), rejected_);
+    item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
+    item->setCheckState(stretch.is_kept ? Qt::Checked : Qt::Unchecked);
+    item->setData(Qt::UserRole, QPoint(stretch.first, stretch.last));
+    listed.insert(stretch.sentence.english());
+  }
   for (const Message& reason : report_->value().rejected)
-    rejected_->addItem(in_window_language(reason));
+    if (!listed.contains(reason.english())) rejected_->addItem(in_window_language(reason));
+}
+
+void RecordPlace::choose_frames() {
+  untouched_.clear();
+  for (int row = 0; row < rejected_->count(); ++row) {
+    const QListWidgetItem& item = *rejected_->item(row);
+    const QPoint frames = item.data(Qt::UserRole).toPoint();
+    const bool is_stretch = (item.flags() & Qt::ItemIsUserCheckable) != 0;
+    if (is_stretch && item.checkState() == Qt::Checked)
+      untouched_.push_back({frames.x(), frames.y()});
+  }
+  installed_.clear();  // what is installed is not what is chosen now
+  show_status();
 }
 
 }  // namespace alltact

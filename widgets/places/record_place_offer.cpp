@@ -70,6 +70,7 @@ std::vector<Overlay> RecordPlace::ghost(const LiveView& view) const {
 void RecordPlace::offer(const std::filesystem::path& video, std::optional<RestPose> rest_pose) {
   recorded_ = video;
   rest_pose_ = std::move(rest_pose);
+  untouched_.clear();
   kept_.clear();
   judge_take();
 }
