@@ -220,8 +220,8 @@ void expect_python_agrees(const Day& day) {
       python_against_program(day.file("finger"), pictures, day.file("results"));
   std::printf("Python: %s\n", difference.words().c_str());
   ASSERT_GT(difference.in_contact.size(), 8000U);
-  EXPECT_LT(difference.part(difference.all, 0.5), 0.002);
-  EXPECT_LT(difference.part(difference.all, 0.95), 0.02);
+  EXPECT_LT(difference.part(difference.all, 0.5), 0.004);  // noise has two signs
+  EXPECT_LT(difference.part(difference.all, 0.95), 0.05);
   EXPECT_LT(difference.part(difference.in_contact, 0.5), 0.01);
   EXPECT_LT(difference.part(difference.in_contact, 0.95), 0.1);
   EXPECT_LT(difference.missing_part(), 0.01);
