@@ -13517,8 +13517,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>vor allem durch Teile der Fläche fern von allen Eindrücken: dort drücken</translation>
     </message>
     <message>
-        <source>mostly light that scatters sideways: bodies other than the ball read wrong</source>
-        <translation>vor allem durch seitlich gestreutes Licht: andere Körper als die Kugel werden falsch gemessen</translation>
+        <source>mostly depth read beside contacts, as light that scatters sideways gives</source>
+        <translation>vor allem durch Tiefe neben Kontakten, wie seitlich gestreutes Licht sie ergibt</translation>
     </message>
     <message>
         <source>mostly the ball&apos;s radius: measure it to a hundredth of a millimetre</source>
@@ -13621,8 +13621,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>seit {} Tagen weder kalibriert noch geprüft; mit {} Eindrücken prüfen</translation>
     </message>
     <message>
-        <source>light scatters sideways in the layer: beside contacts it reads {:.3f} mm of depth that is not there</source>
-        <translation>Licht streut seitlich in der Schicht: neben Kontakten werden {} mm Tiefe gemessen, die es nicht gibt</translation>
+        <source>beside contacts {:.3f} mm of depth is read: light scatters sideways there, or the skin is pressed in</source>
+        <translation>neben Kontakten werden {} mm Tiefe gemessen: dort streut Licht seitlich, oder die Haut ist eingedrückt</translation>
     </message>
     <message>
         <source>fine relief needs an error of at most {:.2f} mm</source>
@@ -13665,8 +13665,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>aus den gespeicherten Eindrücken neu kalibrieren</translation>
     </message>
     <message>
-        <source>mostly bodies of other shape than the ball: press a ball of another radius too</source>
-        <translation>vor allem Körper anderer Form als die Kugel: auch eine Kugel mit anderem Radius eindrücken</translation>
+        <source>mostly bodies of other shape than the ball: measure one press&apos;s depth</source>
+        <translation>vor allem bei Körpern anderer Form als der Kugel: die Tiefe eines Eindrucks messen</translation>
     </message>
 </context>
 </TS>

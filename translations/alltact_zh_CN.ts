@@ -13459,8 +13459,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>主要来自远离所有按压的区域：请在那里按压</translation>
     </message>
     <message>
-        <source>mostly light that scatters sideways: bodies other than the ball read wrong</source>
-        <translation>主要来自侧向散射的光：球以外的物体测量不准</translation>
+        <source>mostly depth read beside contacts, as light that scatters sideways gives</source>
+        <translation>主要来自接触旁边的深度，侧向散射的光会造成这种现象</translation>
     </message>
     <message>
         <source>mostly the ball&apos;s radius: measure it to a hundredth of a millimetre</source>
@@ -13562,8 +13562,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>{} 天未标定也未检查；请用 {} 次按压检查</translation>
     </message>
     <message>
-        <source>light scatters sideways in the layer: beside contacts it reads {:.3f} mm of depth that is not there</source>
-        <translation>光在层内侧向散射：接触旁边测得 {} mm 并不存在的深度</translation>
+        <source>beside contacts {:.3f} mm of depth is read: light scatters sideways there, or the skin is pressed in</source>
+        <translation>接触旁边测得 {} mm 深度：光在那里侧向散射，或表层被带着下陷</translation>
     </message>
     <message>
         <source>fine relief needs an error of at most {:.2f} mm</source>
@@ -13606,8 +13606,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>请用已保存的按压重新标定</translation>
     </message>
     <message>
-        <source>mostly bodies of other shape than the ball: press a ball of another radius too</source>
-        <translation>主要来自形状与球不同的物体：请也用另一种半径的球按压</translation>
+        <source>mostly bodies of other shape than the ball: measure one press&apos;s depth</source>
+        <translation>主要来自与球形状不同的物体：请测量一次按压的深度</translation>
     </message>
 </context>
 </TS>

@@ -38,7 +38,12 @@ CalibrationBasis basis_of(const FingerCalibration& done) {
         basis.shallowest_mm > 0 ? std::min(basis.shallowest_mm, ball.depth_mm) : ball.depth_mm;
     basis.deepest_mm = std::max(basis.deepest_mm, ball.depth_mm);
   }
-  if (!calibration.steps.empty()) basis.ball_radii_mm.push_back(0);  // a flat punch
+  // 0 stands for what tells the scale from outside: a punch with a step, or a measured depth.
+  const bool has_measured_depth =
+      std::any_of(calibration.balls.begin(), calibration.balls.end(), [](const BallFit& ball) {
+        return ball.told_depth.has_value();
+      });
+  if (!calibration.steps.empty() || has_measured_depth) basis.ball_radii_mm.push_back(0);
   std::sort(basis.ball_radii_mm.begin(), basis.ball_radii_mm.end());
   basis.ball_radii_mm.erase(std::unique(basis.ball_radii_mm.begin(), basis.ball_radii_mm.end()),
                             basis.ball_radii_mm.end());

@@ -126,8 +126,8 @@ Status solve_presses(FingerCalibration& done,
   done.halo = measure_halo(presses, done.finger.face, done.calibration);
   if (done.halo.is_seen)
     done.calibration.remarks.push_back(
-        en::say("light scatters sideways in the layer: beside contacts it reads {:.3f} mm of depth "
-                "that is not there",
+        en::say("beside contacts {:.3f} mm of depth is read: light scatters sideways there, or the "
+                "skin is pressed in",
                 done.halo.excess_mm));
   done.contradictions = find_contradictions(done);
   // The verdict names the worst.

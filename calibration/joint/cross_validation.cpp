@@ -24,13 +24,15 @@ ContactSpot spot_of(const PressSamples& press, const Eigen::Vector3d& centre_mm)
   return {nearest->place_mm.x(), nearest->place_mm.y(), std::sqrt(std::max(0.0, rim2)), 0};
 }
 
-/// The position of each press, numbered from 0; each its own where all are at one.
+/// The position of each press, numbered from 0; each its own where there are so few that leaving
+/// one out would leave a single one, which tells no scale.
 std::vector<int> positions_of(const ChoiceInput& input, const JointFit& all) {
   std::vector<ContactSpot> spots;
   for (std::size_t i = 0; i < input.presses.size(); ++i)
     spots.push_back(spot_of(*input.presses[i], all.centres_mm[i]));
   std::vector<int> positions = position_numbers(spots);
-  if (std::all_of(positions.begin(), positions.end(), [](int n) { return n == 0; }))
+  constexpr int kFewest = 3;
+  if (std::all_of(positions.begin(), positions.end(), [](int n) { return n + 1 < kFewest; }))
     std::iota(positions.begin(), positions.end(), 0);
   return positions;
 }

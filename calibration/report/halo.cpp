@@ -19,8 +19,11 @@ constexpr int kLeastRingSamples = 30;
 // References are off by some hundredths of a grey level's depth everywhere: less is no halo.
 constexpr double kLeastHaloMm = 0.012;
 constexpr double kSignificant = 2.5;  // standard errors: chance in one of 100 with few presses
-// Light falls off to a third from ring to ring, an unfaded half space to two thirds.
-constexpr double kFallsOff = 2.0;
+// From ring to ring light falls to between a half and a tenth (skirts of 0.6 to 1.5 mm); an unfaded
+// half space falls to two thirds, and skin that bulges changes its sign.
+constexpr double kFallsTo = 0.5, kFallsNoFurther = 0.08;
+// A bonded layer fades a half space's skirt within a part of its thickness.
+constexpr double kFadePart = 0.25;
 
 /// Depth of an elastic half space at q = r / a > 1, as a part of that at the contact's edge.
 double half_space_tail(double q) {
@@ -63,7 +66,7 @@ std::optional<Rings> rings_of(const Press& press,
     ++(is_near ? near : far);
     if (is_near)
       rings.skin_mm += at_edge_mm * half_space_tail(r_mm / a_mm) *
-                       std::exp(-(r_mm - a_mm) / (0.6 * face.layer_mm));
+                       std::exp(-(r_mm - a_mm) / (kFadePart * face.layer_mm));
   }
   if (near < kLeastRingSamples || far < kLeastRingSamples) return std::nullopt;
   rings.near_mm /= near;
@@ -102,9 +105,9 @@ Halo measure_halo(const std::vector<const Press*>& presses,
   for (const double excess : excess_mm)
     squares += (excess - halo.excess_mm) * (excess - halo.excess_mm);
   halo.excess_sd_mm = std::sqrt(squares / (n - 1) / n);
-  halo.is_seen = halo.excess_mm > kLeastHaloMm &&
-                 halo.excess_mm > kSignificant * halo.excess_sd_mm &&
-                 halo.near_mm > kFallsOff * halo.far_mm;
+  halo.is_seen =
+      halo.excess_mm > kLeastHaloMm && halo.excess_mm > kSignificant * halo.excess_sd_mm &&
+      halo.far_mm < kFallsTo * halo.near_mm && halo.far_mm > kFallsNoFurther * halo.near_mm;
   return halo;
 }
 

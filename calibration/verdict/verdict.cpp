@@ -29,9 +29,10 @@ double square(double x) {
 /// the deepest over the contact's area.
 constexpr double kMeanDepth = 0.5;
 
-/// Nothing but balls of about one radius was pressed.
-bool is_one_body(const std::vector<double>& radii_mm) {
-  return radii_mm.empty() || radii_mm.back() < kOtherBody * radii_mm.front();
+/// Neither a depth nor a step was measured, which alone tell what light that scatters does to the
+/// scale: balls of two radii agree with each other all the same.
+bool is_scale_from_balls_alone(const std::vector<double>& radii_mm) {
+  return std::find(radii_mm.begin(), radii_mm.end(), 0.0) == radii_mm.end();
 }
 
 std::vector<ErrorPart> parts_of(const CalibrationEvidence& e) {
@@ -58,7 +59,8 @@ std::vector<ErrorPart> parts_of(const CalibrationEvidence& e) {
       {ErrorCause::kZone, shape * std::sqrt(leverage)},
       {ErrorCause::kHalo, e.halo_mm},
       {ErrorCause::kRadius, radius},
-      {ErrorCause::kBody, is_one_body(e.ball_radii_mm) ? kBodyShare * depth_mm : 0.0}};
+      {ErrorCause::kBody,
+       is_scale_from_balls_alone(e.ball_radii_mm) ? kBodyShare * depth_mm : 0.0}};
   if (!std::isfinite(pixel) || !std::isfinite(shape))
     parts.push_back({ErrorCause::kShape, std::numeric_limits<double>::infinity()});
   for (ErrorPart& part : parts)
@@ -84,10 +86,9 @@ Message largest_cause(ErrorCause cause) {
     case ErrorCause::kZone:
       return en::say("mostly parts of the face far from any press: press there");
     case ErrorCause::kHalo:
-      return en::say("mostly light that scatters sideways: bodies other than the ball read wrong");
+      return en::say("mostly depth read beside contacts, as light that scatters sideways gives");
     case ErrorCause::kBody:
-      return en::say(
-          "mostly bodies of other shape than the ball: press a ball of another radius too");
+      return en::say("mostly bodies of other shape than the ball: measure one press's depth");
     case ErrorCause::kRadius:
       break;
   }

@@ -16,8 +16,8 @@
 //   zone    shape * sqrt(leverage - 2 / p) of a line along the face: far from all presses
 //   halo    false depth beside contacts by light that scatters sideways (report/halo.h)
 //   body    kBodyShare * m' * deepest press, m' the mean depth of a ball's contact as a part of its
-//           deepest, where only balls of about one radius were pressed: light that scatters makes
-//           other bodies read otherwise, and no such press shows it
+//           deepest, where neither a depth nor a step was measured: light that scatters makes all
+//           depths too large and other bodies read otherwise, and balls agree with each other
 //   radius  relative change of depth for one of the radius * kRadiusSdMm / R * m' * deepest press
 // Measured in random campaigns on faces that were painted without the code that measures them
 // (tests/calibration/verdict).
@@ -61,8 +61,6 @@ inline constexpr double kRadiusSdMm = 0.01;
 /// scatters sideways unseen: 0.05 to 0.155 mm of about 1 mm between balls and punches on 17
 /// white-light sensors; the lower end, as most layers scatter less.
 inline constexpr double kBodyShare = 0.05;
-/// Balls whose radii differ by this factor tell bodies of different shape apart.
-inline constexpr double kOtherBody = 1.5;
 
 /// By what the 68.3 % bound of a spread grows when it is estimated with `freedom` degrees of
 /// freedom (Abramowitz and Stegun 26.7.5); that of 1 for less.
@@ -102,7 +100,7 @@ struct CalibrationEvidence {
   double halo_mm = 0;                        ///< 0: not significant
   double position_leverage = 0;              ///< see CalibrationBasis
   double depth_per_radius = 0;               ///< likewise
-  std::vector<double> ball_radii_mm;         ///< ascending; 0: a flat punch
+  std::vector<double> ball_radii_mm;         ///< ascending; 0: a step or a depth was measured
   double layer_mm = 0;
   double width_mm = 0;      ///< of a Fin Ray face; of a flat sensor's image where that is known
   int left_out = 0;         ///< presses that were given and failed

@@ -117,7 +117,8 @@ TEST(Calibrate, TellsHowTheSolutionSettlesAndThatChangesNothing) {
   EXPECT_EQ(rounds.front().number, 1);
   EXPECT_LT(rounds.back().change_mm, JointOptions{}.settled_mm);
   EXPECT_GT(rounds.front().change_mm, 1e3 * rounds.back().change_mm);
-  EXPECT_NEAR(rounds.back().residual_mm, heard->residual_mm, 1e-12);
+  // The rounds' balls meet the whole zone and the finer samples.
+  EXPECT_NEAR(rounds.back().residual_mm, heard->residual_mm, 0.2 * heard->residual_mm);
   EXPECT_EQ(heard->mapping.chebyshev, calibration_of(presses).mapping.chebyshev);
 }
 
