@@ -35,11 +35,11 @@ struct HeldOutPresses {
                                     const Job& job);
 
 /// Presses whose contacts lie closer together than the larger one's radius are at one position and
-/// are left out together: a repeat would tell what its likes should show. Where all are at one,
-/// each is left out alone. One error a press, fewer when the job was stopped. Errors are infinite
-/// where the others did not come to an increasing curve: a family that leaving one press out sends
-/// astray is not to be trusted with all of them either. `all`: the fit of all presses, to start
-/// from.
+/// are left out together: a repeat would tell what its likes should show. With fewer than three
+/// positions each press is left out alone. One error a press, fewer when the job was stopped.
+/// Errors are infinite where the others did not come to an increasing curve: a family that leaving
+/// one press out sends astray is not to be trusted with all of them either. `all`: the fit of all
+/// presses, to start from.
 [[nodiscard]] HeldOutPresses hold_out(const ChoiceInput& input,
                                       const JointFit& all,
                                       const JointOptions& options,
