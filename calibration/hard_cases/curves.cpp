@@ -76,10 +76,10 @@ HardRow high_degree() {
   return row;
 }
 
-/// A calibrated curve read where nobody calibrated it: 0 below zero, a straight line with its end
-/// slope above its domain, for as long as the layer is not used up.
+/// A calibrated curve read where nobody calibrated it: straight lines with the slopes at its ends,
+/// from a layer that has doubled to one that is used up.
 HardRow beyond_the_domain() {
-  HardRow row{"mapping at x from -1 to where it has used up a layer of 1.5 mm",
+  HardRow row{"mapping from a layer of 1.5 mm that has doubled to one that is used up",
               "the polynomial goes on",
               "mm",
               1e-12};
@@ -88,6 +88,8 @@ HardRow beyond_the_domain() {
   // d = x p(t) with t = 2 x / kEnd - 1, p(1) = sum c_k, p'(1) = sum k^2 c_k
   const double end_depth = kEnd * coefficients.sum();
   const double end_slope = coefficients.sum() + 2 * (coefficients[1] + 4 * coefficients[2]);
+  // p(-1) = sum (-1)^k c_k
+  const double start_slope = coefficients[0] - coefficients[1] + coefficients[2];
   MappingParameters p;
   p.x_max = kEnd;
   p.chebyshev = {coefficients[0], coefficients[1], coefficients[2]};
@@ -96,7 +98,8 @@ HardRow beyond_the_domain() {
     const double x = -1.0 + 0.001 * i;
     const double polynomial = x * exact::series(coefficients, 2 * x / kEnd - 1);
     const double straight = end_depth + end_slope * (x - kEnd);
-    const double truth = x <= 0 ? 0 : x <= kEnd ? polynomial : straight;
+    const double truth = x <= 0 ? start_slope * x : x <= kEnd ? polynomial : straight;
+    if (truth < -kLayer) continue;
     if (truth > kLayer) break;
     row.ask(wanted(truth, 1),
             number(polynomial),

@@ -60,8 +60,9 @@ bool read_ball(const std::string& value, PressNote& note) {
   const char parting = text.find(';') != std::string_view::npos ? ';' : ',';
   Eigen::Vector3d at;
   for (int i = 0; i < 3; ++i) {
-    const std::size_t end = i < 2 ? text.find(parting) : text.size();
-    if (end == std::string_view::npos) return false;
+    const std::size_t end = i < 2 ? text.find(parting) : std::min(text.find(parting), text.size());
+    const bool has_rest = end < text.size() && i == 2;
+    if (end == std::string_view::npos || has_rest) return false;
     const auto along = parse_typed_number(text.substr(0, end));
     if (!along || !(std::abs(*along) <= 1e4)) return false;
     at[i] = *along;

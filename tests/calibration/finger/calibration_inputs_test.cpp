@@ -81,7 +81,7 @@ TEST(CalibrationInputs, SpoiltValuesAreNamed) {
   };
   EXPECT_THAT(with("calibration/1", "calibration/2"), HasSubstr("'alltact-calibration/2' cannot"));
   EXPECT_THAT(with("3.975", "-3.975"), HasSubstr("ball_radius_mm"));
-  EXPECT_THAT(with("3.975", "3,975"), HasSubstr("must be a number"));
+  EXPECT_THAT(with("3.975", "3,975"), HasSubstr("can mean 3.975 or 3975"));
   EXPECT_THAT(with("6.25", "0"), HasSubstr("other_balls_mm"));
   EXPECT_THAT(with("6.25", "6.25, 3"), HasSubstr("2 entries for 1 presses"));
   EXPECT_THAT(with("other_balls: [press_0]", "other_balls: [press_7]"),
