@@ -12,7 +12,7 @@
 namespace alltact {
 namespace {
 
-constexpr double kPatchMm = 1.5;
+constexpr double kSuspectPatchMm = 1.5;
 constexpr double kSurroundingsMm = 12.0;
 constexpr float kLeastBrighter = 0.03F;  // about 0.1 mm of a usual layer
 constexpr float kSigmas = 8.0F;
@@ -62,7 +62,7 @@ std::optional<ReferenceSuspect> find_reference_suspect(const Difference& differe
   if (depths.empty()) return std::nullopt;
   const double mm_per_px = shape.camera().mm_per_px_at(upper_median(depths));
   const cv::Mat known = inner_face(difference.x, shape);
-  const cv::Mat patch = means(difference.x, known, odd(kPatchMm / mm_per_px));
+  const cv::Mat patch = means(difference.x, known, odd(kSuspectPatchMm / mm_per_px));
   const cv::Mat darker = patch - means(difference.x, known, odd(kSurroundingsMm / mm_per_px));
   std::vector<float> usual;
   for (int v = 0; v < darker.rows; v += 2)
