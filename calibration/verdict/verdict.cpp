@@ -283,6 +283,7 @@ CalibrationEvidence evidence_of(const Finger& finger) {
   evidence.depth_per_radius = basis.depth_per_radius;
   evidence.ball_radii_mm = basis.ball_radii_mm;
   evidence.layer_mm = basis.layer_mm;
+  if (!evidence.is_flat) evidence.width_mm = basis.width_mm;
   evidence.left_out = basis.left_out;
   evidence.is_complete = basis.is_complete;
   for (const RecordedContradiction& recorded : basis.contradictions)

@@ -255,6 +255,7 @@ TEST(Verdict, EveryChangedNumberIsNamed) {
     const Verdict worth = verdict(evidence_of(changed));
     EXPECT_EQ(worth.grade, Grade::kUnfit);
     EXPECT_THAT(worth.sentence.english(), HasSubstr(says));
+    EXPECT_THAT(worth.rests_on.english(), HasSubstr("layer 1.50 mm, face 24.00 mm wide"));
   }
 }
 
