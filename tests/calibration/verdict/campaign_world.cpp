@@ -160,12 +160,6 @@ std::string CampaignFaults::names() const {
   return all;
 }
 
-bool CampaignFaults::is_silent() const {
-  const double scale = radius_factor / scale_factor;
-  return (scale != 1 && std::abs(std::log(scale)) < 0.15) || layer_factor != 1 ||
-         (scale_factor != 1 && std::abs(std::log(scale_factor)) < 0.15);
-}
-
 CampaignWorld::CampaignWorld(std::uint64_t seed) : seed_(seed) {
   Random random(seed * 0x9E3779B97F4A7C15U + 1);
   draw_finger(random);

@@ -54,11 +54,10 @@ struct CampaignFaults {
 
   /// Words for a table, blank between them; empty: no fault.
   [[nodiscard]] std::string names() const;
-  /// A number typed wrongly that the images cannot contradict: all depths scale with it, and the
-  /// presses agree as well as with the truth. Ball radius and image scale wrong by up to 10 % are
-  /// such, and so is the layer's thickness, which is only the limit of depth.
-  [[nodiscard]] bool is_silent() const;
-  [[nodiscard]] bool any() const { return !names().empty(); }
+  /// Ball radius, image scale or layer are not what they are given as.
+  [[nodiscard]] bool is_typed_wrongly() const {
+    return radius_factor != 1 || layer_factor != 1 || scale_factor != 1;
+  }
 };
 
 /// A frame and the depth that it shows.
