@@ -13668,5 +13668,9 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>mostly bodies of other shape than the ball: measure one press&apos;s depth</source>
         <translation>vor allem bei Körpern anderer Form als der Kugel: die Tiefe eines Eindrucks messen</translation>
     </message>
+    <message>
+        <source>&apos;{}&apos; is not a whole number</source>
+        <translation>„{}“ ist keine ganze Zahl</translation>
+    </message>
 </context>
 </TS>

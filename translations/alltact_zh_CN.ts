@@ -13609,5 +13609,9 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>mostly bodies of other shape than the ball: measure one press&apos;s depth</source>
         <translation>主要来自与球形状不同的物体：请测量一次按压的深度</translation>
     </message>
+    <message>
+        <source>&apos;{}&apos; is not a whole number</source>
+        <translation>“{}”不是整数</translation>
+    </message>
 </context>
 </TS>
