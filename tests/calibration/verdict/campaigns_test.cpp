@@ -9,21 +9,21 @@
 //              the calibrated range or without depth is no claim and is not counted; a contact
 //              needs half of its pixels.
 //   broken     "good", and measured > 1.5 said
-//   refusal    not "good" where it would have held: no fault, six presses or more all over the
-//   face,
-//              and measured within the limit of "good"
+//   refusal    not "good" where it would have held: no fault, six presses or more all over
+//              the face, and measured within the limit of "good"
 //
 // Three kinds of campaigns are counted apart:
-//   local      brightness depends on the layer at its own pixel: broken and refused at most 5 %
-//   each scattered  a tenth or more of the light comes from beside. The mapping does not model
-//   that, and
-//              balls agree with each other although all depths are wrong by a tenth to a third;
-//              where the skin rises around them, too, not even the rings beside them show it. Of 17
-//              good ones 10 were broken (development seeds): printed, and not asserted until the
-//              mapping models scattered light.
+//
+//   local      brightness depends on the layer at its own pixel: broken and refused at most
+//              5 % each
+//
+//   scattered  a tenth or more of the light comes from beside. The mapping does not model it, and
+//              balls agree although all depths are wrong by a tenth to a third. Where the skin
+//              rises around them, not even the rings beside them show it. Of 13 good ones 7 were
+//              broken (development seeds): printed, not asserted until the mapping models it.
+//
 //   typed      ball radius, image scale or layer typed wrongly. Presses of balls agree with any
-//   scale
-//              of depth (GAUGE in calibrate.h): what they cannot contradict the sentence must name.
+//              scale of depth (GAUGE in calibrate.h): the sentence must name the number.
 //
 // Development seeds are 1 to 500. The statement is made on 501 to 1500, which are drawn for nothing
 // else. ALLTACT_CAMPAIGNS=FIRST-LAST runs others.
