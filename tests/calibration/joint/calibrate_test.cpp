@@ -117,8 +117,10 @@ TEST(Calibrate, TellsHowTheSolutionSettlesAndThatChangesNothing) {
   EXPECT_EQ(rounds.front().number, 1);
   EXPECT_LT(rounds.back().change_mm, JointOptions{}.settled_mm);
   EXPECT_GT(rounds.front().change_mm, 1e3 * rounds.back().change_mm);
-  // The rounds' balls meet the whole zone and the finer samples.
-  EXPECT_NEAR(rounds.back().residual_mm, heard->residual_mm, 0.2 * heard->residual_mm);
+  EXPECT_NEAR(rounds.back().residual_mm, rounds[rounds.size() - 2].residual_mm, 1e-6);
+  // Rounds read smaller blocks, which hold more noise than those of presses left out.
+  EXPECT_GT(rounds.back().residual_mm, heard->residual_mm);
+  EXPECT_LT(rounds.back().residual_mm, 2 * heard->residual_mm);
   EXPECT_EQ(heard->mapping.chebyshev, calibration_of(presses).mapping.chebyshev);
 }
 
