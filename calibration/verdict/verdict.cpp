@@ -57,7 +57,7 @@ std::vector<ErrorPart> parts_of(const CalibrationEvidence& e) {
       shape >= pixel ? ErrorPart{ErrorCause::kShape, shape} : ErrorPart{ErrorCause::kPixel, pixel},
       {ErrorCause::kScale, is_bounded ? depth_mm : scale},
       {ErrorCause::kZone, shape * std::sqrt(leverage)},
-      {ErrorCause::kHalo, e.halo_mm},
+      {ErrorCause::kHalo, kHaloWeight * e.halo_mm},
       {ErrorCause::kRadius, radius},
       {ErrorCause::kBody,
        is_scale_from_balls_alone(e.ball_radii_mm) ? kBodyShare * depth_mm : 0.0}};

@@ -14,7 +14,8 @@
 //   scale   t(p - 1) * m * sd of the whole mapping over its domain, at most m' * deepest press:
 //           balls take it up, so that no press left out shows it
 //   zone    shape * sqrt(leverage - 2 / p) of a line along the face: far from all presses
-//   halo    false depth beside contacts by light that scatters sideways (report/halo.h)
+//   halo    kHaloWeight * depth read beside contacts (report/halo.h): light that scatters sideways
+//           or skin that leaves the ball early, which no press tells apart; only light is an error
 //   body    kBodyShare * m' * deepest press, m' the mean depth of a ball's contact as a part of its
 //           deepest, where neither a depth nor a step was measured: light that scatters makes all
 //           depths too large and other bodies read otherwise, and balls agree with each other
@@ -61,6 +62,8 @@ inline constexpr double kRadiusSdMm = 0.01;
 /// scatters sideways unseen: 0.05 to 0.155 mm of about 1 mm between balls and punches on 17
 /// white-light sensors; the lower end, as most layers scatter less.
 inline constexpr double kBodyShare = 0.05;
+/// Of two causes that are as likely, one makes an error: half of the variance.
+inline constexpr double kHaloWeight = 0.7071067811865476;
 
 /// By what the 68.3 % bound of a spread grows when it is estimated with `freedom` degrees of
 /// freedom (Abramowitz and Stegun 26.7.5); that of 1 for less.

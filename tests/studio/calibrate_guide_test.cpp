@@ -74,13 +74,13 @@ TEST(CalibrateGuide, DraggingShowsAtOnceWhatTheBallsPlaceMeans) {
   ASSERT_TRUE(wait_for_forecast(rig));
   auto* list = rig.studio().find<QListView>("Presses");
   list->setCurrentIndex(list->model()->index(0, 0));
-  const std::string before = label_text(rig.studio(), "Error of this press");
-  EXPECT_THAT(before, HasSubstr("This press:"));
+  const std::string before = label_text(rig.studio(), "Mapping minus ball in this press");
+  EXPECT_THAT(before, HasSubstr("ball here:"));
   EXPECT_THAT(before, testing::Not(HasSubstr("as the calibration puts it")));
   auto* editor = rig.studio().find<OutlineEditor>("Picture with the ball's outline");
   editor->setFocus();
   for (int i = 0; i < 5; ++i) QTest::keyClick(editor, Qt::Key_Right, Qt::ShiftModifier);
-  const std::string after = label_text(rig.studio(), "Error of this press");
+  const std::string after = label_text(rig.studio(), "Mapping minus ball in this press");
   EXPECT_THAT(after, HasSubstr("as the calibration puts it"));
   EXPECT_NE(before, after);
 }

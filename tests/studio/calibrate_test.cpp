@@ -326,7 +326,11 @@ TEST(Calibrate, ShowsHowTheSolutionSettlesWhileItRuns) {
   EXPECT_TRUE(plot->accessibleDescription().contains(QStringLiteral("mm are left")));
   EXPECT_FALSE(plot->isVisible());
   const auto rounds = rig.run().rounds();
-  EXPECT_NEAR(rounds.back().residual_mm, rig.run().result()->calibration.residual_mm, 1e-9);
+  // The result's residual is of balls fitted anew to the part that surely touches.
+  const double residual_mm = rig.run().result()->calibration.residual_mm;
+  EXPECT_GT(rounds.back().residual_mm, 0.5 * residual_mm);
+  EXPECT_LT(rounds.back().residual_mm, 2.0 * residual_mm);
+  EXPECT_NEAR(rounds.back().residual_mm, rounds[rounds.size() - 2].residual_mm, 1e-6);
   EXPECT_LT(rounds.back().change_mm, 1e-7);
 }
 

@@ -86,7 +86,8 @@ TEST(SecondDayStart, ListsAllFingersOfTheLabTheMostUrgentFirst) {
   // The described finger was never opened here; it lies beside the calibrated one.
   ASSERT_TRUE(wait_until([&] { return list->cards().size() == 2; }));
   EXPECT_EQ(list->cards().front().folder, MadeFingers::get().calibrated());
-  EXPECT_EQ(list->cards().front().due, FingerDue::kFirstCheck);
+  // Its mapping was written without a date: nothing shows that it is newer than the reference.
+  EXPECT_EQ(list->cards().front().due, FingerDue::kRepeat);
   EXPECT_EQ(list->cards().back().due, FingerDue::kRecording);
   auto* rows = list->findChild<QTreeWidget*>();
   rows->setCurrentItem(rows->topLevelItem(1));

@@ -149,7 +149,7 @@ TEST(Verdict, TheErrorIsTheRootOfTheSquaresOfItsCauses) {
   const double depth = 0.9 / 2, radius = 1.2 * 0.01 / 4 * depth, body = 0.05 * depth;
   const Verdict worth = verdict(evidence);
   EXPECT_NEAR(worth.error_mm,
-              std::sqrt(shape * shape + scale * scale + 4 * shape * shape + 0.01 * 0.01 +
+              std::sqrt(shape * shape + scale * scale + 4 * shape * shape + 0.01 * 0.01 / 2 +
                         body * body + radius * radius),
               1e-12);
   ASSERT_EQ(worth.parts.size(), 6U);
