@@ -149,9 +149,10 @@ TEST(Region, IsReadAsItIsWritten) {
   const auto& region = setting_named("region");
   for (const char* text : {"all", "0-20", "20-60", "12.5-13.75"})
     EXPECT_EQ(region.get(with("region", text)), text);
+  EXPECT_EQ(region.get(with("region", "20-60mm")), "20-60");
   PipelineSettings settings;
   for (const char* text :
-       {"", "middle", "20", "60-20", "20-20", "-5-20", "20-", "-", "20-60mm", "20-2000", "nan-5"})
+       {"", "middle", "20", "60-20", "20-20", "-5-20", "20-", "-", "20-60cm", "20-2000", "nan-5"})
     EXPECT_FALSE(region.set(settings, text).ok()) << text;
 }
 

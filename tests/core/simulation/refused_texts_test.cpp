@@ -14,7 +14,8 @@ TEST(RefusedScene, WhatIsNoNumberOrOutOfRange) {
        "10: read.sd: must be a number above 0 and up to 100, not '1.5mm'. Try: a number such as "
        "24.0, with a point and without a unit."},
       {effects({"use: read, sd: 1,5"}),
-       "10: read.5: unknown key '5'. Try: one of use, from, until, sd."},
+       "10: effects[0].sd: a comma parts the entries here, and '5' is none. Try: a number such as "
+       "24.0, with a point and without a unit."},
       {effects({"use: read, sd: 1 5"}),
        "10: read.sd: must be a number above 0 and up to 100, not '1 5'. Try: a number such as "
        "24.0, with a point and without a unit."},
@@ -46,10 +47,11 @@ TEST(RefusedScene, WhatIsNoNumberOrOutOfRange) {
        "10: read.sd: must be a number above 0 and up to 100, not '0b1'. Try: a number such as "
        "24.0, with a point and without a unit."},
       {effects({"use: read, sd: 1_000"}),
-       "10: read.sd: must be a number above 0 and up to 100, not '1_000'. Try: a number such as "
+       "10: read.sd: '1_000' holds a mark between thousands: write 1000. Try: a number such as "
        "24.0, with a point and without a unit."},
       {effects({"use: read, sd: +-1"}),
-       "10: read.sd: must be a number above 0 and up to 100, not '+-1'."},
+       "10: read.sd: must be a number above 0 and up to 100, not '+-1'. Try: a number such as "
+       "24.0, with a point and without a unit."},
       {effects({"use: read, sd: ++1"}),
        "10: read.sd: must be a number above 0 and up to 100, not '++1'. Try: a number such as "
        "24.0, with a point and without a unit."},
