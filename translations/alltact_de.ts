@@ -9537,12 +9537,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Bilder {} bis {}: Etwas drückte auf die Kontaktfläche, {} mm von ihrem Fuß (bis zu {} % dunkler als unberührt)</translation>
     </message>
     <message>
-        <source>something presses on the contact face in {} of {} frames</source>
-        <translation>in {} von {} Bildern drückt etwas auf die Kontaktfläche</translation>
-    </message>
-    <message>
-        <source>record again with nothing on the contact face</source>
-        <translation>noch einmal aufnehmen, ohne dass etwas die Kontaktfläche berührt</translation>
+        <source>In {} of {} frames the face is darker than in the others: something pressed on it most of the time, or most poses were shown once. All frames stay in; if anything touched the face, record again, and show each pose several times</source>
+        <translation>In {} von {} Bildern ist die Fläche dunkler als in den übrigen: Meistens drückte etwas darauf, oder die meisten Stellungen wurden nur einmal gezeigt. Alle Bilder bleiben; falls etwas die Fläche berührte, neu aufnehmen und jede Stellung mehrmals zeigen</translation>
     </message>
     <message>
         <source>only {} frames are left of those that are to be used</source>

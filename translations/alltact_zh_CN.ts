@@ -9494,12 +9494,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>第 {} 至 {} 帧：有物体按压接触面，距根部 {} mm（比未接触时最多暗 {} %）</translation>
     </message>
     <message>
-        <source>something presses on the contact face in {} of {} frames</source>
-        <translation>{} 帧（共 {} 帧）中有物体按压接触面</translation>
-    </message>
-    <message>
-        <source>record again with nothing on the contact face</source>
-        <translation>请重新录制，接触面上不要有任何物体</translation>
+        <source>In {} of {} frames the face is darker than in the others: something pressed on it most of the time, or most poses were shown once. All frames stay in; if anything touched the face, record again, and show each pose several times</source>
+        <translation>{}/{} 帧中，表面比其余帧更暗：要么大部分时间有物体按压，要么大多数姿态只出现过一次。所有帧都保留；如果有物体碰到表面，请重新录制，并让每个姿态出现多次</translation>
     </message>
     <message>
         <source>only {} frames are left of those that are to be used</source>

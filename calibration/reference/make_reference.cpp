@@ -281,6 +281,27 @@ void leave_out_touched(const JudgedFrames& judged,
   }
 }
 
+// Most frames are darker than the rest. Poses that were shown once look the same as something that
+// pressed most of the time, so that no frame may be left out for it.
+void leave_all_in(const JudgedFrames& judged,
+                  std::vector<std::size_t>& kept,
+                  ReferenceReport& report) {
+  report.warnings.push_back(
+      en::say("In {} of {} frames the face is darker than in the others: something pressed on it "
+              "most of the time, or most poses were shown once. All frames stay in; if anything "
+              "touched the face, record again, and show each pose several times",
+              report.touched,
+              judged.numbers.size()));
+  kept = judged.numbers;
+  report.doubtful += report.touched;
+  report.touched = 0;
+  for (ReferenceStretch& stretch : report.stretches) {
+    std::erase(report.rejected, stretch.sentence);
+    stretch.is_doubtful = stretch.is_kept = true;
+    stretch.sentence = sentence_of(stretch);
+  }
+}
+
 // Finds what pressed while the recording was made, takes it out, and says what the rest is worth.
 Status study(const fs::path& file,
              const RecordingPass& pass,
@@ -299,13 +320,8 @@ Status study(const fs::path& file,
   spread_to_uncompared(*judged);
   leave_out_touched(*judged, choices, kept, made.report);
   ReferenceReport& report = made.report;
-  if (report.touched > kMostTouchedFrames * static_cast<double>(judged->numbers.size()) &&
-      choices.keep.empty())
-    return Error{en::say("something presses on the contact face in {} of {} frames",
-                         report.touched,
-                         judged->numbers.size()),
-                 en::say("recording"),
-                 en::say("record again with nothing on the contact face")};
+  if (report.touched > kMostTouchedFrames * static_cast<double>(judged->numbers.size()))
+    leave_all_in(*judged, kept, report);
   if (kept.size() < 2) return {};
   const MarkerTable table = table_in_video(pass, made, kept);
   const FrameOfRecording frame = [&](std::size_t number) { return video.frame(number); };

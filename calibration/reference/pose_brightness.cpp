@@ -18,7 +18,7 @@ constexpr Eigen::Index kLinear = 5, kSquare = 4;  // modes: touch_search_test's 
 constexpr Eigen::Index kFramesPerTerm = 6;
 constexpr double kRidge = 1e-6;       // of each frame: keeps equations solvable
 constexpr double kLeastSd = 0.001;    // of a patch; quantisation alone leaves more
-constexpr double kDarkWeight = 0.12;  // of frames below the envelope, in asymmetric least squares
+constexpr double kDarkWeight = 0.05;  // of frames below the envelope, in asymmetric least squares
 constexpr double kDarkSds = 5.0;      // from there on a darker frame counts nothing
 constexpr double kBrightSds = 3.0;    // from there on a brighter one counts less
 constexpr double kShown = 0.9;        // fraction of the frames that must show a patch

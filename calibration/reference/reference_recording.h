@@ -66,7 +66,8 @@ struct FrameRange {
   [[nodiscard]] bool holds(int frame) const { return first <= frame && frame <= last; }
 };
 
-/// A recording in more of whose frames than this fraction something presses is refused.
+/// Where something seems to press in more of the frames than this fraction, none is left out for it
+/// and a warning says so: poses that were shown once look the same.
 inline constexpr double kMostTouchedFrames = 0.6;
 
 /// What a recording is installed with.

@@ -13,6 +13,7 @@ namespace {
 
 // Beside the face's edges a shift of a tenth of a pixel shows as a change of brightness.
 constexpr double kRimPx = 1.5, kRimMm = 1.0;
+constexpr double kEndMm = 4.0;      // from either end of what a frame shows: light ends there
 constexpr float kLeastPixels = 2;   // of a patch
 constexpr float kMostHidden = 0.1;  // fraction of a patch that a frame need not show
 
@@ -39,6 +40,22 @@ std::vector<std::int32_t> patch_of_pixels(const FaceGrid& grid, SkinPatches& pat
       patch[run.before + static_cast<std::uint32_t>(u - run.first)] = i * patches.across + j;
     }
   return patch;
+}
+
+/// The part of the face, mm from its base, that a frame shows well within its ends.
+struct Shown {
+  double from_mm, to_mm;
+};
+Shown shown_of(const FaceGrid& grid, const FacePicture& face) {
+  const FaceChart& chart = grid.chart;
+  if (face.first >= face.end) return {1.0, 0.0};
+  const auto [least, greatest] = std::minmax_element(chart.along_mm.begin(), chart.along_mm.end());
+  const auto length_at = [&, low = *least, high = *greatest](int column) {
+    const double along_mm = chart.along_mm[static_cast<std::size_t>(column)];
+    return chart.base_at_low_u ? along_mm - low : high - along_mm;
+  };
+  const auto [from_mm, to_mm] = std::minmax({length_at(face.first), length_at(face.end - 1)});
+  return {from_mm + kEndMm, to_mm - kEndMm};
 }
 
 }  // namespace
@@ -73,7 +90,10 @@ SkinPatches skin_patches(const FaceGrid& grid,
           sum[static_cast<std::size_t>(p)] += face.grey[pixel];
           ++seen[static_cast<std::size_t>(p)];
         }
+      const Shown whole = shown_of(grid, face);
       for (std::size_t p = 0; p < count; ++p) {
+        const double s_mm = patches.s_mm(static_cast<int>(p));
+        if (s_mm < whole.from_mm || s_mm > whole.to_mm) continue;
         const float pixels = patches.pixels[p];
         const auto shown = static_cast<float>(seen[p]);
         if (pixels < kLeastPixels || shown < (1 - kMostHidden) * pixels) continue;

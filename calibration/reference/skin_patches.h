@@ -19,8 +19,8 @@ struct SkinPatches {
   double along_mm = 1, across_mm = 1;  ///< size of a patch
   double width_mm = 0;                 ///< of the face
   std::vector<float> pixels;           ///< of the grid, by patch
-  /// Natural logarithm of the mean grey level; NaN where a frame does not show the whole patch, or
-  /// it is too dark or clipped.
+  /// Natural logarithm of the mean grey level; NaN where a frame does not show the whole patch and
+  /// 4 mm of skin beyond it towards both ends, or it is too dark or clipped.
   PatchValues log_level;
 
   [[nodiscard]] int count() const { return along * across; }

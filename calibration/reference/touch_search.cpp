@@ -21,9 +21,9 @@ constexpr float kSigmas = 7.0F;  // of a single frame's window; one more with ea
 constexpr float kTail = 1.25F;   // times the brightest value: how far the fit itself is off
 constexpr float kOwn = 2.5F;     // sigmas that a frame must show itself, whatever its neighbours do
 constexpr float kOwnPart = 0.7F;  // of the mean over time that it must show itself
-constexpr double kMostLeverage = 6.0;
+constexpr double kMostLeverage = 1.5;
 constexpr float kDoubtful = 0.85F;  // strength
-constexpr int kLeastFrames = 24;    // of fewer, none can be compared
+constexpr int kLeastFrames = 64;    // ten for each term of the simplest fit that holds twists
 constexpr int kRounds = 6;
 constexpr float kStrongest =
     0.3F;  // of the strongest: weaker ones wait until that has left the fit
@@ -175,6 +175,29 @@ struct ScaleValues {
   Usual usual_now, usual_short;
 };
 
+/// By frame: those nearest in pose at other times.
+using NearPoses = std::vector<std::vector<Eigen::Index>>;
+
+NearPoses near_poses(const Eigen::MatrixXd& modes, const std::vector<int>& numbers, int gap) {
+  constexpr std::size_t kNear = 12;
+  NearPoses near(numbers.size());
+  over_parts(static_cast<int>(numbers.size()), all_cores(), [&](int first, int last) {
+    std::vector<std::pair<double, Eigen::Index>> others;
+    for (int i = first; i < last; ++i) {
+      const auto frame = static_cast<std::size_t>(i);
+      others.clear();
+      for (Eigen::Index j = 0; j < modes.rows(); ++j)
+        if (std::abs(numbers[static_cast<std::size_t>(j)] - numbers[frame]) > gap)
+          others.emplace_back((modes.row(j) - modes.row(i)).squaredNorm(), j);
+      const std::size_t count = std::min(kNear, others.size());
+      std::partial_sort(
+          others.begin(), others.begin() + static_cast<std::ptrdiff_t>(count), others.end());
+      for (std::size_t k = 0; k < count; ++k) near[frame].push_back(others[k].second);
+    }
+  });
+  return near;
+}
+
 class Evidence {
  public:
   Evidence(const SkinPatches& patches,
@@ -203,6 +226,25 @@ class Evidence {
     }
   }
   [[nodiscard]] const std::vector<Seed>& seeds() const { return seeds_; }
+
+  /// The skin is as dark there in nearly all frames of near pose at other times: the fit does not
+  /// hold in this pose, which accuses no frame.
+  [[nodiscard]] bool is_of_the_pose(std::size_t frame, const NearPoses& near) const {
+    constexpr std::size_t kMostBrighter = 2;  // of twelve
+    constexpr float kAsDark = 0.5F;
+    const Seed& seed = seeds_[frame];
+    if (seed.patch < 0) return false;
+    const ScaleValues& values = scales_[static_cast<std::size_t>(seed.scale)];
+    const float middle = values.usual_now.middle[static_cast<std::size_t>(seed.patch)];
+    std::size_t compared = 0, brighter = 0;
+    for (const Eigen::Index other : near[frame]) {
+      const float darker = middle - values.now(other, seed.patch);
+      if (!std::isfinite(darker)) continue;
+      ++compared;
+      brighter += darker < kAsDark * seed.darker;
+    }
+    return compared > 2 * kMostBrighter && brighter <= kMostBrighter;
+  }
 
   /// Frames that belong to the same touch: neighbours in time in which the seed's window, or the
   /// smallest one at its darkest place, is darker than noise.
@@ -347,6 +389,8 @@ class Search {
         motion_off_px_(motion_off_px),
         terms_(pose_terms_of(modes)),
         count_(static_cast<std::size_t>(patches.frames())),
+        gap_(static_cast<int>(std::max(kLeastGap, count_ / kGapPart))),
+        near_(near_poses(modes, numbers, gap_)),
         touched_(count_, 0),
         judged_(count_, 0) {}
 
@@ -365,6 +409,8 @@ class Search {
   }
 
  private:
+  static constexpr std::size_t kGapPart = 12, kLeastGap = 3;
+
   /// Clear touches leave the fit, the strongest first; what else looks dark does not take part in
   /// the first exact fit, which decides about it.
   void remove_gross(PoseBrightness& fit, std::vector<char>& without) const {
@@ -381,20 +427,31 @@ class Search {
       const float most = strongest(evidence, without);
       if (most < 1) break;
       for (std::size_t i = 0; i < count_; ++i)
-        if (evidence.seeds()[i].strength > std::max(1.0F, kStrongest * most)) without[i] = 1;
+        if (evidence.seeds()[i].strength > std::max(1.0F, kStrongest * most) &&
+            !evidence.is_of_the_pose(i, near_))
+          without[i] = 1;
+    }
+    // More than half of the frames darker than the rest: the fit does not hold over these poses.
+    if (2 * count_of(without) > count_) {
+      std::fill(without.begin(), without.end(), 0);
+      fit.fit(without);
+      fit.fit_light();
+      fit.fit(without);
+      return;
     }
     const Evidence evidence(coarse_, fit.residuals(), fit.sd(), without, even, all, suspect);
     std::vector<char> suspects = without;
     for (std::size_t i = 0; i < count_; ++i)
-      if (evidence.seeds()[i].strength > 1) suspects[i] = 1;
+      if (evidence.seeds()[i].strength > 1 && !evidence.is_of_the_pose(i, near_)) suspects[i] = 1;
     // They may be so many only because the pose is told badly.
     if (count_of(suspects) < count_ - std::max<std::size_t>(kLeastFrames, count_ / 4))
       without = suspects;
   }
-  static float strongest(const Evidence& evidence, const std::vector<char>& without) {
+  [[nodiscard]] float strongest(const Evidence& evidence, const std::vector<char>& without) const {
     float most = 0;
     for (std::size_t i = 0; i < without.size(); ++i)
-      if (!without[i]) most = std::max(most, evidence.seeds()[i].strength);
+      if (!without[i] && !evidence.is_of_the_pose(i, near_))
+        most = std::max(most, evidence.seeds()[i].strength);
     return most;
   }
   void fit_without(PoseBrightness& fine, const std::vector<char>& without) const {
@@ -406,10 +463,8 @@ class Search {
   /// Compares every frame with the fit over the others at other times; a frame whose pose those do
   /// not tell, with one over all that were compared, also shortly before and after it.
   void judge(PoseBrightness& fine, const std::vector<char>& without) {
-    constexpr std::size_t kGapPart = 12, kLeastGap = 3;
-    const auto gap = static_cast<int>(std::max(kLeastGap, count_ / kGapPart));
     fit_without(fine, without);
-    DeletedResiduals left = deleted_residuals(fine.residuals(), terms_, without, numbers_, gap);
+    DeletedResiduals left = deleted_residuals(fine.residuals(), terms_, without, numbers_, gap_);
     std::vector<char> out = without;
     for (std::size_t i = 0; i < count_; ++i) {
       judged_[i] = left.leverage[static_cast<Eigen::Index>(i)] < kMostLeverage;
@@ -439,7 +494,8 @@ class Search {
     for (std::size_t i = 0; i < count_; ++i) {
       const bool waits =
           !without[i] && most > 1.0F / kStrongest && seeds_[i].strength < kStrongest * most;
-      if (seeds_[i].strength >= 1 && !waits) evidence.grow(i, touched_);
+      is_of_the_pose_[i] = evidence.is_of_the_pose(i, near_);
+      if (seeds_[i].strength >= 1 && !waits && !is_of_the_pose_[i]) evidence.grow(i, touched_);
     }
   }
 
@@ -456,6 +512,7 @@ class Search {
       frame.motion_sd = motion_sds_[static_cast<Eigen::Index>(i)];
       frame.touch = touched_[i]                  ? FrameTouch::kTouched
                     : !judged_[i]                ? FrameTouch::kUncompared
+                    : is_of_the_pose_[i]         ? FrameTouch::kClean
                     : seed.strength >= kDoubtful ? FrameTouch::kDoubtful
                                                  : FrameTouch::kClean;
     }
@@ -468,7 +525,9 @@ class Search {
   const Eigen::VectorXd& motion_off_px_;
   Eigen::MatrixXd terms_;
   std::size_t count_;
-  std::vector<char> touched_, judged_;
+  int gap_;
+  NearPoses near_;
+  std::vector<char> touched_, judged_, is_of_the_pose_ = std::vector<char>(count_, 0);
   std::vector<Seed> seeds_;
   Eigen::VectorXd motion_sds_;
 };

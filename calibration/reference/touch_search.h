@@ -51,7 +51,7 @@ struct TouchSearch {
 /// Of frames in order, those that are not clean.
 [[nodiscard]] std::vector<TouchStretch> stretches_of(const std::vector<FrameEvidence>& frames);
 
-/// Fewer than 24 frames are not compared. Motion is a witness that makes darkening count more, and
+/// Fewer than 64 frames are not compared. Motion is a witness that makes darkening count more, and
 /// accuses no frame alone: a finger bent by hand moves in many ways.
 /// modes: a row a frame, px, the most varied first. motion_off_px: by frame, root mean square
 /// distance of its markers to the modes; may be empty. numbers: of the frames in the recording,
