@@ -130,7 +130,8 @@ TEST_P(Numbers, InEveryFieldMeanWhatAPersonMeansOrAreRefused) {
   options.finger = MadeFingers::get().calibrated();
   options.source = {MadeFingers::get().touched()};
   Studio studio(options);
-  dresser_.wear({Theme::kLight, QLatin1String(GetParam())});
+  for (const char* language : {"en", GetParam()})  // anew, whatever the window has set
+    dresser_.wear({Theme::kLight, QLatin1String(language)});
   ASSERT_TRUE(studio.wait_for_picture());
   for (const char* place : {"calibrate", "record", "inspect", "accuracy", "live"})
     studio.window().go_to(place);

@@ -43,7 +43,9 @@ QString unit_of(const CameraControl& control) {
 class TenthsBox : public WholeNumberField {
  protected:
   [[nodiscard]] QString written(int value, bool /*is_exact*/) const override {
-    return locale().toString(0.1 * value, 'f', 1);
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);  // as it may be typed
+    return locale.toString(0.1 * value, 'f', 1);
   }
   [[nodiscard]] Result<int> parsed(const QString& text) const override {
     const auto value = parse_typed_number(
