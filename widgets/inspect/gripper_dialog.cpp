@@ -14,7 +14,10 @@ NumberField* field(double most, int decimals) {
 }
 
 Eigen::Vector3d values(const std::array<NumberField*, 3>& fields) {
-  return {fields[0]->value(), fields[1]->value(), fields[2]->value()};
+  Eigen::Vector3d numbers;  // as they stand there, finished or not
+  for (std::size_t i = 0; i < 3; ++i)
+    numbers[static_cast<Eigen::Index>(i)] = fields[i]->typed().value_or(fields[i]->value());
+  return numbers;
 }
 
 void fill(const std::array<NumberField*, 3>& fields, const Eigen::Vector3d& values) {

@@ -72,8 +72,7 @@ void ReportPages::add_causes() {
   if (rows.empty()) return;
   if (std::isfinite(done_.verdict.error_mm))
     rows.push_back({{text("all together"), {}, 0}, {mm(done_.verdict.error_mm), {}, 0}});
-  document_.table(
-      {text("Cause of error"), text("Mean depth error (mm)")}, rows, {false, true});
+  document_.table({text("Cause of error"), text("Mean depth error (mm)")}, rows, {false, true});
 }
 
 void ReportPages::add_zones() {

@@ -80,7 +80,7 @@ TEST(CalibrationPages, SayWhatALabBookNeeds) {
                             "Wrong radius of the ball"})
     EXPECT_THAT(html, HasSubstr(words));
   // The verdict before everything else.
-  EXPECT_LT(html.find("xpected error 0."), html.find("What it was made with"));
+  EXPECT_LT(html.find("Good, ±0."), html.find("What it was made with"));
 }
 
 TEST(CalibrationPages, ShowMeasuredDepthsAndStepsBesideTheirPresses) {
