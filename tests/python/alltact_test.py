@@ -295,7 +295,7 @@ class Calibrating(unittest.TestCase):
         told = []
         done = alltact.calibrate(self.folder, fingers.flat_presses(), fingers.BALL_MM, reference=fingers.flat_reference(),
                                  date="2026-01-31T12:00:00Z", operator="Ada", progress=lambda done, what: told.append(done))
-        self.assertIn(done.grade, ("good", "usable"))
+        self.assertEqual(done.grade, "unproven")  # all presses lie in few places
         self.assertLess(done.expected_error_mm, 0.15)
         self.assertEqual([press["name"] for press in done.presses], [file.stem for file in fingers.flat_presses()])
         self.assertTrue(all(0 <= fraction <= 1 for fraction in told))
