@@ -97,8 +97,7 @@ inline constexpr const char* kReferenceProblem = "reference.problem.png";
 ///
 /// Where markers are missing or the recording is refused, reference.problem.png in the folder shows
 /// what was found (problem_picture.h); it is removed by a recording without such a problem.
-/// Errors: fewer than 2 frames, wrong size, no face, a frame at rest that cannot be used, more
-/// touched frames than kMostTouchedFrames.
+/// Errors: fewer than 2 frames, wrong size, no face, a frame at rest that cannot be used.
 [[nodiscard]] Result<ReferenceReport> install_reference(Source& source,
                                                         const std::filesystem::path& folder,
                                                         Finger& finger,
