@@ -4099,6 +4099,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Bilder ankreuzen, die unberührt waren, und neu installieren.</translation>
     </message>
     <message>
+        <source>It was cleaned, painted or replaced: the last reference then does not tell what pressed on it.</source>
+        <translation>Sie wurde gereinigt, gestrichen oder ersetzt: Dann sagt die letzte Referenz nicht, was auf sie drückte.</translation>
+    </message>
+    <message>
+        <source>The &amp;skin was changed since the last reference</source>
+        <translation>Die &amp;Haut wurde seit der letzten Referenz verändert</translation>
+    </message>
+    <message>
         <source>The markers have to be seen to tell how it bends.</source>
         <translation>Um die Biegung zu erkennen, müssen die Marken zu sehen sein.</translation>
     </message>
@@ -9553,6 +9561,18 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>die Fläche ist um {} % heller als ihre Referenz, {} mm von ihrem Fuß: Bei der Aufnahme der Referenz drückte dort etwas, nahe ihrem Bild {}; die Referenz neu aufnehmen</translation>
     </message>
     <message>
+        <source>record again with nothing on the contact face, or say that its skin was changed since</source>
+        <translation>noch einmal aufnehmen, ohne dass etwas die Kontaktfläche berührt, oder angeben, dass ihre Haut seitdem verändert wurde</translation>
+    </message>
+    <message>
+        <source>something pressed on the contact face {:.0f} mm from its base in {} of {} frames: it is {:.0f} % darker there than in the reference from before</source>
+        <translation>auf die Kontaktfläche drückte {} mm von ihrem Fuß etwas in {} von {} Bildern: Sie ist dort {} % dunkler als in der Referenz von vorher</translation>
+    </message>
+    <message>
+        <source>in {} of {} presses the face is brighter than its reference {:.0f} mm along it: something pressed there when the reference was recorded; record it again, then calibrate again</source>
+        <translation>in {} von {} Eindrücken ist die Fläche {} mm von ihrem Anfang heller als ihre Referenz: Dort drückte etwas, als die Referenz aufgenommen wurde; neu aufnehmen, dann neu kalibrieren</translation>
+    </message>
+    <message>
         <source>{} frames show poses that no other frame shows at another time; whether something pressed on the contact face in them is not known</source>
         <translation>{} Bilder zeigen Haltungen, die kein anderes Bild zu anderer Zeit zeigt; ob in ihnen etwas auf die Kontaktfläche drückte, ist nicht bekannt</translation>
     </message>
@@ -13487,14 +13507,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>the face is given {:.2f} mm wide, but camera and presses show {}: check the width and the lens</source>
         <translation>die Fläche ist mit {} mm Breite angegeben, Kamera und Eindrücke zeigen aber {}: Breite und Objektiv prüfen</translation>
-    </message>
-    <message numerus="yes">
-        <source>{0} of {1} presses contradict the reference: something touched the face while it was recorded; record it again</source>
-        <comment>{0} of {1} presses contradicts the reference: something touched the face while it was recorded; record it again</comment>
-        <translation>
-            <numerusform>{0} von {1} Eindrücken widerspricht der Referenz: bei ihrer Aufnahme berührte etwas die Fläche; neu aufnehmen</numerusform>
-            <numerusform>{0} von {1} Eindrücken widersprechen der Referenz: bei ihrer Aufnahme berührte etwas die Fläche; neu aufnehmen</numerusform>
-        </translation>
     </message>
     <message>
         <source>mostly the curve&apos;s shape: add presses of different depth and position</source>

@@ -481,14 +481,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>{0} of {1} presses contradict the reference: something touched the face while it was recorded; record it again</source>
-        <comment>{0} of {1} presses contradicts the reference: something touched the face while it was recorded; record it again</comment>
-        <translation>
-            <numerusform>{0} of {1} presses contradicts the reference: something touched the face while it was recorded; record it again</numerusform>
-            <numerusform>{0} of {1} presses contradict the reference: something touched the face while it was recorded; record it again</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>all presses are at {0} positions, {1} are needed; press at others</source>
         <comment>all presses are at {0} position, {1} are needed; press at others</comment>
         <translation>

@@ -4077,6 +4077,14 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>勾选实际未接触的帧，然后重新安装。</translation>
     </message>
     <message>
+        <source>It was cleaned, painted or replaced: the last reference then does not tell what pressed on it.</source>
+        <translation>表皮经过清洁、涂漆或更换：上次的参考便无法说明有什么按压过它。</translation>
+    </message>
+    <message>
+        <source>The &amp;skin was changed since the last reference</source>
+        <translation>自上次参考以来表皮已改变(&amp;S)</translation>
+    </message>
+    <message>
         <source>The markers have to be seen to tell how it bends.</source>
         <translation>必须看得见标记点才能判断弯曲。</translation>
     </message>
@@ -9510,6 +9518,18 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>接触面比参考亮 {} %（距根部 {} mm）：录制参考时该处有物体按压，在其第 {} 帧附近；请重新录制参考</translation>
     </message>
     <message>
+        <source>record again with nothing on the contact face, or say that its skin was changed since</source>
+        <translation>在接触面上没有任何物体时重新录制，或说明其表皮此后已改变</translation>
+    </message>
+    <message>
+        <source>something pressed on the contact face {:.0f} mm from its base in {} of {} frames: it is {:.0f} % darker there than in the reference from before</source>
+        <translation>接触面距根部 {} mm 处在 {} / {} 帧中有物体按压：该处比先前的参考暗 {} %</translation>
+    </message>
+    <message>
+        <source>in {} of {} presses the face is brighter than its reference {:.0f} mm along it: something pressed there when the reference was recorded; record it again, then calibrate again</source>
+        <translation>{} / {} 次按压中，接触面在沿其 {} mm 处比参考更亮：录制参考时该处有物体按压；请重新录制，然后重新标定</translation>
+    </message>
+    <message>
         <source>{} frames show poses that no other frame shows at another time; whether something pressed on the contact face in them is not known</source>
         <translation>{} 帧的姿态在其他时刻没有出现过；无法得知其中接触面上是否有物体按压</translation>
     </message>
@@ -13430,13 +13450,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>the face is given {:.2f} mm wide, but camera and presses show {}: check the width and the lens</source>
         <translation>给定的测量面宽度为 {} mm，但相机和按压显示为 {}：请核对宽度和镜头</translation>
-    </message>
-    <message numerus="yes">
-        <source>{0} of {1} presses contradict the reference: something touched the face while it was recorded; record it again</source>
-        <comment>{0} of {1} presses contradicts the reference: something touched the face while it was recorded; record it again</comment>
-        <translation>
-            <numerusform>{1} 次按压中有 {0} 次与参考矛盾：录制参考时有物体接触了测量面；请重新录制</numerusform>
-        </translation>
     </message>
     <message>
         <source>mostly the curve&apos;s shape: add presses of different depth and position</source>

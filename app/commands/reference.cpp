@@ -188,6 +188,10 @@ void add_reference(CLI::App& program, Chosen& chosen) {
              "Frames that are not used at all: 12-40, or several with commas",
              options,
              &ReferenceChoices::leave_out);
+  command->add_flag("--skin-changed",
+                    options->choices.skin_was_changed,
+                    "The skin was cleaned, painted or replaced since the earlier reference, which "
+                    "then does not tell what pressed on it");
   command->callback([=, &chosen] {
     chosen = [=](Console& console) { return run_reference(*options, console); };
   });

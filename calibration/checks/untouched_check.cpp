@@ -100,12 +100,12 @@ Result<UntouchedCheck> check_untouched(const FingerSnapshot& snapshot,
         depth_map(result->grey, *result->reference, *result->shape, as_it_is, mapping);
     DifferenceOptions corrected = as_it_is;
     corrected.correct_light = true;
-    const auto suspect = find_reference_suspect(
-        difference(result->grey, *result->reference, *result->shape, corrected),
-        *result->reference,
-        *result->shape);
-    if (suspect && (!check.suspect || suspect->brighter > check.suspect->brighter))
+    auto suspect = find_reference_suspect(
+        difference(result->grey, *result->reference, *result->shape, corrected), *result->shape);
+    if (suspect && (!check.suspect || suspect->brighter > check.suspect->brighter)) {
+      suspect->frame = result->reference->frame;
       check.suspect = suspect;
+    }
     ++check.pictures;
     check.light_change += result->depth->light.change();
     check.false_depth_mm += worst_patch_mm(*result->depth);

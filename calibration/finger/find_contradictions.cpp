@@ -1,5 +1,6 @@
 #include "calibration/finger/find_contradictions.h"
 
+#include "calibration/reference/reference_suspect.h"
 #include "core/finger/quantity.h"
 
 #include <algorithm>
@@ -16,6 +17,9 @@ constexpr double kReachTolerance = 1.05;
 // Working distances of the lenses that fit into a finger: endoscopes focus from 5 mm on, and no
 // finger is longer than half a metre.
 constexpr double kNearestFaceMm = 5, kFarthestFaceMm = 500;
+
+// Spots that are brighter than the reference, of presses that show the same skin there.
+constexpr double kSameSpotMm = 3;
 
 /// One press more that shows it.
 void add_press(Contradiction& to, const std::string& press, double mm) {
@@ -107,12 +111,39 @@ Contradiction width_against_camera(const FingerCalibration& done) {
   return width;
 }
 
+/// Skin that is brighter than the reference at one place in two presses or more: one alone may be a
+/// glint of the ball.
+Contradiction reference_touched(const FingerCalibration& done) {
+  Contradiction touched;
+  touched.kind = ContradictionKind::kReferenceTouched;
+  std::vector<std::pair<std::string, ReferenceSuspect>> spots;
+  for (const TakenPress& taken : done.presses) {
+    if (!taken.press || !taken.sign.known_pose) continue;
+    ++touched.of;
+    if (const auto spot = find_reference_suspect(taken.press->difference, taken.press->shape))
+      spots.emplace_back(taken.name, *spot);
+  }
+  for (const auto& [name, spot] : spots) {
+    std::vector<std::string> alike;
+    for (const auto& [other, there] : spots)
+      if (std::hypot(there.along_mm - spot.along_mm, there.across_mm - spot.across_mm) <
+          kSameSpotMm)
+        alike.push_back(other);
+    if (alike.size() >= 2 && alike.size() > touched.presses.size()) {
+      touched.presses = alike;
+      touched.measured_mm = spot.along_mm;
+    }
+  }
+  return touched;
+}
+
 }  // namespace
 
 std::vector<Contradiction> find_contradictions(const FingerCalibration& done) {
   std::vector<Contradiction> all;
   for (Contradiction& one : std::vector{width_against_camera(done),
                                         wider_than_ball(done),
+                                        reference_touched(done),
                                         deeper_than_layer(done),
                                         beyond_mapping(done)})
     if (!one.presses.empty()) all.push_back(std::move(one));

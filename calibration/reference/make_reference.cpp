@@ -1,14 +1,11 @@
 #include "calibration/reference/make_reference.h"
 
-#include "calibration/reference/recording_pass.h"
+#include "calibration/reference/recorded_frames.h"
 #include "calibration/reference/recording_problem.h"
 #include "calibration/reference/recording_study.h"
 #include "calibration/reference/rest_pose.h"
-#include "calibration/reference/skin_patches.h"
-#include "calibration/reference/touch_search.h"
-#include "core/recording/video_file.h"
+#include "calibration/reference/touched_frames.h"
 #include "core/sensing/markers/layout_search.h"
-#include "core/sensing/reference/recorded_faces.h"
 #include "core/sensing/reference/reference_library.h"
 
 #include <algorithm>
@@ -24,26 +21,6 @@ namespace fs = std::filesystem;
 
 constexpr double kRepeatSigmas = 2.0;    // of marker noise: poses nearer than that are the same
 constexpr std::size_t kFewFrames = 100;  // so few that even repetitions help against noise
-
-MarkerTable table_of(const NumberedRecording& numbered, const std::vector<std::size_t>& kept) {
-  MarkerTable table;
-  const auto count = numbered.typical.size();
-  table.typical = numbered.typical;
-  table.layouts.resize(static_cast<Eigen::Index>(kept.size()),
-                       static_cast<Eigen::Index>(2 * count));
-  for (std::size_t i = 0; i < kept.size(); ++i) {
-    const Markers& markers = *numbered.markers[kept[i]];
-    table.frames.push_back(static_cast<int>(i));
-    table.seen.emplace_back(count, 0);
-    for (std::size_t m = 0; m < count; ++m) {
-      table.layouts.row(static_cast<Eigen::Index>(i)).segment<2>(static_cast<Eigen::Index>(2 * m))
-          << markers[m].u,
-          markers[m].v;
-      table.seen.back()[m] = static_cast<char>(markers[m].seen);
-    }
-  }
-  return table;
-}
 
 // The frames of the video just written that may be kept, by their number in the recording.
 std::vector<std::size_t> numbered_frames(const RecordingPass& pass, MadeReference& made) {
@@ -138,170 +115,6 @@ Status choose_rest(const ReferenceChoices& choices,
   return {};
 }
 
-// What is read of the recording again, frame by frame.
-struct RecordedVideo {
-  const RecordingPass& pass;
-  const fs::path& file;
-  const Finger& finger;
-  const Camera& camera;
-  VideoFile reader;
-
-  [[nodiscard]] Result<cv::Mat> frame(std::size_t number) {
-    if (!pass.greys[number].empty()) return pass.greys[number];
-    const auto read = reader.frame(number);
-    if (!read) return read.error();
-    return oriented_for(finger.camera, (*read)->grey, en::say("the recording's picture"), "", "");
-  }
-};
-
-MarkerTable table_in_video(const RecordingPass& pass,
-                           const MadeReference& made,
-                           const std::vector<std::size_t>& kept) {
-  MarkerTable table = table_of(made.numbered, kept);
-  for (std::size_t i = 0; i < kept.size(); ++i) table.frames[i] = pass.in_video[kept[i]];
-  return table;
-}
-
-bool is_in(const std::vector<FrameRange>& ranges, std::size_t frame) {
-  return std::any_of(ranges.begin(), ranges.end(), [&](const FrameRange& range) {
-    return range.holds(static_cast<int>(frame));
-  });
-}
-
-struct JudgedFrames {
-  std::vector<std::size_t> numbers;  // in the recording
-  std::vector<FrameEvidence> evidence;
-};
-
-// What presses in which of the frames. Frames without a face are not among those that come back.
-Result<JudgedFrames> judge_frames(RecordedVideo& video,
-                                  const std::vector<std::size_t>& kept,
-                                  const MadeReference& made,
-                                  const Job& job) {
-  const MarkerTable table = table_in_video(video.pass, made, kept);
-  const FrameOfRecording frame = [&](std::size_t number) { return video.frame(number); };
-  constexpr std::size_t kMostBytes = std::size_t{512} << 20;
-  const auto read = read_recorded_faces({frame, video.pass.greys.size(), video.file, table},
-                                        video.finger,
-                                        video.camera,
-                                        kMostBytes,
-                                        job);
-  if (!read) return read.error();
-  JudgedFrames judged;
-  for (const std::size_t row : read->kept) judged.numbers.push_back(kept[row]);
-  const bool has_places = made.numbered.places.has_value();
-  const std::vector<int> missing = has_places ? std::vector<int>{} : made.numbered.missing;
-  const auto model = MarkerModel::learn(table.layouts, table.typical, missing);
-  if (!model) return Error{model.error().what, video.file.string(), model.error().advice};
-  const auto rows = static_cast<Eigen::Index>(judged.numbers.size());
-  const Eigen::VectorXd mode_sd = model->mode_sd_px();
-  Eigen::MatrixXd modes(rows, mode_sd.size());
-  Eigen::VectorXd off_px(rows);
-  std::vector<int> numbers;
-  for (Eigen::Index i = 0; i < rows; ++i) {
-    const std::size_t number = judged.numbers[static_cast<std::size_t>(i)];
-    const Markers& markers = *made.numbered.markers[number];
-    modes.row(i) = model->modes(markers).cwiseProduct(mode_sd).transpose();
-    off_px[i] = model->residual_px(markers);
-    numbers.push_back(static_cast<int>(number));
-  }
-  const SkinPatches patches = skin_patches(read->grid, read->faces, video.finger.face.width_mm);
-  judged.evidence = find_touches(patches, modes, off_px, numbers).frames;
-  return judged;
-}
-
-// A frame that could not be compared and lies beside a touched one in time counts as touched, too.
-void spread_to_uncompared(JudgedFrames& judged) {
-  auto& frames = judged.evidence;
-  const auto pass_on = [&](std::size_t from, std::size_t to) {
-    if (frames[from].touch == FrameTouch::kTouched && frames[to].touch == FrameTouch::kUncompared)
-      frames[to] = frames[from];
-  };
-  for (std::size_t i = 1; i < frames.size(); ++i) pass_on(i - 1, i);
-  for (std::size_t i = frames.size(); i-- > 1;) pass_on(i, i - 1);
-}
-
-Message sentence_of(const ReferenceStretch& stretch) {
-  const double percent = 100.0 * stretch.darker;
-  if (stretch.is_doubtful)
-    return en::say(
-        "frames {} to {}: something may have pressed on the contact face, {:.0f} mm from "
-        "its base (up to {:.1f} % darker than untouched)",
-        stretch.first,
-        stretch.last,
-        stretch.along_mm,
-        percent);
-  if (stretch.first == stretch.last)
-    return en::say(
-        "frame {}: something pressed on the contact face, {:.0f} mm from its base "
-        "({:.0f} % darker than untouched)",
-        stretch.first,
-        stretch.along_mm,
-        percent);
-  return en::say(
-      "frames {} to {}: something pressed on the contact face, {:.0f} mm from its base "
-      "(up to {:.0f} % darker than untouched)",
-      stretch.first,
-      stretch.last,
-      stretch.along_mm,
-      percent);
-}
-
-// Takes touched and doubtful frames out of `kept`, unless they are chosen, and reports stretches.
-void leave_out_touched(const JudgedFrames& judged,
-                       const ReferenceChoices& choices,
-                       std::vector<std::size_t>& kept,
-                       ReferenceReport& report) {
-  kept.clear();
-  for (std::size_t i = 0; i < judged.numbers.size(); ++i) {
-    const std::size_t number = judged.numbers[i];
-    const FrameTouch touch = judged.evidence[i].touch;
-    report.touched += touch == FrameTouch::kTouched;
-    report.doubtful += touch == FrameTouch::kDoubtful;
-    report.uncompared += touch == FrameTouch::kUncompared;
-    const bool is_suspect = touch == FrameTouch::kTouched || touch == FrameTouch::kDoubtful;
-    if (!is_suspect || is_in(choices.keep, number)) kept.push_back(number);
-  }
-  for (const TouchStretch& found : stretches_of(judged.evidence)) {
-    if (found.touch == FrameTouch::kUncompared) continue;
-    const FrameEvidence& darkest = judged.evidence[found.darkest];
-    ReferenceStretch stretch{static_cast<int>(judged.numbers[found.first]),
-                             static_cast<int>(judged.numbers[found.last]),
-                             found.touch == FrameTouch::kDoubtful,
-                             true,
-                             darkest.darker,
-                             darkest.along_mm,
-                             static_cast<int>(judged.numbers[found.darkest]),
-                             {}};
-    for (std::size_t i = found.first; i <= found.last; ++i)
-      stretch.is_kept = stretch.is_kept && is_in(choices.keep, judged.numbers[i]);
-    stretch.sentence = sentence_of(stretch);
-    if (!stretch.is_kept) report.rejected.push_back(stretch.sentence);
-    report.stretches.push_back(std::move(stretch));
-  }
-}
-
-// Most frames are darker than the rest. Poses that were shown once look the same as something that
-// pressed most of the time, so that no frame may be left out for it.
-void leave_all_in(const JudgedFrames& judged,
-                  std::vector<std::size_t>& kept,
-                  ReferenceReport& report) {
-  report.warnings.push_back(
-      en::say("In {} of {} frames the face is darker than in the others: something pressed on it "
-              "most of the time, or most poses were shown once. All frames stay in; if anything "
-              "touched the face, record again, and show each pose several times",
-              report.touched,
-              judged.numbers.size()));
-  kept = judged.numbers;
-  report.doubtful += report.touched;
-  report.touched = 0;
-  for (ReferenceStretch& stretch : report.stretches) {
-    std::erase(report.rejected, stretch.sentence);
-    stretch.is_doubtful = stretch.is_kept = true;
-    stretch.sentence = sentence_of(stretch);
-  }
-}
-
 // Finds what pressed while the recording was made, takes it out, and says what the rest is worth.
 Status study(const fs::path& file,
              const RecordingPass& pass,
@@ -309,21 +122,19 @@ Status study(const fs::path& file,
              const Finger& finger,
              const Job& job,
              const ReferenceChoices& choices,
+             std::optional<EarlierReference>& earlier,
              std::vector<std::size_t>& kept,
              MadeReference& made) {
   auto reader = VideoFile::open(file, job);
   if (!reader) return reader.error();
   const double frames_per_s = reader->frames_per_s();
   RecordedVideo video{pass, file, finger, camera, std::move(*reader)};
-  auto judged = judge_frames(video, kept, made, Job(job, 0.0, 0.4));
-  if (!judged) return judged.error();
-  spread_to_uncompared(*judged);
-  leave_out_touched(*judged, choices, kept, made.report);
   ReferenceReport& report = made.report;
-  if (report.touched > kMostTouchedFrames * static_cast<double>(judged->numbers.size()))
-    leave_all_in(*judged, kept, report);
+  const Status left_out =
+      leave_out_touched(video, made.numbered, earlier, choices, Job(job, 0.0, 0.4), kept, report);
+  if (!left_out) return left_out;
   if (kept.size() < 2) return {};
-  const MarkerTable table = table_in_video(pass, made, kept);
+  const MarkerTable table = table_in_video(pass, made.numbered, kept);
   const FrameOfRecording frame = [&](std::size_t number) { return video.frame(number); };
   const auto library = ReferenceLibrary::from_frames(
       frame, pass.greys.size(), file, table, finger, camera, Job(job, 0.4, 0.6));
@@ -413,6 +224,7 @@ Status make_reference(Source& source,
                       const Finger& finger,
                       const Job& job,
                       const ReferenceChoices& choices,
+                      const fs::path& folder,
                       const fs::path& video,
                       MadeReference& made) {
   const auto pass = read_recording(source, camera, finger, Job(job, 0.0, 0.5), video);
@@ -428,7 +240,7 @@ Status make_reference(Source& source,
                  en::say("record the finger while it bends slowly in every direction, untouched")};
   job.report(0.5, en::say("numbering the markers"));
   const auto draw = [&](const std::string& sentence) {
-    return recording_problem(*pass, made.numbered, made.rest, finger.name, sentence);
+    return recording_problem(*pass, made, camera, finger, sentence);
   };
   const auto refuse = [&](const Error& error) -> Status {
     made.problem = draw(error.sentence());
@@ -445,12 +257,16 @@ Status make_reference(Source& source,
     return Error{en::say("only {} frames are left of those that are to be used", kept.size()),
                  en::say("recording"),
                  en::say("leave out fewer frames")};
+  std::optional<EarlierReference> earlier;
+  if (!choices.skin_was_changed)
+    earlier = EarlierReference::open(folder, finger, made.numbered, job);
   const Status studied = study(video,
                                *pass,
                                camera,
                                with_markers(finger, made.numbered),
                                Job(job, 0.5, 0.9),
                                choices,
+                               earlier,
                                kept,
                                made);
   if (!studied) {

@@ -34,12 +34,14 @@ struct MadeReference {
 [[nodiscard]] Finger with_markers(const Finger& finger, const NumberedRecording& numbered);
 
 /// Fills `video` with the frames that are kept, and `made`, whose report brings what is needed of
-/// motion, with what goes with it. Errors: those of install_reference() but for the folder's.
+/// motion, with what goes with it. folder: the finger's, where its earlier reference is. Errors:
+/// those of install_reference() but for the folder's.
 [[nodiscard]] Status make_reference(Source& source,
                                     const Camera& camera,
                                     const Finger& finger,
                                     const Job& job,
                                     const ReferenceChoices& choices,
+                                    const std::filesystem::path& folder,
                                     const std::filesystem::path& video,
                                     MadeReference& made);
 

@@ -1,32 +1,73 @@
 #include "calibration/reference/recording_problem.h"
 
 #include "calibration/report/problem_picture.h"
+#include "core/sensing/face/face_edges.h"
+#include "core/sensing/face/face_shape.h"
 
 #include <cmath>
 
 #include <fmt/format.h>
 
 namespace alltact {
+namespace {
 
-cv::Mat recording_problem(const RecordingPass& pass,
-                          const NumberedRecording& numbered,
-                          std::size_t rest,
-                          const std::string& finger_name,
-                          const std::string& sentence) {
-  std::size_t frame = pass.frames.size();
-  const auto is_held = [&](std::size_t i) {
-    return pass.in_video[i] >= 0 && !pass.greys[static_cast<std::size_t>(pass.in_video[i])].empty();
-  };
-  for (std::size_t i = 0; i < pass.frames.size(); ++i) {
-    if (!is_held(i)) continue;
-    const bool is_numbered = i < numbered.markers.size() && numbered.markers[i];
-    if (frame == pass.frames.size() || (i == rest && is_numbered)) frame = i;
+constexpr double kTouchRadiusMm = 3.0;  // what is drawn around it
+
+bool is_held(const RecordingPass& pass, std::size_t frame) {
+  return pass.in_video[frame] >= 0 &&
+         !pass.greys[static_cast<std::size_t>(pass.in_video[frame])].empty();
+}
+
+/// nullptr: nothing pressed, or its frame is not at hand.
+const ReferenceStretch* darkest_stretch(const RecordingPass& pass, const ReferenceReport& report) {
+  const ReferenceStretch* darkest = nullptr;
+  for (const ReferenceStretch& stretch : report.stretches)
+    if ((!darkest || stretch.darker > darkest->darker) &&
+        is_held(pass, static_cast<std::size_t>(stretch.darkest)))
+      darkest = &stretch;
+  return darkest;
+}
+
+/// Of those that are held; their number where none is.
+std::size_t frame_to_show(const RecordingPass& pass, const MadeReference& made) {
+  const std::size_t count = pass.frames.size();
+  std::size_t frame = count;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!is_held(pass, i)) continue;
+    const bool is_numbered = i < made.numbered.markers.size() && made.numbered.markers[i];
+    if (frame == count || (i == made.rest && is_numbered)) frame = i;
     if (pass.frames[frame].curves.u.empty() && !pass.frames[i].curves.u.empty()) frame = i;
   }
-  if (frame == pass.frames.size()) return {};
-  ProblemScene scene;
-  scene.grey = pass.greys[static_cast<std::size_t>(pass.in_video[frame])];
-  scene.edges = pass.frames[frame].curves;
+  return frame;
+}
+
+/// Where something pressed; nullopt where the face is not found.
+std::optional<ProblemMark> mark_of(const ReferenceStretch& stretch,
+                                   const cv::Mat& grey,
+                                   const Camera& camera,
+                                   const Face& face) {
+  const auto edges = FaceEdgeFinder({.view = FaceView{camera, face.width_mm}})(grey);
+  if (!edges) return std::nullopt;
+  constexpr int kDegree = 7;
+  const auto shape = FaceShape::fit(*edges, camera, face, kDegree);
+  if (!shape) return std::nullopt;
+  for (int u = 0; u < shape->width_px(); ++u) {
+    const FaceColumn& column = shape->columns()[static_cast<std::size_t>(u)];
+    if (!column.valid || shape->length_at(u) < stretch.along_mm) continue;
+    const double part = stretch.across_mm / face.width_mm;  // -0.5 at the upper edge
+    return ProblemMark{ProblemMark::Kind::kPressed,
+                       static_cast<double>(u),
+                       std::lerp(column.upper_v, column.lower_v, 0.5 + part),
+                       kTouchRadiusMm / camera.mm_per_px_at(column.z_mm),
+                       -1};
+  }
+  return std::nullopt;
+}
+
+void add_dots(const RecordingPass& pass,
+              const NumberedRecording& numbered,
+              std::size_t frame,
+              ProblemScene& scene) {
   const bool by_dots =
       !numbered.places && frame < numbered.markers.size() && numbered.markers[frame];
   if (by_dots)
@@ -44,9 +85,31 @@ cv::Mat recording_problem(const RecordingPass& pass,
           return std::hypot(mark.u - dot.u, mark.v - dot.v) < 1.0;
         }))
       scene.marks.push_back({ProblemMark::Kind::kRefused, dot.u, dot.v, dot.radius_px, -1});
+}
+
+}  // namespace
+
+cv::Mat recording_problem(const RecordingPass& pass,
+                          const MadeReference& made,
+                          const Camera& camera,
+                          const Finger& finger,
+                          const std::string& sentence) {
+  const ReferenceStretch* touch = darkest_stretch(pass, made.report);
+  const std::size_t frame =
+      touch ? static_cast<std::size_t>(touch->darkest) : frame_to_show(pass, made);
+  if (frame == pass.frames.size()) return {};
+  ProblemScene scene;
+  scene.grey = pass.greys[static_cast<std::size_t>(pass.in_video[frame])];
+  scene.edges = pass.frames[frame].curves;
+  add_dots(pass, made.numbered, frame, scene);
   scene.words = {
-      fmt::format("{} in its frame {} out of {}", finger_name, frame, pass.frames.size()),
+      fmt::format("{} in its frame {} out of {}", finger.name, frame, pass.frames.size()),
       sentence};
+  if (touch) {
+    if (const auto mark = mark_of(*touch, scene.grey, camera, finger.face))
+      scene.marks.push_back(*mark);
+    scene.words.push_back(touch->sentence.english());
+  }
   return problem_picture(scene);
 }
 

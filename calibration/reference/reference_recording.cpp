@@ -58,6 +58,12 @@ bool leave_problem(const fs::path& folder, const cv::Mat& problem) {
 
 }  // namespace
 
+bool is_in(const std::vector<FrameRange>& ranges, std::size_t frame) {
+  return std::any_of(ranges.begin(), ranges.end(), [&](const FrameRange& range) {
+    return range.holds(static_cast<int>(frame));
+  });
+}
+
 Result<ReferenceReport> install_reference(Source& source,
                                           const fs::path& folder,
                                           Finger& finger,
@@ -77,7 +83,7 @@ Result<ReferenceReport> install_reference(Source& source,
       write_file_atomically(files / kReferenceVideo, [&](const fs::path& temporary) -> Status {
         try {
           const Status status =
-              make_reference(source, *camera, finger, job, choices, temporary, made);
+              make_reference(source, *camera, finger, job, choices, folder, temporary, made);
           return status ? made.table.save(files / kReferenceTable) : status;
         } catch (const std::exception& problem) {
           return Error{

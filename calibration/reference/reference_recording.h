@@ -22,6 +22,7 @@ struct ReferenceStretch {
   bool is_kept = false;      ///< ReferenceChoices keeps all of it all the same
   double darker = 0;         ///< at most, 0.1: by 10 %
   double along_mm = 0;       ///< where that is, from the base
+  double across_mm = 0;      ///< and from the middle line
   int darkest = 0;           ///< number of the frame in which it is
   Message sentence;          ///< frames, what pressed where, how much darker
 };
@@ -65,9 +66,11 @@ struct FrameRange {
 
   [[nodiscard]] bool holds(int frame) const { return first <= frame && frame <= last; }
 };
+[[nodiscard]] bool is_in(const std::vector<FrameRange>& ranges, std::size_t frame);
 
 /// Where something seems to press in more of the frames than this fraction, none is left out for it
-/// and a warning says so: poses that were shown once look the same.
+/// and a warning says so: poses that were shown once look the same. Only an earlier reference can
+/// tell, and a recording is refused if that shows that something pressed at one place.
 inline constexpr double kMostTouchedFrames = 0.6;
 
 /// What a recording is installed with.
@@ -80,6 +83,9 @@ struct ReferenceChoices {
   /// Frames that count as untouched whatever they look like, and frames that are not used at all,
   /// which wins where both name a frame.
   std::vector<FrameRange> keep, leave_out;
+  /// The finger's earlier reference does not tell how its skin looks now: it was cleaned, painted
+  /// or replaced.
+  bool skin_was_changed = false;
 };
 
 /// Name of the picture that a refused recording leaves in the finger's folder.
@@ -97,7 +103,8 @@ inline constexpr const char* kReferenceProblem = "reference.problem.png";
 ///
 /// Where markers are missing or the recording is refused, reference.problem.png in the folder shows
 /// what was found (problem_picture.h); it is removed by a recording without such a problem.
-/// Errors: fewer than 2 frames, wrong size, no face, a frame at rest that cannot be used.
+/// Errors: fewer than 2 frames, wrong size, no face, a frame at rest that cannot be used, something
+/// that pressed at one place most of the time.
 [[nodiscard]] Result<ReferenceReport> install_reference(Source& source,
                                                         const std::filesystem::path& folder,
                                                         Finger& finger,

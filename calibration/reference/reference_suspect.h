@@ -10,17 +10,16 @@
 namespace alltact {
 
 struct ReferenceSuspect {
-  double brighter = 0;  ///< than the reference, 0.1: by 10 %
-  double along_mm = 0;  ///< the middle of the spot, from the base
+  double brighter = 0;   ///< than the reference, 0.1: by 10 %
+  double along_mm = 0;   ///< the middle of the spot, from the base
+  double across_mm = 0;  ///< and from the middle line
   double area_mm2 = 0;
   int frame = 0;  ///< number in the reference recording of the frame nearest to the pose
 };
 
-/// Searches x for a compact spot, 1 to 150 mm^2, that is brighter than its surroundings by 3 % and
-/// by 8 standard deviations. A bright rim around something that presses is none: a spot has no
-/// part that is as much darker within 4 mm. nullopt: there is none, or the pose is not known.
+/// The spot of x (spots.h) that is brightest. A bright rim around something that presses is none.
+/// For poses that the reference knows; `frame` is left to those who know it.
 [[nodiscard]] std::optional<ReferenceSuspect> find_reference_suspect(const Difference& difference,
-                                                                     const Reference& reference,
                                                                      const FaceShape& shape);
 
 /// What happened, where, and what to do.

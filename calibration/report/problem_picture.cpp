@@ -70,6 +70,14 @@ class Drawing {
                       kExpectedColour,
                       1,
                       cv::LINE_AA);
+        break;
+      case ProblemMark::Kind::kPressed:
+        cv::rectangle(picture_,
+                      centre - cv::Point(radius, radius),
+                      centre + cv::Point(radius, radius),
+                      kDarkerColour,
+                      1,
+                      cv::LINE_AA);
     }
     if (mark.number >= 0)
       cv::putText(picture_,
@@ -85,6 +93,7 @@ class Drawing {
   static const cv::Scalar& colour_of(ProblemMark::Kind kind) {
     return kind == ProblemMark::Kind::kUsed      ? kUsedColour
            : kind == ProblemMark::Kind::kRefused ? kRefusedColour
+           : kind == ProblemMark::Kind::kPressed ? kDarkerColour
                                                  : kExpectedColour;
   }
   [[nodiscard]] const cv::Mat& picture() const { return picture_; }
@@ -138,7 +147,8 @@ std::vector<Line> key_to(const ProblemScene& scene) {
   const std::pair<ProblemMark::Kind, const char*> meanings[] = {
       {ProblemMark::Kind::kUsed, "circle: a marker, with its number"},
       {ProblemMark::Kind::kRefused, "cross: looks like a dot, but is none of the rows"},
-      {ProblemMark::Kind::kExpected, "broken circle: a marker should be here"}};
+      {ProblemMark::Kind::kExpected, "broken circle: a marker should be here"},
+      {ProblemMark::Kind::kPressed, "square: something pressed here"}};
   for (const auto& [kind, meaning] : meanings)
     if (std::any_of(scene.marks.begin(), scene.marks.end(), [kind = kind](const ProblemMark& mark) {
           return mark.kind == kind;

@@ -74,13 +74,12 @@ Message sentence(const Contradiction& one) {
     case ContradictionKind::kReferenceTouched:
       break;
   }
-  return en::count(
-      "{0} of {1} presses contradict the reference: something touched the face while it was "
-      "recorded; record it again",
-      "{0} of {1} presses contradicts the reference: something touched the face while it was "
-      "recorded; record it again",
+  return en::say(
+      "in {} of {} presses the face is brighter than its reference {:.0f} mm along it: something "
+      "pressed there when the reference was recorded; record it again, then calibrate again",
       count,
-      of);
+      of,
+      one.measured_mm);
 }
 
 RecordedContradiction recorded(const Contradiction& one) {

@@ -16,7 +16,7 @@ enum class ContradictionKind {
   kContactDeeperThanLayer,    ///< a ball lies deeper than the layer is thick
   kDepthBeyondMapping,        ///< a press is darker than the mapping reaches
   kFaceWidthAgainstCamera,    ///< the face's edges and the camera give another width
-  kReferenceTouched,          ///< the reference was touched where it should be untouched
+  kReferenceTouched,          ///< skin is brighter in presses than in the reference
 };
 /// As finger.yaml writes it: "contact_wider_than_ball", ...
 [[nodiscard]] std::string_view to_string(ContradictionKind kind);
@@ -25,7 +25,7 @@ struct Contradiction {
   ContradictionKind kind;
   std::vector<std::string> presses;  ///< that show it, by name
   double given_mm = 0;               ///< the number: a ball's radius, the layer, the width, a depth
-  double measured_mm = 0;            ///< what the presses show: least of them
+  double measured_mm = 0;            ///< what the presses show: least of them; a place along it
   double measured_to_mm = 0;         ///< greatest; 0: as measured_mm
   int of = 0;                        ///< presses that were looked at
 };

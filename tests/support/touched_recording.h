@@ -67,7 +67,8 @@ struct TouchedRecording {
   int frames = 200;
   int frames_per_move = 12;
   std::vector<DrawnTouch> touches;
-  std::string light;  ///< effects that change it, as lines of the scene
+  std::string light;                         ///< effects that change it, as lines of the scene
+  double lamp_power = 1, lamp_moved_mm = 0;  ///< of the lamp that shines along the finger
   double noise_sd = 1.0;
   bool bulges = false;
 
@@ -133,9 +134,12 @@ struct TouchedRecording {
         "  - {use: sides, albedo: 0.12, depth_mm: 14.0}\n"
         "  - use: leds\n    lamps:\n"
         "      - {at_mm: [0.0, -3.0, 0.0], power: 270000.0}\n"
-        "      - {at_mm: [0.0, 3.0, 0.0], power: 270000.0}\n"
-        "      - {at_mm: [4.0, 0.0, -20.0], power: 3300000.0, aim_mm: [71.0, 0.0, 93.0], lobe: "
-        "8}\n";
+        "      - {at_mm: [0.0, 3.0, 0.0], power: 270000.0}\n";
+    text += fmt::format(
+        "      - {{at_mm: [4.0, {:.1f}, -20.0], power: {:.1f}, aim_mm: [71.0, 0.0, 93.0], lobe: "
+        "8}}\n",
+        lamp_moved_mm,
+        3300000.0 * lamp_power);
     text += light;
     text += fmt::format("  - {{use: read, sd: {:.2f}}}\n  - {{use: quantisation}}\n", noise_sd);
     return text;

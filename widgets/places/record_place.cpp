@@ -5,6 +5,7 @@
 #include "widgets/panels/side_panel.h"
 #include "widgets/tip_of_text.h"
 
+#include <QCheckBox>
 #include <QDateTime>
 #include <QDir>
 #include <QFileDialog>
@@ -74,6 +75,7 @@ RecordPlace::RecordPlace(LiveSession& session, ReferenceInstaller installer, QWi
       judged_(wrapped_label()),
       outcome_(wrapped_label()),
       rejected_(new QListWidget),
+      skin_changed_(new QCheckBox),
       rig_box_(new RigCheckBox),
       judge_(installer_) {
   auto* layout = new QHBoxLayout(this);
@@ -102,6 +104,7 @@ void RecordPlace::connect_parts() {
   connect(video_, &QPushButton::clicked, this, &RecordPlace::choose_video);
   connect(stop_install_, &QPushButton::clicked, this, &RecordPlace::stop_installing);
   connect(rejected_, &QListWidget::itemChanged, this, &RecordPlace::choose_frames);
+  connect(skin_changed_, &QCheckBox::toggled, this, &RecordPlace::judge_take);
   connect(&judge_, &TakeJudge::changed, this, &RecordPlace::follow_judge);
   connect(&install_work_, &BackgroundWork::progressed, this, &RecordPlace::show_installing);
   connect(&install_work_, &BackgroundWork::finished, this, &RecordPlace::show_status);
@@ -160,6 +163,7 @@ void RecordPlace::make_result_group(QVBoxLayout& column) {
   line->addWidget(stop_install_);
   layout->addWidget(summary_);
   layout->addWidget(judged_);
+  layout->addWidget(skin_changed_);
   layout->addWidget(install_);
   layout->addWidget(install_reason_);
   layout->addLayout(other);
@@ -193,6 +197,10 @@ void RecordPlace::name_parts() {
   bar_->setAccessibleName(tr("Progress of the installation"));
   rejected_->setAccessibleName(tr("Frames that were left out, with the reason"));
   rejected_->setToolTip(tr("Tick frames that were untouched, and install again."));
+  skin_changed_->setText(tr("The &skin was changed since the last reference"));
+  skin_changed_->setToolTip(
+      tr("It was cleaned, painted or replaced: the last reference then does not tell what pressed "
+         "on it."));
   list_rejected();
   show_status();
   show_coverage();

@@ -11,6 +11,7 @@
 #include "widgets/recording/rig_check_box.h"
 #include "widgets/recording/take_judge.h"
 
+#include <QCheckBox>
 #include <QGroupBox>
 #include <QImage>
 #include <QLineEdit>
@@ -62,6 +63,7 @@ class RecordPlace : public Place {
   void keep_take();
   void record_again();
   void judge_take();
+  [[nodiscard]] ReferenceChoices choices() const;
   [[nodiscard]] std::vector<Overlay> ghost(const LiveView& view) const;
   void measure_space();
   void install();
@@ -110,6 +112,7 @@ class RecordPlace : public Place {
   QProgressBar* bar_;
   QLabel *install_reason_, *judged_, *outcome_;
   QListWidget* rejected_;
+  QCheckBox* skin_changed_;
   RigCheckBox* rig_box_;
 
   BendCoverage coverage_;

@@ -49,15 +49,20 @@ void RecordPlace::follow_judge() {
   show_status();
 }
 
-void RecordPlace::install_now() {
-  const auto folder = session_.status().finger.folder;
-  const auto video = recorded_;
+ReferenceChoices RecordPlace::choices() const {
   ReferenceChoices choices;
   choices.rest_pose = rest_pose_;
   choices.keep = untouched_;
+  choices.skin_was_changed = skin_changed_->isChecked();
+  return choices;
+}
+
+void RecordPlace::install_now() {
+  const auto folder = session_.status().finger.folder;
+  const auto video = recorded_;
   const auto judged = untouched_.empty() ? judge_.judged() : nullptr;
   install_work_.start(
-      [this, folder, video, choices, judged, installer = installer_](const Job& job) {
+      [this, folder, video, choices = choices(), judged, installer = installer_](const Job& job) {
         auto report = std::make_shared<Result<ReferenceReport>>(
             install_take(installer, judged, folder, video, choices, job));
         const QImage picture(QString::fromStdString((folder / kReferenceProblem).string()));

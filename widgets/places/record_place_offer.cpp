@@ -72,15 +72,14 @@ void RecordPlace::offer(const std::filesystem::path& video, std::optional<RestPo
   rest_pose_ = std::move(rest_pose);
   untouched_.clear();
   kept_.clear();
+  skin_changed_->setChecked(false);
   judge_take();
 }
 
 void RecordPlace::judge_take() {
   const LiveStatus& status = session_.status();
-  if (!why_not_install(status).isEmpty()) return;
-  ReferenceChoices choices;
-  choices.rest_pose = rest_pose_;
-  judge_.judge(status.finger.folder, recorded_, choices);
+  if (!recorded_.empty() && why_not_install(status).isEmpty())
+    judge_.judge(status.finger.folder, recorded_, choices());
 }
 
 void RecordPlace::keep_take() {
@@ -174,6 +173,7 @@ void RecordPlace::show_offer(const LiveStatus& status) {
   onward_->setEnabled(status.finger.has_reference);
   install_reason_->setText(why);
   install_reason_->setVisible(!why.isEmpty());
+  skin_changed_->setVisible(status.finger.has_reference && !is_installing() && !is_installed);
   judged_->setText(judged_words());
   judged_->setVisible(!judged_->text().isEmpty() && !is_installing());
   bar_->setVisible(is_installing());
@@ -193,6 +193,7 @@ void RecordPlace::show_recorded(const LiveStatus& status) {
                             static_cast<QWidget*>(onward_),
                             static_cast<QWidget*>(install_reason_),
                             static_cast<QWidget*>(judged_),
+                            static_cast<QWidget*>(skin_changed_),
                             static_cast<QWidget*>(bar_),
                             static_cast<QWidget*>(stop_install_),
                             static_cast<QWidget*>(outcome_),

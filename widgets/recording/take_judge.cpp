@@ -1,5 +1,6 @@
 #include "widgets/recording/take_judge.h"
 
+#include "calibration/reference/make_reference.h"
 #include "calibration/reference/new_reference.h"
 #include "core/finger/finger.h"
 #include "core/io/atomic_file.h"
@@ -31,6 +32,9 @@ JudgedTake judge_take(const ReferenceInstaller& installer,
   if (!described) return judged(described.error());
   const Status copied = write_file_atomically(path_of(*copy) / Finger::kFileName, *described);
   if (!copied) return judged(copied.error());
+  // What the finger has already is a witness; without it the recording is judged by itself.
+  for (const char* name : {kReferenceVideo, kReferenceTable})
+    fs::create_symlink(finger / name, path_of(*copy) / name, failed);
   return judged(installer(path_of(*copy), video, choices, job), std::move(*described));
 }
 

@@ -121,6 +121,47 @@ TEST_F(Contradictions, ADepthThatTheMappingDoesNotReach) {
   EXPECT_EQ(found[0].of, 2);
 }
 
+/// What pressed 0.3 mm deep on the untouched picture leaves a spot in all that are compared with
+/// it.
+void brighten(Press& press, cv::Point2d at_px) {
+  for (int v = 0; v < press.difference.x.rows; ++v)
+    for (int u = 0; u < press.difference.x.cols; ++u) {
+      const double r_px = std::hypot(u - at_px.x, v - at_px.y);
+      press.difference.x.at<float>(v, u) -= static_cast<float>(0.08 * std::exp(-r_px * r_px / 400));
+    }
+}
+
+TEST_F(Contradictions, SkinThatIsBrighterThanTheReferenceAtOnePlace) {
+  const cv::Point2d spot_px(60, 60);
+  brighten(*done_.presses[1].press, spot_px);
+  EXPECT_TRUE(find_contradictions(done_).empty()) << "one alone may be a glint";
+  brighten(*done_.presses[2].press, {330, 60});
+  EXPECT_TRUE(find_contradictions(done_).empty()) << "two glints";
+  brighten(*done_.presses[4].press, spot_px);
+  brighten(*done_.presses[5].press, spot_px);
+  const auto found = find_contradictions(done_);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].kind, ContradictionKind::kReferenceTouched);
+  EXPECT_EQ(found[0].presses, (std::vector<std::string>{"press_1", "press_4", "press_5"}));
+  EXPECT_EQ(found[0].of, 6);
+  const FaceShape& shape = done_.presses[1].press->shape;
+  EXPECT_NEAR(found[0].measured_mm, shape.place_mm(spot_px.x, spot_px.y).x(), 0.3);
+  EXPECT_FALSE(rules_out_use(found[0].kind));
+  EXPECT_THAT(sentence(found[0]).english(), HasSubstr("record it again"));
+}
+
+TEST_F(Contradictions, ABulgeAroundABallAccusesNoReference) {
+  std::mt19937 random(44);
+  const MadeScene scene = flat_scene();
+  for (int i = 0; i < 6; ++i) {
+    const Ball ball{180.0, 150.0 + i, kTrueRadiusMm, 0.3 + 0.1 * i};
+    done_.presses[static_cast<std::size_t>(i)].press =
+        make_press(scene, {}, {.skin = Skin::kSharp, .bulge_mm = 0.15}, {ball}, 1.0, random, "b")
+            .press;
+  }
+  EXPECT_TRUE(find_contradictions(done_).empty());
+}
+
 /// A straight face in a distance, with the width that is said of it.
 FaceShape straight_face(const CameraParameters& p, Face face, double seen_px) {
   FaceEdges edges;

@@ -73,6 +73,8 @@ struct Outcome {
   [[nodiscard]] bool is_broken() const { return is_good() && !(ratio() <= kTolerance); }
   [[nodiscard]] bool would_hold() const { return faults.empty() && measured_mm <= kGoodErrorMm; }
   [[nodiscard]] bool is_refusal() const { return would_hold() && !is_good(); }
+  /// What was typed wrongly does not stand beside the word.
+  [[nodiscard]] bool is_unnamed() const { return is_good() && !names_number; }
 };
 
 FramePtr frame_of(cv::Mat grey, std::string name) {
@@ -224,7 +226,7 @@ std::string row(const Outcome& outcome) {
   std::string kinds;
   for (const auto& [kind, mm] : outcome.by_kind_mm) kinds += fmt::format(" {}={:.3f}", kind, mm);
   return fmt::format(
-      "{:4} {:8} said {:.3f} measured {:.3f} ratio {:4.1f} bias {:+.3f} {} [{}] {{{}}}{}",
+      "{:4} {:8} said {:.3f} measured {:.3f} ratio {:4.1f} bias {:+.3f} {}{} [{}] {{{}}}{}",
       outcome.seed,
       outcome.word,
       outcome.said_mm,
@@ -234,6 +236,7 @@ std::string row(const Outcome& outcome) {
       outcome.is_broken()    ? "BROKEN"
       : outcome.is_refusal() ? "REFUSAL"
                              : "ok",
+      outcome.is_unnamed() ? ",UNNAMED" : "",
       outcome.faults,
       outcome.traits,
       kinds);
@@ -248,7 +251,7 @@ struct Counts {
     broken += one.is_broken();
     would_hold += one.would_hold();
     refusals += one.is_refusal();
-    unnamed += one.is_good() && !one.names_number;
+    unnamed += one.is_unnamed();
   }
   [[nodiscard]] std::string text() const {
     return fmt::format(

@@ -1,0 +1,40 @@
+#include "calibration/reference/recorded_frames.h"
+
+namespace alltact {
+
+MarkerTable table_of(const NumberedRecording& numbered, const std::vector<std::size_t>& kept) {
+  MarkerTable table;
+  const auto count = numbered.typical.size();
+  table.typical = numbered.typical;
+  table.layouts.resize(static_cast<Eigen::Index>(kept.size()),
+                       static_cast<Eigen::Index>(2 * count));
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    const Markers& markers = *numbered.markers[kept[i]];
+    table.frames.push_back(static_cast<int>(i));
+    table.seen.emplace_back(count, 0);
+    for (std::size_t m = 0; m < count; ++m) {
+      table.layouts.row(static_cast<Eigen::Index>(i)).segment<2>(static_cast<Eigen::Index>(2 * m))
+          << markers[m].u,
+          markers[m].v;
+      table.seen.back()[m] = static_cast<char>(markers[m].seen);
+    }
+  }
+  return table;
+}
+
+MarkerTable table_in_video(const RecordingPass& pass,
+                           const NumberedRecording& numbered,
+                           const std::vector<std::size_t>& kept) {
+  MarkerTable table = table_of(numbered, kept);
+  for (std::size_t i = 0; i < kept.size(); ++i) table.frames[i] = pass.in_video[kept[i]];
+  return table;
+}
+
+Result<cv::Mat> RecordedVideo::frame(std::size_t number) {
+  if (!pass.greys[number].empty()) return pass.greys[number];
+  const auto read = reader.frame(number);
+  if (!read) return read.error();
+  return oriented_for(finger.camera, (*read)->grey, en::say("the recording's picture"), "", "");
+}
+
+}  // namespace alltact

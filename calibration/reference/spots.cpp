@@ -1,0 +1,77 @@
+#include "calibration/reference/spots.h"
+
+#include "core/numerics/median.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <opencv2/imgproc.hpp>
+
+namespace alltact {
+namespace {
+
+constexpr double kSpotPatchMm = 1.5;
+constexpr double kSurroundingsMm = 12.0;
+constexpr float kLeastLower = 0.03F;  // of brightness: about 0.1 mm of a usual layer
+constexpr float kSpotSigmas = 8.0F;
+constexpr double kLeastMm2 = 1.0, kMostMm2 = 150.0;
+constexpr double kSpotRimMm = 4.0;  // around something that presses
+
+cv::Size window(double mm, const Eigen::Vector2d& mm_per_px) {
+  const auto odd = [](double px) { return 2 * std::max(1, static_cast<int>(px / 2)) + 1; };
+  return {odd(mm / mm_per_px.x()), odd(mm / mm_per_px.y())};
+}
+
+/// Means over windows of the known part; NaN where that is less than half.
+cv::Mat means(const cv::Mat& x, const cv::Mat& known, const cv::Size& window) {
+  cv::Mat filled = x.clone(), weight, sum, count;
+  filled.setTo(0.0F, ~known);
+  known.convertTo(weight, CV_32F, 1.0 / 255);
+  cv::boxFilter(filled, sum, CV_32F, window, {-1, -1}, true, cv::BORDER_CONSTANT);
+  cv::boxFilter(weight, count, CV_32F, window, {-1, -1}, true, cv::BORDER_CONSTANT);
+  cv::Mat mean = sum / cv::max(count, 1e-6);
+  mean.setTo(std::numeric_limits<float>::quiet_NaN(), (count < 0.5F) | ~known);
+  return mean;
+}
+
+float usual_magnitude(const cv::Mat& x) {
+  std::vector<float> usual;
+  for (int v = 0; v < x.rows; v += 2)
+    for (int u = 0; u < x.cols; u += 2)
+      if (const float value = x.at<float>(v, u); std::isfinite(value))
+        usual.push_back(std::abs(value));
+  return usual.empty() ? 0.0F : upper_median(usual);
+}
+
+}  // namespace
+
+std::optional<Spot> find_spot(const cv::Mat& x, const cv::Mat& known, const SpotSearch& search) {
+  const cv::Mat higher = means(x, known, window(kSpotPatchMm, search.mm_per_px)) -
+                         means(x, known, window(kSurroundingsMm, search.mm_per_px));
+  const float limit = std::max(kLeastLower, kSpotSigmas * 1.4826F * usual_magnitude(higher));
+  cv::Mat beside;
+  if (!search.beside_higher)
+    cv::dilate(
+        higher > limit,
+        beside,
+        cv::getStructuringElement(cv::MORPH_ELLIPSE, window(2 * kSpotRimMm, search.mm_per_px)));
+  cv::Mat labels, stats, middles;
+  const int count =
+      cv::connectedComponentsWithStats(higher < -0.5F * limit, labels, stats, middles);
+  std::optional<Spot> found;
+  for (int label = 1; label < count; ++label) {
+    const double area_mm2 = stats.at<int>(label, cv::CC_STAT_AREA) * search.mm_per_px.prod();
+    if (area_mm2 < kLeastMm2 || area_mm2 > kMostMm2) continue;
+    const cv::Mat spot = labels == label;
+    double least = 0;
+    cv::minMaxLoc(higher, &least, nullptr, nullptr, nullptr, spot);
+    if (-least < static_cast<double>(limit) || (found && -least < found->lower)) continue;
+    if (!beside.empty() && cv::countNonZero(spot & beside) > 0) continue;
+    found = Spot{-least, {middles.at<double>(label, 0), middles.at<double>(label, 1)}, area_mm2};
+  }
+  return found;
+}
+
+}  // namespace alltact
