@@ -71,7 +71,7 @@ struct FrameRange {
 /// Where something seems to press in more of the frames than this fraction, none is left out for it
 /// and a warning says so: poses that were shown once look the same. Only an earlier reference can
 /// tell, and a recording is refused if that shows that something pressed at one place.
-inline constexpr double kMostTouchedFrames = 0.6;
+inline constexpr double kMostTouchedFrames = 0.75;
 
 /// What a recording is installed with.
 struct ReferenceChoices {

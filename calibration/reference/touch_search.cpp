@@ -16,9 +16,9 @@ namespace {
 
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
-// Chosen on seeds 1 to 40 of tests/support/touched_recording.h, and on clean ones.
-constexpr float kSigmas = 7.0F;  // of a single frame's window; one more with each longer time
-constexpr float kTail = 1.25F;   // times the brightest value: how far the fit itself is off
+// Chosen on seeds 1 to 120 of tests/support/touched_recording.h, and on clean ones.
+constexpr float kSigmas = 9.0F;  // of a single frame's window; one more with each longer time
+constexpr float kTail = 1.6F;    // times the brightest value: how far the fit itself is off
 constexpr float kOwn = 2.5F;     // sigmas that a frame must show itself, whatever its neighbours do
 constexpr float kOwnPart = 0.7F;  // of the mean over time that it must show itself
 constexpr double kMostLeverage = 1.5;
@@ -257,11 +257,11 @@ class Evidence {
   }
 
  private:
-  static constexpr float kGrow = 2.5F;              // sigmas of three frames together
-  static constexpr float kGrowNow = 1.0F;           // and of the frame itself
-  static constexpr float kFollow = 6.0F;            // sigmas of what is followed when it moves
-  static constexpr int kLargestSide = 9;            // patches
-  static constexpr std::ptrdiff_t kMostBeyond = 3;  // frames
+  static constexpr float kGrow = 2.5F;               // sigmas of three frames together
+  static constexpr float kGrowNow = 1.0F;            // and of the frame itself
+  static constexpr float kFollow = 6.0F;             // sigmas of what is followed when it moves
+  static constexpr int kLargestSide = 9;             // patches
+  static constexpr std::ptrdiff_t kMostBeyond = 10;  // frames
 
   [[nodiscard]] static float darker_at(const ScaleValues& values, std::ptrdiff_t frame, int patch) {
     return values.usual_short.middle[static_cast<std::size_t>(patch)] -
@@ -294,7 +294,7 @@ class Evidence {
       const auto faded =
           std::find_if(darker.rbegin(), darker.rend(), [&](float x) { return x >= half; }) -
           darker.rbegin();
-      const auto beyond = std::min<std::ptrdiff_t>(kMostBeyond, (faded + 1) / 4);
+      const auto beyond = std::min<std::ptrdiff_t>(kMostBeyond, (faded + 3) / 4);
       for (auto i = last + step, n = beyond; n > 0 && i >= 0 && i < std::ssize(touched);
            i += step, --n)
         touched[static_cast<std::size_t>(i)] = 1;
@@ -482,7 +482,7 @@ class Search {
         judged_[k] = second.leverage[i] < kMostLeverage;
       }
     }
-    const Rule rule{{{3, 0.006F}, {5, 0.004F}, {9, 0.003F}}, {0, 2, 6}, kSigmas, false};
+    const Rule rule{{{3, 0.010F}, {5, 0.007F}, {9, 0.005F}}, {0, 2, 6}, kSigmas, false};
     const Eigen::VectorXf factor = (1.0 + left.leverage.array()).sqrt().cast<float>();
     const Evidence evidence(patches_, left.values, fine.sd(), out, factor, judged_, rule);
     seeds_ = evidence.seeds();

@@ -37,7 +37,8 @@ struct PosedRows {
 /// Frames of the recording that show a face, and those of the earlier reference behind them.
 struct ReadFrames {
   PosedRows rows;
-  std::vector<std::size_t> numbers;  ///< in the recording, of the first rows
+  std::vector<std::size_t> numbers;   ///< in the recording, of the first rows
+  std::vector<std::size_t> faceless;  ///< in the recording, of those that show no face
 };
 
 /// The rows of one table below those of the other, whose frames are numbered on from `offset`.
@@ -92,6 +93,9 @@ Result<ReadFrames> read_frames(RecordedVideo& video,
                                ? static_cast<int>(kept[row])
                                : apart + table.frames[row] - static_cast<int>(recorded));
   }
+  for (std::size_t row = 0; row < kept.size(); ++row)
+    if (!std::binary_search(read->seen.begin(), read->seen.end(), static_cast<Eigen::Index>(row)))
+      result.faceless.push_back(kept[row]);
   rows.patches = skin_patches(read->grid, read->faces, video.finger.face.width_mm);
   return result;
 }
@@ -229,6 +233,9 @@ Status leave_out_touched(RecordedVideo& video,
   const auto read = read_frames(video, numbered, earlier, kept, job);
   if (!read) return read.error();
   const std::vector<std::size_t>& numbers = read->numbers;
+  for (const std::size_t number : read->faceless)
+    report.rejected.push_back(en::at(en::say("frame {}", number),
+                                     en::say("the two long edges of the face were not found")));
   if (earlier)
     if (const auto touch = find_lasting_touch(
             read->rows.patches, read->rows.modes, static_cast<int>(numbers.size())))
