@@ -62,7 +62,7 @@ std::optional<LastingTouch> find_lasting_touch(const SkinPatches& patches,
   if (!spot) return std::nullopt;
   LastingTouch touch;
   touch.darker = spot->lower;
-  touch.along_mm = (spot->place_px.y() + 0.5) * patches.along_mm;
+  touch.along_mm = patches.begin_mm + (spot->place_px.y() + 0.5) * patches.along_mm;
   touch.across_mm = (spot->place_px.x() + 0.5) * patches.across_mm - 0.5 * patches.width_mm;
   const auto patch = static_cast<Eigen::Index>(std::lround(spot->place_px.y()) * patches.across +
                                                std::lround(spot->place_px.x()));

@@ -56,6 +56,7 @@ SkinPatches coarser_patches(const SkinPatches& fine) {
   coarse.along = fine.along / 2;
   coarse.across = fine.across / 2;
   coarse.along_mm = 2 * fine.along_mm;
+  coarse.begin_mm = fine.begin_mm;
   coarse.width_mm = fine.width_mm;
   coarse.across_mm = fine.width_mm / coarse.across;
   coarse.pixels.assign(static_cast<std::size_t>(coarse.count()), 0.0F);
@@ -87,7 +88,7 @@ PoseBrightness::PoseBrightness(const SkinPatches& patches, const Eigen::MatrixXd
       sd_(static_cast<std::size_t>(patches.count()), 0.01F),
       fitted_(PatchValues::Constant(patches.frames(), patches.count(), kNaN)) {
   for (int p = 0; p < patches.count(); ++p) {
-    const double s = 2 * patches.s_mm(p) / (patches.along * patches.along_mm) - 1;
+    const double s = (2 * (p / patches.across) + 1.0) / patches.along - 1;
     const double t = 2 * patches.y_mm(p) / patches.width_mm;
     light_basis_.row(p) << 1, s, t, s * s, s * t, t * t;
     const auto shown = patches.log_level.col(p).array().isFinite().count();

@@ -17,12 +17,18 @@ constexpr double kEndMm = 4.0;      // from either end of what a frame shows: li
 constexpr float kLeastPixels = 2;   // of a patch
 constexpr float kMostHidden = 0.1;  // fraction of a patch that a frame need not show
 
+/// Arc length from the face's base of a column of the grid; below 0 before it.
+double length_at(const FaceChart& chart, std::size_t column) {
+  return chart.base_at_low_u ? chart.along_mm[column] : -chart.along_mm[column];
+}
+
 /// By pixel of the grid's runs, its patch; -1 where there is none.
 std::vector<std::int32_t> patch_of_pixels(const FaceGrid& grid, SkinPatches& patches) {
   const FaceChart& chart = grid.chart;
-  const auto [least, greatest] = std::minmax_element(chart.along_mm.begin(), chart.along_mm.end());
-  const double from_mm = *least;
-  patches.along = std::max(1, static_cast<int>((*greatest - from_mm) / patches.along_mm));
+  const auto [from_mm, to_mm] =
+      std::minmax({length_at(chart, 0), length_at(chart, chart.along_mm.size() - 1)});
+  patches.begin_mm = from_mm;
+  patches.along = std::max(1, static_cast<int>((to_mm - from_mm) / patches.along_mm));
   std::vector<std::int32_t> patch(grid.runs.pixels(), -1);
   for (const FaceRun& run : grid.runs.runs)
     for (int u = run.first; u < run.end; ++u) {
@@ -32,9 +38,8 @@ std::vector<std::int32_t> patch_of_pixels(const FaceGrid& grid, SkinPatches& pat
       if (v < upper + kRimPx || v > lower - kRimPx) continue;
       const double t = (v - upper) / (lower - upper);
       if (std::min(t, 1 - t) * patches.width_mm < kRimMm) continue;
-      const double length_mm = chart.base_at_low_u ? chart.along_mm[column] - from_mm
-                                                   : *greatest - chart.along_mm[column];
-      const int i = static_cast<int>(length_mm / patches.along_mm);
+      const int i =
+          static_cast<int>((length_at(chart, column) - patches.begin_mm) / patches.along_mm);
       const int j = std::min(patches.across - 1, static_cast<int>(t * patches.across));
       if (i >= patches.along) continue;
       patch[run.before + static_cast<std::uint32_t>(u - run.first)] = i * patches.across + j;
@@ -47,14 +52,10 @@ struct Shown {
   double from_mm, to_mm;
 };
 Shown shown_of(const FaceGrid& grid, const FacePicture& face) {
-  const FaceChart& chart = grid.chart;
   if (face.first >= face.end) return {1.0, 0.0};
-  const auto [least, greatest] = std::minmax_element(chart.along_mm.begin(), chart.along_mm.end());
-  const auto length_at = [&, low = *least, high = *greatest](int column) {
-    const double along_mm = chart.along_mm[static_cast<std::size_t>(column)];
-    return chart.base_at_low_u ? along_mm - low : high - along_mm;
-  };
-  const auto [from_mm, to_mm] = std::minmax({length_at(face.first), length_at(face.end - 1)});
+  const auto [from_mm, to_mm] =
+      std::minmax({length_at(grid.chart, static_cast<std::size_t>(face.first)),
+                   length_at(grid.chart, static_cast<std::size_t>(face.end - 1))});
   return {from_mm + kEndMm, to_mm - kEndMm};
 }
 

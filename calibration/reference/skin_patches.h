@@ -17,6 +17,7 @@ using PatchValues = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::
 struct SkinPatches {
   int along = 0, across = 0;           ///< number of patches from base to tip, and across
   double along_mm = 1, across_mm = 1;  ///< size of a patch
+  double begin_mm = 0;                 ///< of the first, from the face's base; mostly before it
   double width_mm = 0;                 ///< of the face
   std::vector<float> pixels;           ///< of the grid, by patch
   /// Natural logarithm of the mean grey level; NaN where a frame does not show the whole patch and
@@ -25,7 +26,10 @@ struct SkinPatches {
 
   [[nodiscard]] int count() const { return along * across; }
   [[nodiscard]] Eigen::Index frames() const { return log_level.rows(); }
-  [[nodiscard]] double s_mm(int patch) const { return (patch / across + 0.5) * along_mm; }
+  /// From the face's base, as FaceShape::length_at.
+  [[nodiscard]] double s_mm(int patch) const {
+    return begin_mm + (patch / across + 0.5) * along_mm;
+  }
   /// From the middle line, > 0 towards +y.
   [[nodiscard]] double y_mm(int patch) const {
     return (patch % across + 0.5) * across_mm - 0.5 * width_mm;

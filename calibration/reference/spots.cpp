@@ -24,15 +24,15 @@ cv::Size window(double mm, const Eigen::Vector2d& mm_per_px) {
   return {odd(mm / mm_per_px.x()), odd(mm / mm_per_px.y())};
 }
 
-/// Means over windows of the known part; NaN where that is less than half.
-cv::Mat means(const cv::Mat& x, const cv::Mat& known, const cv::Size& window) {
+/// Means over windows of the known part; NaN where that is less than `least` of the window.
+cv::Mat means(const cv::Mat& x, const cv::Mat& known, const cv::Size& window, double least) {
   cv::Mat filled = x.clone(), weight, sum, count;
   filled.setTo(0.0F, ~known);
   known.convertTo(weight, CV_32F, 1.0 / 255);
   cv::boxFilter(filled, sum, CV_32F, window, {-1, -1}, true, cv::BORDER_CONSTANT);
   cv::boxFilter(weight, count, CV_32F, window, {-1, -1}, true, cv::BORDER_CONSTANT);
   cv::Mat mean = sum / cv::max(count, 1e-6);
-  mean.setTo(std::numeric_limits<float>::quiet_NaN(), (count < 0.5F) | ~known);
+  mean.setTo(std::numeric_limits<float>::quiet_NaN(), (count < least) | ~known);
   return mean;
 }
 
@@ -45,33 +45,42 @@ float usual_magnitude(const cv::Mat& x) {
   return usual.empty() ? 0.0F : upper_median(usual);
 }
 
-}  // namespace
+cv::Mat contrast(const cv::Mat& x, const cv::Mat& known, const Eigen::Vector2d& mm_per_px) {
+  constexpr double kMostOfPatch = 0.5, kSomeOfSurroundings = 0.15;
+  return means(x, known, window(kSpotPatchMm, mm_per_px), kMostOfPatch) -
+         means(x, known, window(kSurroundingsMm, mm_per_px), kSomeOfSurroundings);
+}
 
-std::optional<Spot> find_spot(const cv::Mat& x, const cv::Mat& known, const SpotSearch& search) {
-  const cv::Mat higher = means(x, known, window(kSpotPatchMm, search.mm_per_px)) -
-                         means(x, known, window(kSurroundingsMm, search.mm_per_px));
+std::optional<Spot> lowest_spot(const cv::Mat& x,
+                                const cv::Mat& known,
+                                const Eigen::Vector2d& mm_per_px) {
+  const cv::Mat higher = contrast(x, known, mm_per_px);
   const float limit = std::max(kLeastLower, kSpotSigmas * 1.4826F * usual_magnitude(higher));
-  cv::Mat beside;
-  if (!search.beside_higher)
-    cv::dilate(
-        higher > limit,
-        beside,
-        cv::getStructuringElement(cv::MORPH_ELLIPSE, window(2 * kSpotRimMm, search.mm_per_px)));
   cv::Mat labels, stats, middles;
   const int count =
       cv::connectedComponentsWithStats(higher < -0.5F * limit, labels, stats, middles);
   std::optional<Spot> found;
   for (int label = 1; label < count; ++label) {
-    const double area_mm2 = stats.at<int>(label, cv::CC_STAT_AREA) * search.mm_per_px.prod();
+    const double area_mm2 = stats.at<int>(label, cv::CC_STAT_AREA) * mm_per_px.prod();
     if (area_mm2 < kLeastMm2 || area_mm2 > kMostMm2) continue;
-    const cv::Mat spot = labels == label;
     double least = 0;
-    cv::minMaxLoc(higher, &least, nullptr, nullptr, nullptr, spot);
+    cv::minMaxLoc(higher, &least, nullptr, nullptr, nullptr, labels == label);
     if (-least < static_cast<double>(limit) || (found && -least < found->lower)) continue;
-    if (!beside.empty() && cv::countNonZero(spot & beside) > 0) continue;
     found = Spot{-least, {middles.at<double>(label, 0), middles.at<double>(label, 1)}, area_mm2};
   }
   return found;
+}
+
+}  // namespace
+
+std::optional<Spot> find_spot(const cv::Mat& x, const cv::Mat& known, const SpotSearch& search) {
+  if (search.beside_higher) return lowest_spot(x, known, search.mm_per_px);
+  const cv::Mat lower = contrast(x, known, search.mm_per_px) <= kLeastLower;
+  const cv::Mat is_nan = ~known;
+  cv::Mat beside_px;
+  cv::distanceTransform(lower | is_nan, beside_px, cv::DIST_L2, 3);
+  const double rim_px = kSpotRimMm / std::sqrt(search.mm_per_px.prod());
+  return lowest_spot(x, known & (beside_px > rim_px), search.mm_per_px);
 }
 
 }  // namespace alltact

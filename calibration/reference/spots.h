@@ -16,7 +16,8 @@ struct Spot {
 
 struct SpotSearch {
   Eigen::Vector2d mm_per_px;  ///< along columns, along rows
-  bool beside_higher = true;  ///< false: none with a part as much higher within 4 mm, as rims have
+  /// false: what is higher than its surroundings by 0.03, and 4 mm around it, does not count
+  bool beside_higher = true;
 };
 
 /// The lowest spot of `x` (CV_32F) of 1 to 150 mm^2 that is lower than its surroundings by 0.03 and

@@ -294,7 +294,7 @@ class Evidence {
       const auto faded =
           std::find_if(darker.rbegin(), darker.rend(), [&](float x) { return x >= half; }) -
           darker.rbegin();
-      const auto beyond = std::min<std::ptrdiff_t>(kMostBeyond, (faded + 3) / 4);
+      const auto beyond = std::min<std::ptrdiff_t>(kMostBeyond, (faded + 2) / 4);
       for (auto i = last + step, n = beyond; n > 0 && i >= 0 && i < std::ssize(touched);
            i += step, --n)
         touched[static_cast<std::size_t>(i)] = 1;
@@ -413,7 +413,7 @@ class Search {
 
   /// Clear touches leave the fit, the strongest first; what else looks dark does not take part in
   /// the first exact fit, which decides about it.
-  void remove_gross(PoseBrightness& fit, std::vector<char>& without) const {
+  void remove_gross(PoseBrightness& fit, std::vector<char>& without) {
     const Rule clear{{{1, 0.025F}, {3, 0.018F}}, {0}, 8.0F, true};
     const Rule suspect{{{1, 0.012F}, {3, 0.007F}}, {0, 2}, 5.0F, true};
     const Eigen::VectorXf even = Eigen::VectorXf::Ones(patches_.frames());
@@ -424,6 +424,7 @@ class Search {
       fit.fit_one_sided(without, round == 0);
       fit.fit_light();
       const Evidence evidence(coarse_, fit.residuals(), fit.sd(), without, even, all, clear);
+      if (round == 0) note_darker(evidence);
       const float most = strongest(evidence, without);
       if (most < 1) break;
       for (std::size_t i = 0; i < count_; ++i)
@@ -446,6 +447,10 @@ class Search {
     // They may be so many only because the pose is told badly.
     if (count_of(suspects) < count_ - std::max<std::size_t>(kLeastFrames, count_ / 4))
       without = suspects;
+  }
+  /// Of a fit from the bright side.
+  void note_darker(const Evidence& evidence) {
+    for (std::size_t i = 0; i < count_; ++i) darker_[i] = evidence.seeds()[i].strength > 1;
   }
   [[nodiscard]] float strongest(const Evidence& evidence, const std::vector<char>& without) const {
     float most = 0;
@@ -499,6 +504,20 @@ class Search {
     }
   }
 
+  /// Frames clearly darker than the brightest of near pose, of which nothing else is said.
+  void tell_unexplained(TouchSearch& result) const {
+    constexpr std::size_t kFewPart = 10;
+    std::vector<std::size_t> unexplained;
+    for (std::size_t i = 0; i < count_; ++i) {
+      const FrameTouch touch = result.frames[i].touch;
+      if (darker_[i] && (touch == FrameTouch::kClean || touch == FrameTouch::kUncompared))
+        unexplained.push_back(i);
+    }
+    result.is_torn = kFewPart * unexplained.size() > count_;
+    if (!result.is_torn) return;
+    for (const std::size_t i : unexplained) result.frames[i].touch = FrameTouch::kDoubtful;
+  }
+
   [[nodiscard]] TouchSearch result() const {
     TouchSearch result;
     result.frames.resize(count_);
@@ -516,6 +535,7 @@ class Search {
                     : seed.strength >= kDoubtful ? FrameTouch::kDoubtful
                                                  : FrameTouch::kClean;
     }
+    tell_unexplained(result);
     return result;
   }
 
@@ -527,6 +547,7 @@ class Search {
   std::size_t count_;
   int gap_;
   NearPoses near_;
+  std::vector<char> darker_ = std::vector<char>(count_, 0);
   std::vector<char> touched_, judged_, is_of_the_pose_ = std::vector<char>(count_, 0);
   std::vector<Seed> seeds_;
   Eigen::VectorXd motion_sds_;
@@ -558,7 +579,6 @@ TouchSearch find_touches(const SkinPatches& patches,
     found.frames.resize(static_cast<std::size_t>(patches.frames()));
   else
     found = Search(patches, modes, motion_off_px, numbers)();
-  found.stretches = stretches_of(found.frames);
   return found;
 }
 

@@ -45,7 +45,10 @@ struct TouchStretch {
 
 struct TouchSearch {
   std::vector<FrameEvidence> frames;  ///< by row of the patches
-  std::vector<TouchStretch> stretches;
+  /// A tenth of the frames or more are darker than the brightest, as something that presses is, but
+  /// so are others of near pose: nobody can tell which of them show untouched skin. These are
+  /// doubtful.
+  bool is_torn = false;
 };
 
 /// Of frames in order, those that are not clean.

@@ -20,9 +20,7 @@ struct PosedRows {
   Eigen::VectorXd off_px;
   std::vector<int> numbers;
 
-  [[nodiscard]] FrameJudgements search() const {
-    return find_touches(patches, modes, off_px, numbers).frames;
-  }
+  [[nodiscard]] TouchSearch search() const { return find_touches(patches, modes, off_px, numbers); }
   [[nodiscard]] PosedRows first(std::size_t count) const {
     const auto n = static_cast<Eigen::Index>(count);
     PosedRows some{patches,
@@ -186,7 +184,7 @@ void leave_all_in(std::size_t frames, ReferenceReport& report) {
       en::say("In {} of {} frames the face is darker than in the others: something pressed on it "
               "most of the time, or most poses were shown once. All frames stay in; if anything "
               "touched the face, record again, and show each pose several times",
-              report.touched,
+              report.touched + report.doubtful,
               frames));
   report.doubtful += report.touched;
   report.touched = 0;
@@ -240,8 +238,9 @@ Status leave_out_touched(RecordedVideo& video,
     if (const auto touch = find_lasting_touch(
             read->rows.patches, read->rows.modes, static_cast<int>(numbers.size())))
       return refuse(*touch, numbers, report);
-  FrameJudgements evidence = read->rows.first(numbers.size()).search();
-  const bool is_unsure = is_mostly_touched(evidence, numbers, choices);
+  const TouchSearch search = read->rows.first(numbers.size()).search();
+  FrameJudgements evidence = search.frames;
+  const bool is_unsure = search.is_torn || is_mostly_touched(evidence, numbers, choices);
   spread_to_uncompared(evidence);
   report_stretches(evidence, numbers, choices, report);
   if (is_unsure) leave_all_in(numbers.size(), report);

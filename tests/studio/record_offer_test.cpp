@@ -1,6 +1,7 @@
 // What the place Record offers once a recording is there.
 #include "tests/studio/studio_rig.h"
 
+#include <QCheckBox>
 #include <QFileDialog>
 #include <QLineEdit>
 
@@ -34,14 +35,22 @@ class RecordOffer : public testing::Test {
     studio_->click("Stop recording");
     ASSERT_TRUE(wait_until([&] { return recording.state == RecordingState::kDone; }, 20000));
   }
+  bool has_words(const char* words) {
+    for (const QLabel* label : studio_->window().findChildren<QLabel*>())
+      if (label->isVisible() && label->text().contains(QLatin1String(words))) return true;
+    return false;
+  }
   bool wait_for_words(const char* words) {
-    return wait_until(
-        [&] {
-          for (const QLabel* label : studio_->window().findChildren<QLabel*>())
-            if (label->isVisible() && label->text().contains(QLatin1String(words))) return true;
-          return false;
-        },
-        60000);
+    return wait_until([&] { return has_words(words); }, 60000);
+  }
+  void choose(const std::filesystem::path& video) {
+    studio_->click("Install a video that is there…");
+    auto* dialog = studio_->window().findChild<QFileDialog*>();
+    ASSERT_NE(dialog, nullptr);
+    auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+    ASSERT_NE(name, nullptr);
+    name->setText(QString::fromStdString(video.string()));
+    QTest::keyClick(name, Qt::Key_Return);
   }
   TemporaryFolder folder_;
   std::unique_ptr<Studio> studio_;
@@ -57,16 +66,37 @@ TEST_F(RecordOffer, SaysWhatItWouldBringAndLeavesTheFingerAlone) {
   EXPECT_TRUE(wait_for_words("Kept: bend.mkv"));
   EXPECT_TRUE(std::filesystem::exists(folder_ / "bend.mkv"));
   // And later.
-  studio_->click("Install a video that is there…");
-  auto* dialog = studio_->window().findChild<QFileDialog*>();
-  ASSERT_NE(dialog, nullptr);
-  auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
-  ASSERT_NE(name, nullptr);
-  name->setText(QString::fromStdString((folder_ / "bend.mkv").string()));
-  QTest::keyClick(name, Qt::Key_Return);
+  choose(folder_ / "bend.mkv");
+  for (const QCheckBox* box : studio_->window().findChildren<QCheckBox*>())
+    EXPECT_FALSE(box->isVisible() && box->text().contains(QLatin1String("last reference")))
+        << "there is none";
   studio_->click("Install as this finger's reference");
   ASSERT_TRUE(wait_until([&] { return studio_->session().status().finger.has_reference; }, 60000))
       << studio_->problems();
+}
+
+TEST_F(RecordOffer, AsksWhetherTheSkinIsAnotherOneThanInTheLastReference) {
+  open();
+  record(folder_ / "bend.mkv");
+  studio_->click("Install as this finger's reference");
+  ASSERT_TRUE(wait_until([&] { return studio_->session().status().finger.has_reference; }, 60000))
+      << studio_->problems();
+  choose(folder_ / "bend.mkv");
+  ASSERT_TRUE(wait_for_words("It would bring: "));
+  auto* skin = studio_->find<QCheckBox>("The skin was changed since the last reference");
+  ASSERT_NE(skin, nullptr);
+  EXPECT_TRUE(skin->isVisible());
+  EXPECT_FALSE(skin->isChecked());
+  for (const auto& [size, name] : {std::pair{QSize(1024, 700), "record_offer_1024"},
+                                   std::pair{QSize(1440, 900), "record_offer_1440"}}) {
+    studio_->window().resize(size);
+    QTest::qWait(300);
+    studio_->window().grab().save(
+        QString::fromStdString(std::string(ALLTACT_SCREENS) + "/" + name + ".png"));
+  }
+  skin->click();  // is judged again
+  EXPECT_TRUE(wait_until([&] { return !has_words("It would bring: "); }, 5000));
+  EXPECT_TRUE(wait_for_words("It would bring: "));
 }
 
 TEST_F(RecordOffer, RecordingAgainTakesTheVideoAway) {

@@ -188,7 +188,7 @@ TEST(CleanReference, StretchesAreNamedAndChoicesHonoured) {
   const ReferenceStretch& stretch = report->stretches.front();
   EXPECT_NEAR(stretch.first, 0, 4);
   EXPECT_NEAR(stretch.last, 29, 4);
-  EXPECT_NEAR(stretch.along_mm, 50, 6);  // the grid begins a little before the face's base
+  EXPECT_NEAR(stretch.along_mm, 50, 2.5);
   EXPECT_GT(stretch.darker, 0.02);
   EXPECT_THAT(report->rejected,
               ::testing::Contains(::testing::Property(

@@ -211,7 +211,7 @@ Outcome run_campaign(std::uint64_t seed) {
   outcome.said_mm = done->verdict.error_mm;
   // As a person reads it: any figure that is typed wrongly stands in the sentence.
   const auto stands = [&](double number) {
-    return outcome.why.find(fmt::format("{:.2f} mm", number)) != std::string::npos;
+    return outcome.why.find(fmt::format("{:.2f} ", number)) != std::string::npos;
   };
   outcome.names_number =
       (world.faults.radius_factor == 1 ||
