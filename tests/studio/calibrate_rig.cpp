@@ -180,14 +180,16 @@ std::string CalibrateStudio::calibrate_and_compare_with_the_command() {
   return command;
 }
 
-bool CalibrateStudio::wait_for_press() {
+bool CalibrateStudio::wait_for_press(double from_mm, double to_mm) {
   return wait_until([&] {
     const auto& view = studio_->session().view();
     if (!view) return false;
     const auto patch = dark_patch(view->result);
     if (!patch || patch->darkness < 0.05) return false;
-    if (last_along_mm_ && std::abs(patch->place_mm.x() - *last_along_mm_) < 5) return false;
-    last_along_mm_ = patch->place_mm.x();
+    const double along_mm = patch->place_mm.x();
+    if (along_mm < from_mm || along_mm > to_mm) return false;
+    if (last_along_mm_ && std::abs(along_mm - *last_along_mm_) < 5) return false;
+    last_along_mm_ = along_mm;
     return true;
   });
 }

@@ -59,8 +59,9 @@ class CalibrateStudio {
   /// From the step Presses, with the program of the command line: calibrates, then does the same
   /// with the command that the window copies. Fails unless both give the same bytes.
   std::string calibrate_and_compare_with_the_command();
-  /// Until the ball presses in by at least 0.3 mm and elsewhere than the last time.
-  bool wait_for_press();
+  /// Until the ball presses in by at least 0.3 mm and elsewhere than the last time, at a place
+  /// along the face.
+  bool wait_for_press(double from_mm = 0, double to_mm = 1000);
 
  private:
   TemporaryFolder folder_;

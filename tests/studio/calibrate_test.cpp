@@ -9,6 +9,7 @@
 #include <QAbstractItemModelTester>
 #include <QListWidget>
 #include <QProgressBar>
+#include <tuple>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -369,16 +370,27 @@ TEST(Calibrate, ThreePressesTellWhetherItStillHolds) {
   }));
   rig.go_to_step("Check");
   EXPECT_FALSE(rig.studio().find<QPushButton>("Check now")->isEnabled());
-  for (const char* count : {"1 of 3 taken", "2 of 3 taken", "3 presses taken: enough"}) {
-    ASSERT_TRUE(rig.wait_for_press());
+  // Base, middle and tip: a pass needs all of them.
+  for (const auto& [count, from_mm, to_mm] : {std::tuple{"1 of 3 taken", 0.0, 30.0},
+                                              {"2 of 3 taken", 43.0, 53.0},
+                                              {"3 presses taken: enough", 76.0, 100.0}}) {
+    ASSERT_TRUE(rig.wait_for_press(from_mm, to_mm));
     rig.studio().click("Take a press (Space)");
     ASSERT_TRUE(wait_until([&] { return says(rig.studio(), count); })) << count;
   }
   rig.studio().click("Check now");
-  ASSERT_TRUE(wait_until([&] { return says(rig.studio(), "Pass"); }, 60000))
+  ASSERT_TRUE(wait_until(
+      [&] {
+        const auto done = load_checks(rig.finger(), nullptr);
+        return done && !done->empty();
+      },
+      60000))
       << rig.studio().problems();
   const auto checks = load_checks(rig.finger(), nullptr).value();
   ASSERT_EQ(checks.size(), 1U);
+  EXPECT_TRUE(wait_until([&] { return says(rig.studio(), "Pass"); }))
+      << to_string(checks[0].verdict) << ": " << checks[0].error_mm << " mm off in "
+      << checks[0].presses << " presses";
   EXPECT_EQ(checks[0].verdict, CheckVerdict::kPass);
   EXPECT_EQ(checks[0].presses, 3);
   QTest::keyClick(&rig.studio().window(), Qt::Key_Z, Qt::ControlModifier);

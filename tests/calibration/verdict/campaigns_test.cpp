@@ -12,6 +12,8 @@
 //   refusal    not "good" where it would have held: no fault, six presses or more all over
 //              the face, and measured within the limit of "good"
 //
+// A reference in which something pressed 0.25 mm deep must be named, and no other accused.
+//
 // Three kinds of campaigns are counted apart:
 //
 //   local      brightness depends on the layer at its own pixel: broken and refused at most
@@ -59,6 +61,8 @@ struct Outcome {
   std::uint64_t seed = 0;
   std::string faults, traits;
   bool is_typed_wrongly = false, is_scattered = false, names_number = false;
+  double reference_touch_mm = 0;
+  bool names_touch = false;
   std::string word;            ///< of the verdict; "refused": there is no calibration
   std::string why;             ///< its sentence, or the error
   std::string parts, missing;  ///< of the verdict, blank before each
@@ -190,6 +194,7 @@ Outcome run_campaign(std::uint64_t seed) {
   outcome.faults = world.faults.names();
   outcome.traits = world.traits();
   outcome.is_typed_wrongly = world.faults.is_typed_wrongly();
+  outcome.reference_touch_mm = world.faults.reference_touch_mm;
   outcome.is_scattered = world.skirt_share() >= kScatteredSkirt;
   const TemporaryFolder folder(quick_folder());
   const Finger finger = finger_as_given(world);
@@ -218,6 +223,10 @@ Outcome run_campaign(std::uint64_t seed) {
        stands(2 * world.presses.front().radius_mm * world.faults.radius_factor)) &&
       (world.faults.layer_factor == 1 || stands(finger.face.layer_mm)) &&
       (world.faults.scale_factor == 1 || stands(finger.camera.mm_per_px * CampaignWorld::kWidthPx));
+  outcome.names_touch = std::any_of(
+      done->contradictions.begin(), done->contradictions.end(), [](const Contradiction& one) {
+        return one.kind == ContradictionKind::kReferenceTouched;
+      });
   measure(world, folder.path(), outcome);
   return outcome;
 }
@@ -267,6 +276,22 @@ struct Counts {
   }
 };
 
+/// References in which something pressed 0.25 mm deep or more, and those in which nothing did, of
+/// campaigns that have presses to tell by.
+struct TouchCounts {
+  int touched = 0, named = 0, untouched = 0, accused = 0;
+
+  void add(const Outcome& one) {
+    constexpr double kPlainly_mm = 0.25;
+    if (one.word == "refused") return;
+    const bool is_touched = one.reference_touch_mm >= kPlainly_mm;
+    touched += is_touched;
+    named += is_touched && one.names_touch;
+    untouched += one.reference_touch_mm == 0;
+    accused += one.reference_touch_mm == 0 && one.names_touch;
+  }
+};
+
 std::pair<std::uint64_t, std::uint64_t> seeds() {
   std::uint64_t first = is_slow_run() ? 501 : 1, last = is_slow_run() ? 1500 : 12;
   if (const char* text = std::getenv("ALLTACT_CAMPAIGNS")) {
@@ -278,11 +303,13 @@ std::pair<std::uint64_t, std::uint64_t> seeds() {
 TEST(Campaigns, VerdictHoldsForTheNextContact) {
   const auto [first, last] = seeds();
   Counts local, scattered, typed;
+  TouchCounts touches;
   for (std::uint64_t seed = first; seed <= last; ++seed) {
     SCOPED_TRACE(fmt::format("seed {}", seed));
     const Outcome outcome = run_campaign(seed);
     if (HasFatalFailure()) return;
     (outcome.is_typed_wrongly ? typed : outcome.is_scattered ? scattered : local).add(outcome);
+    touches.add(outcome);
     std::printf("%s\n", row(outcome).c_str());
     if (std::getenv("ALLTACT_CAMPAIGNS") != nullptr)
       std::printf("     parts%s; missing%s; %s\n",
@@ -298,6 +325,13 @@ TEST(Campaigns, VerdictHoldsForTheNextContact) {
               scattered.text().c_str(),
               typed.text().c_str(),
               typed.unnamed);
+  std::printf("touched references: %d of %d named, %d of %d untouched ones accused\n",
+              touches.named,
+              touches.touched,
+              touches.accused,
+              touches.untouched);
+  EXPECT_GE(touches.named, 0.9 * touches.touched);
+  EXPECT_LE(touches.accused, 0.005 * touches.untouched);
   EXPECT_LE(local.broken, kShare * local.good);
   EXPECT_LE(local.refusals, kShare * local.would_hold);
   EXPECT_EQ(typed.unnamed, 0);
