@@ -9549,6 +9549,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>In {} von {} Bildern ist die Fläche dunkler als in den übrigen: Meistens drückte etwas darauf, oder die meisten Stellungen wurden nur einmal gezeigt. Alle Bilder bleiben; falls etwas die Fläche berührte, neu aufnehmen und jede Stellung mehrmals zeigen</translation>
     </message>
     <message>
+        <source>In {} of {} frames the face is darker than in the brightest, and so are frames of near poses: something pressed on it for long, or these poses were shown once. They stay in; if anything touched the face, record again, and show each pose several times</source>
+        <translation>In {} von {} Bildern ist die Fläche dunkler als in den hellsten, und Bilder ähnlicher Haltung sind es auch: Etwas drückte lange auf sie, oder diese Haltungen wurden nur einmal gezeigt. Sie bleiben darin; falls etwas die Fläche berührte, neu aufnehmen und jede Haltung mehrmals zeigen</translation>
+    </message>
+    <message>
         <source>only {} frames are left of those that are to be used</source>
         <translation>von den zu verwendenden Bildern bleiben nur {} übrig</translation>
     </message>

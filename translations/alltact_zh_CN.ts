@@ -9506,6 +9506,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>{}/{} 帧中，表面比其余帧更暗：要么大部分时间有物体按压，要么大多数姿态只出现过一次。所有帧都保留；如果有物体碰到表面，请重新录制，并让每个姿态出现多次</translation>
     </message>
     <message>
+        <source>In {} of {} frames the face is darker than in the brightest, and so are frames of near poses: something pressed on it for long, or these poses were shown once. They stay in; if anything touched the face, record again, and show each pose several times</source>
+        <translation>在 {} / {} 帧中接触面比最亮的帧暗，姿态相近的帧也是如此：有物体长时间按压，或这些姿态只出现过一次。这些帧予以保留；如果有物体碰过接触面，请重新录制，并让每个姿态出现多次</translation>
+    </message>
+    <message>
         <source>only {} frames are left of those that are to be used</source>
         <translation>可用的帧只剩 {} 帧</translation>
     </message>

@@ -515,7 +515,7 @@ class Search {
     }
     result.is_torn = kFewPart * unexplained.size() > count_;
     if (!result.is_torn) return;
-    for (const std::size_t i : unexplained) result.frames[i].touch = FrameTouch::kDoubtful;
+    for (const std::size_t i : unexplained) result.frames[i].touch = FrameTouch::kUnexplained;
   }
 
   [[nodiscard]] TouchSearch result() const {

@@ -22,8 +22,9 @@ namespace alltact {
 /// What the search says of a frame.
 enum class FrameTouch {
   kClean = 1,
-  kUncompared,  ///< no frame of near pose at another time: a touch would not show
-  kDoubtful,    ///< something is nearly as much darker as a touch is
+  kUncompared,   ///< no frame of near pose at another time: a touch would not show
+  kUnexplained,  ///< darker than the brightest, as are others of near pose: see is_torn
+  kDoubtful,     ///< something is nearly as much darker as a touch is
   kTouched,
 };
 
@@ -46,8 +47,8 @@ struct TouchStretch {
 struct TouchSearch {
   std::vector<FrameEvidence> frames;  ///< by row of the patches
   /// A tenth of the frames or more are darker than the brightest, as something that presses is, but
-  /// so are others of near pose: nobody can tell which of them show untouched skin. These are
-  /// doubtful.
+  /// so are others of near pose: nobody can tell whether they show untouched skin. These are
+  /// unexplained.
   bool is_torn = false;
 };
 

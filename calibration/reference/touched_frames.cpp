@@ -163,13 +163,14 @@ void report_stretches(const FrameJudgements& evidence,
     ReferenceStretch stretch;
     stretch.first = static_cast<int>(numbers[found.first]);
     stretch.last = static_cast<int>(numbers[found.last]);
-    stretch.is_doubtful = found.touch == FrameTouch::kDoubtful;
+    stretch.is_doubtful = found.touch != FrameTouch::kTouched;
     stretch.is_kept = true;
     stretch.darker = darkest.darker;
     stretch.along_mm = darkest.along_mm;
     stretch.across_mm = darkest.across_mm;
     stretch.darkest = static_cast<int>(numbers[found.darkest]);
-    for (std::size_t i = found.first; i <= found.last; ++i)
+    for (std::size_t i = found.first; i <= found.last && found.touch != FrameTouch::kUnexplained;
+         ++i)
       stretch.is_kept = stretch.is_kept && is_in(choices.keep, numbers[i]);
     stretch.sentence = sentence_of(stretch);
     if (!stretch.is_kept) report.rejected.push_back(stretch.sentence);
@@ -193,6 +194,19 @@ void leave_all_in(std::size_t frames, ReferenceReport& report) {
     stretch.is_doubtful = stretch.is_kept = true;
     stretch.sentence = sentence_of(stretch);
   }
+}
+
+Message unexplained(const FrameJudgements& evidence) {
+  return en::say(
+      "In {} of {} frames the face is darker than in the brightest, and so are frames of near "
+      "poses: "
+      "something pressed on it for long, or these poses were shown once. They stay in; if anything "
+      "touched the face, record again, and show each pose several times",
+      std::count_if(
+          evidence.begin(),
+          evidence.end(),
+          [](const FrameEvidence& frame) { return frame.touch == FrameTouch::kUnexplained; }),
+      evidence.size());
 }
 
 /// The stretch is told, so that its darkest frame can be shown.
@@ -240,10 +254,13 @@ Status leave_out_touched(RecordedVideo& video,
       return refuse(*touch, numbers, report);
   const TouchSearch search = read->rows.first(numbers.size()).search();
   FrameJudgements evidence = search.frames;
-  const bool is_unsure = search.is_torn || is_mostly_touched(evidence, numbers, choices);
+  const bool is_unsure = is_mostly_touched(evidence, numbers, choices);
   spread_to_uncompared(evidence);
   report_stretches(evidence, numbers, choices, report);
-  if (is_unsure) leave_all_in(numbers.size(), report);
+  if (is_unsure)
+    leave_all_in(numbers.size(), report);
+  else if (search.is_torn)
+    report.warnings.push_back(unexplained(evidence));
   kept.clear();
   for (std::size_t i = 0; i < numbers.size(); ++i)
     if (is_unsure || !is_suspect(evidence[i]) || is_in(choices.keep, numbers[i]))
