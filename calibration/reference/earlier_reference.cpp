@@ -1,26 +1,18 @@
 #include "calibration/reference/earlier_reference.h"
 
-#include "core/camera/camera.h"
+#include "calibration/reference/recorded_frames.h"
 
-#include <algorithm>
+#include <vector>
 
 namespace alltact {
 namespace {
 
-/// Every so many rows that at most `most` are left.
+/// Rows spread evenly, at most `most`.
 MarkerTable thinned(const MarkerTable& all, std::size_t most) {
   const std::size_t step = (all.frames.size() + most - 1) / most;
-  if (step <= 1) return all;
-  MarkerTable some;
-  some.typical = all.typical;
-  some.layouts.resize(static_cast<Eigen::Index>((all.frames.size() + step - 1) / step),
-                      all.layouts.cols());
-  for (std::size_t i = 0; i < all.frames.size(); i += step) {
-    some.layouts.row(std::ssize(some.frames)) = all.layouts.row(static_cast<Eigen::Index>(i));
-    some.frames.push_back(all.frames[i]);
-    some.seen.push_back(all.seen[i]);
-  }
-  return some;
+  std::vector<std::size_t> rows;
+  for (std::size_t row = 0; row < all.frames.size(); row += step) rows.push_back(row);
+  return rows_of(all, rows);
 }
 
 }  // namespace
@@ -45,9 +37,7 @@ std::optional<EarlierReference> EarlierReference::open(const std::filesystem::pa
 }
 
 Result<cv::Mat> EarlierReference::frame(std::size_t number) {
-  const auto read = video_.frame(number);
-  if (!read) return read.error();
-  return oriented_for(camera_, (*read)->grey, en::say("the recording's picture"), "", "");
+  return oriented_frame(video_, number, camera_);
 }
 
 }  // namespace alltact

@@ -11,9 +11,7 @@
 namespace alltact {
 namespace {
 
-constexpr int kLeastCompared = 16;         // frames of the recording
-constexpr int kLeastEarlier = 64;          // frames: ten for each term of the simplest fit
-constexpr double kMostPoseVariance = 1.5;  // that noise gives the fit, in units of a patch's own
+constexpr int kLeastCompared = 16;  // frames of the recording
 
 /// What is left of the recording's frames whose poses the earlier ones tell; NaN elsewhere.
 PatchValues left_of(const SkinPatches& patches, const Eigen::MatrixXd& modes, int recorded) {
@@ -21,15 +19,12 @@ PatchValues left_of(const SkinPatches& patches, const Eigen::MatrixXd& modes, in
   std::vector<char> without(static_cast<std::size_t>(patches.frames()), 0);
   std::fill(without.begin(), without.begin() + recorded, 1);
   PoseBrightness fit(patches, terms);
-  fit.fit(without);
+  fit.fit_with_light(without);
   fit.fit_light();
-  fit.fit(without);
-  fit.fit_light();
-  std::vector<int> numbers(without.size());
-  for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = static_cast<int>(i);
+  const std::vector<int> numbers(without.size());  // without a gap they do not count
   DeletedResiduals left = deleted_residuals(fit.residuals(), terms, without, numbers, -1);
   for (int i = 0; i < recorded; ++i)
-    if (!(left.leverage[i] < kMostPoseVariance))
+    if (!(left.leverage[i] < kMostLeverage))
       left.values.row(i).setConstant(std::numeric_limits<float>::quiet_NaN());
   return left.values.topRows(recorded);
 }
@@ -54,7 +49,7 @@ cv::Mat medians_of(const PatchValues& left, const SkinPatches& patches) {
 std::optional<LastingTouch> find_lasting_touch(const SkinPatches& patches,
                                                const Eigen::MatrixXd& modes,
                                                int recorded) {
-  if (patches.frames() - recorded < kLeastEarlier) return std::nullopt;
+  if (patches.frames() - recorded < kLeastFittedFrames) return std::nullopt;
   const PatchValues left = left_of(patches, modes, recorded);
   const cv::Mat medians = medians_of(left, patches);
   const cv::Mat known = medians == medians;

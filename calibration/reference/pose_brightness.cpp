@@ -188,6 +188,12 @@ void PoseBrightness::fit(const std::vector<char>& without) {
   });
 }
 
+void PoseBrightness::fit_with_light(const std::vector<char>& without) {
+  fit(without);
+  fit_light();
+  fit(without);
+}
+
 void PoseBrightness::fit_light() {
   over_parts(static_cast<int>(patches_.frames()), all_cores(), [&](int first, int last) {
     for (Eigen::Index i = first; i < last; ++i) fit_light_of(i);

@@ -10,6 +10,12 @@
 
 namespace alltact {
 
+/// Frames that the simplest fit needs: ten for each term.
+inline constexpr int kLeastFittedFrames = 64;
+/// The variance that noise may give a fit in a pose, in units of a patch's own; beyond that the
+/// frames say too little of the pose (DeletedResiduals::leverage).
+inline constexpr double kMostLeverage = 1.5;
+
 /// Constant, linear and square terms of the leading modes, a row a frame, as many as the frames can
 /// bear (six for each term).
 [[nodiscard]] Eigen::MatrixXd pose_terms_of(const Eigen::MatrixXd& modes);
@@ -32,6 +38,8 @@ class PoseBrightness {
   void fit(const std::vector<char>& without);
   /// Fits the light of every frame to what is left, one-sided.
   void fit_light();
+  /// By least squares, the light of every frame, and again.
+  void fit_with_light(const std::vector<char>& without);
   void set_light_of(const PoseBrightness& other) { light_ = other.light_; }
 
   /// What is left, < 0 darker: a row a frame; NaN where a patch is not shown, or not by nearly all
@@ -60,8 +68,8 @@ class PoseBrightness {
 /// had no part in it.
 struct DeletedResiduals {
   PatchValues values;
-  /// By frame: the variance that noise gives the fit there, in units of a patch's own. From about 8
-  /// on the frames that are left say nothing of this pose.
+  /// By frame: the variance that noise gives the fit there, in units of a patch's own
+  /// (kMostLeverage).
   Eigen::VectorXd leverage;
 };
 /// gap: frames (by `numbers`) before and after that have no part either.

@@ -30,11 +30,17 @@ MarkerTable table_in_video(const RecordingPass& pass,
   return table;
 }
 
+Result<cv::Mat> oriented_frame(VideoFile& video,
+                               std::size_t number,
+                               const CameraParameters& camera) {
+  const auto read = video.frame(number);
+  if (!read) return read.error();
+  return oriented_for(camera, (*read)->grey, en::say("the recording's picture"), "", "");
+}
+
 Result<cv::Mat> RecordedVideo::frame(std::size_t number) {
   if (!pass.greys[number].empty()) return pass.greys[number];
-  const auto read = reader.frame(number);
-  if (!read) return read.error();
-  return oriented_for(finger.camera, (*read)->grey, en::say("the recording's picture"), "", "");
+  return oriented_frame(reader, number, finger.camera);
 }
 
 }  // namespace alltact

@@ -18,6 +18,11 @@ namespace alltact {
                                          const NumberedRecording& numbered,
                                          const std::vector<std::size_t>& kept);
 
+/// Frame `number` of a video, CV_8UC1, oriented as the camera has it.
+[[nodiscard]] Result<cv::Mat> oriented_frame(VideoFile& video,
+                                             std::size_t number,
+                                             const CameraParameters& camera);
+
 /// What was referred to must live as long.
 struct RecordedVideo {
   const RecordingPass& pass;

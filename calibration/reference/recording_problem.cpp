@@ -55,7 +55,7 @@ std::optional<ProblemMark> mark_of(const ReferenceStretch& stretch,
     const FaceColumn& column = shape->columns()[static_cast<std::size_t>(u)];
     if (!column.valid || shape->length_at(u) < stretch.along_mm) continue;
     const double part = stretch.across_mm / face.width_mm;  // -0.5 at the upper edge
-    return ProblemMark{ProblemMark::Kind::kPressed,
+    return ProblemMark{ProblemMark::Kind::kDarker,
                        static_cast<double>(u),
                        std::lerp(column.upper_v, column.lower_v, 0.5 + part),
                        kTouchRadiusMm / camera.mm_per_px_at(column.z_mm),

@@ -18,8 +18,8 @@ namespace alltact {
 /// or may have.
 struct ReferenceStretch {
   int first = 0, last = 0;   ///< numbers in the recording
-  bool is_doubtful = false;  ///< nearly as dark as a touch; left out unless a choice keeps it
-  bool is_kept = false;      ///< ReferenceChoices keeps all of it all the same
+  bool is_doubtful = false;  ///< something may have pressed
+  bool is_kept = false;      ///< all of it stays in: by ReferenceChoices, or as nobody can tell
   double darker = 0;         ///< at most, 0.1: by 10 %
   double along_mm = 0;       ///< where that is, from the base
   double across_mm = 0;      ///< and from the middle line

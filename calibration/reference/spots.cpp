@@ -36,7 +36,7 @@ cv::Mat means(const cv::Mat& x, const cv::Mat& known, const cv::Size& window, do
   return mean;
 }
 
-float usual_magnitude(const cv::Mat& x) {
+float median_magnitude(const cv::Mat& x) {
   std::vector<float> usual;
   for (int v = 0; v < x.rows; v += 2)
     for (int u = 0; u < x.cols; u += 2)
@@ -55,7 +55,7 @@ std::optional<Spot> lowest_spot(const cv::Mat& x,
                                 const cv::Mat& known,
                                 const Eigen::Vector2d& mm_per_px) {
   const cv::Mat higher = contrast(x, known, mm_per_px);
-  const float limit = std::max(kLeastLower, kSpotSigmas * 1.4826F * usual_magnitude(higher));
+  const float limit = std::max(kLeastLower, kSpotSigmas * 1.4826F * median_magnitude(higher));
   cv::Mat labels, stats, middles;
   const int count =
       cv::connectedComponentsWithStats(higher < -0.5F * limit, labels, stats, middles);
@@ -76,9 +76,8 @@ std::optional<Spot> lowest_spot(const cv::Mat& x,
 std::optional<Spot> find_spot(const cv::Mat& x, const cv::Mat& known, const SpotSearch& search) {
   if (search.beside_higher) return lowest_spot(x, known, search.mm_per_px);
   const cv::Mat lower = contrast(x, known, search.mm_per_px) <= kLeastLower;
-  const cv::Mat is_nan = ~known;
   cv::Mat beside_px;
-  cv::distanceTransform(lower | is_nan, beside_px, cv::DIST_L2, 3);
+  cv::distanceTransform(lower | ~known, beside_px, cv::DIST_L2, 3);
   const double rim_px = kSpotRimMm / std::sqrt(search.mm_per_px.prod());
   return lowest_spot(x, known & (beside_px > rim_px), search.mm_per_px);
 }

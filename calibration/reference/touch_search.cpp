@@ -20,10 +20,8 @@ constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 constexpr float kSigmas = 9.0F;  // of a single frame's window; one more with each longer time
 constexpr float kTail = 1.6F;    // times the brightest value: how far the fit itself is off
 constexpr float kOwn = 2.5F;     // sigmas that a frame must show itself, whatever its neighbours do
-constexpr float kOwnPart = 0.7F;  // of the mean over time that it must show itself
-constexpr double kMostLeverage = 1.5;
+constexpr float kOwnPart = 0.7F;    // of the mean over time that it must show itself
 constexpr float kDoubtful = 0.85F;  // strength
-constexpr int kLeastFrames = 64;    // ten for each term of the simplest fit that holds twists
 constexpr int kRounds = 6;
 constexpr float kStrongest =
     0.3F;  // of the strongest: weaker ones wait until that has left the fit
@@ -394,7 +392,7 @@ class Search {
         touched_(count_, 0),
         judged_(count_, 0) {}
 
-  TouchSearch operator()() {
+  std::vector<FrameEvidence> operator()() {
     std::vector<char> without(count_, 0);
     PoseBrightness gross(coarse_, terms_);
     remove_gross(gross, without);
@@ -435,9 +433,7 @@ class Search {
     // More than half of the frames darker than the rest: the fit does not hold over these poses.
     if (2 * count_of(without) > count_) {
       std::fill(without.begin(), without.end(), 0);
-      fit.fit(without);
-      fit.fit_light();
-      fit.fit(without);
+      fit.fit_with_light(without);
       return;
     }
     const Evidence evidence(coarse_, fit.residuals(), fit.sd(), without, even, all, suspect);
@@ -445,7 +441,7 @@ class Search {
     for (std::size_t i = 0; i < count_; ++i)
       if (evidence.seeds()[i].strength > 1 && !evidence.is_of_the_pose(i, near_)) suspects[i] = 1;
     // They may be so many only because the pose is told badly.
-    if (count_of(suspects) < count_ - std::max<std::size_t>(kLeastFrames, count_ / 4))
+    if (count_of(suspects) < count_ - std::max<std::size_t>(kLeastFittedFrames, count_ / 4))
       without = suspects;
   }
   /// Of a fit from the bright side.
@@ -459,24 +455,19 @@ class Search {
         most = std::max(most, evidence.seeds()[i].strength);
     return most;
   }
-  void fit_without(PoseBrightness& fine, const std::vector<char>& without) const {
-    fine.fit(without);
-    fine.fit_light();
-    fine.fit(without);
-  }
 
   /// Compares every frame with the fit over the others at other times; a frame whose pose those do
   /// not tell, with one over all that were compared, also shortly before and after it.
   void judge(PoseBrightness& fine, const std::vector<char>& without) {
-    fit_without(fine, without);
+    fine.fit_with_light(without);
     DeletedResiduals left = deleted_residuals(fine.residuals(), terms_, without, numbers_, gap_);
     std::vector<char> out = without;
     for (std::size_t i = 0; i < count_; ++i) {
       judged_[i] = left.leverage[static_cast<Eigen::Index>(i)] < kMostLeverage;
       if (!judged_[i]) out[i] = 1;
     }
-    if (count_of(judged_) < count_ && count_of(out) + kLeastFrames < count_) {
-      fit_without(fine, out);
+    if (count_of(judged_) < count_ && count_of(out) + kLeastFittedFrames < count_) {
+      fine.fit_with_light(out);
       const DeletedResiduals second =
           deleted_residuals(fine.residuals(), terms_, out, numbers_, -1);
       for (std::size_t k = 0; k < count_; ++k) {
@@ -505,24 +496,22 @@ class Search {
   }
 
   /// Frames clearly darker than the brightest of near pose, of which nothing else is said.
-  void tell_unexplained(TouchSearch& result) const {
+  void tell_unexplained(std::vector<FrameEvidence>& frames) const {
     constexpr std::size_t kFewPart = 10;
     std::vector<std::size_t> unexplained;
     for (std::size_t i = 0; i < count_; ++i) {
-      const FrameTouch touch = result.frames[i].touch;
+      const FrameTouch touch = frames[i].touch;
       if (darker_[i] && (touch == FrameTouch::kClean || touch == FrameTouch::kUncompared))
         unexplained.push_back(i);
     }
-    result.is_torn = kFewPart * unexplained.size() > count_;
-    if (!result.is_torn) return;
-    for (const std::size_t i : unexplained) result.frames[i].touch = FrameTouch::kUnexplained;
+    if (kFewPart * unexplained.size() <= count_) return;
+    for (const std::size_t i : unexplained) frames[i].touch = FrameTouch::kUnexplained;
   }
 
-  [[nodiscard]] TouchSearch result() const {
-    TouchSearch result;
-    result.frames.resize(count_);
+  [[nodiscard]] std::vector<FrameEvidence> result() const {
+    std::vector<FrameEvidence> frames(count_);
     for (std::size_t i = 0; i < count_; ++i) {
-      FrameEvidence& frame = result.frames[i];
+      FrameEvidence& frame = frames[i];
       const Seed& seed = seeds_[i];
       frame.strength = static_cast<double>(seed.strength);
       frame.darker = static_cast<double>(seed.darker);
@@ -535,8 +524,8 @@ class Search {
                     : seed.strength >= kDoubtful ? FrameTouch::kDoubtful
                                                  : FrameTouch::kClean;
     }
-    tell_unexplained(result);
-    return result;
+    tell_unexplained(frames);
+    return frames;
   }
 
   const SkinPatches& patches_;
@@ -570,16 +559,13 @@ std::vector<TouchStretch> stretches_of(const std::vector<FrameEvidence>& frames)
   return stretches;
 }
 
-TouchSearch find_touches(const SkinPatches& patches,
-                         const Eigen::MatrixXd& modes,
-                         const Eigen::VectorXd& motion_off_px,
-                         const std::vector<int>& numbers) {
-  TouchSearch found;
-  if (patches.frames() < kLeastFrames)
-    found.frames.resize(static_cast<std::size_t>(patches.frames()));
-  else
-    found = Search(patches, modes, motion_off_px, numbers)();
-  return found;
+std::vector<FrameEvidence> find_touches(const SkinPatches& patches,
+                                        const Eigen::MatrixXd& modes,
+                                        const Eigen::VectorXd& motion_off_px,
+                                        const std::vector<int>& numbers) {
+  if (patches.frames() < kLeastFittedFrames)
+    return std::vector<FrameEvidence>(static_cast<std::size_t>(patches.frames()));
+  return Search(patches, modes, motion_off_px, numbers)();
 }
 
 }  // namespace alltact

@@ -22,9 +22,11 @@ namespace alltact {
 /// What the search says of a frame.
 enum class FrameTouch {
   kClean = 1,
-  kUncompared,   ///< no frame of near pose at another time: a touch would not show
-  kUnexplained,  ///< darker than the brightest, as are others of near pose: see is_torn
-  kDoubtful,     ///< something is nearly as much darker as a touch is
+  kUncompared,  ///< no frame of near pose at another time: a touch would not show
+  /// Darker than the brightest, as something that presses is; but frames of near pose are as well,
+  /// and such frames are more than a tenth: nobody can tell whether they show untouched skin.
+  kUnexplained,
+  kDoubtful,  ///< something is nearly as much darker as a touch is
   kTouched,
 };
 
@@ -37,32 +39,24 @@ struct FrameEvidence {
   double motion_sd = 0;  ///< how far the markers lie off the finger's modes, in standard deviations
 };
 
-/// Frames that follow each other and are all touched, doubtful or not compared.
+/// Frames that follow each other and are of one kind, but clean.
 struct TouchStretch {
   std::size_t first = 0, last = 0;  ///< rows of the patches
   FrameTouch touch = FrameTouch::kTouched;
   std::size_t darkest = 0;  ///< the row with the strongest evidence
 };
 
-struct TouchSearch {
-  std::vector<FrameEvidence> frames;  ///< by row of the patches
-  /// A tenth of the frames or more are darker than the brightest, as something that presses is, but
-  /// so are others of near pose: nobody can tell whether they show untouched skin. These are
-  /// unexplained.
-  bool is_torn = false;
-};
-
 /// Of frames in order, those that are not clean.
 [[nodiscard]] std::vector<TouchStretch> stretches_of(const std::vector<FrameEvidence>& frames);
 
-/// Fewer than 64 frames are not compared. Motion is a witness that makes darkening count more, and
-/// accuses no frame alone: a finger bent by hand moves in many ways.
-/// modes: a row a frame, px, the most varied first. motion_off_px: by frame, root mean square
+/// By row of the patches. Fewer than kLeastFittedFrames are not compared. Motion is a witness that
+/// makes darkening count more, and accuses no frame alone: a finger bent by hand moves in many
+/// ways. modes: a row a frame, px, the most varied first. motion_off_px: by frame, root mean square
 /// distance of its markers to the modes; may be empty. numbers: of the frames in the recording,
 /// ascending.
-[[nodiscard]] TouchSearch find_touches(const SkinPatches& patches,
-                                       const Eigen::MatrixXd& modes,
-                                       const Eigen::VectorXd& motion_off_px,
-                                       const std::vector<int>& numbers);
+[[nodiscard]] std::vector<FrameEvidence> find_touches(const SkinPatches& patches,
+                                                      const Eigen::MatrixXd& modes,
+                                                      const Eigen::VectorXd& motion_off_px,
+                                                      const std::vector<int>& numbers);
 
 }  // namespace alltact

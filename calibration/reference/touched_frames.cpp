@@ -6,7 +6,6 @@
 #include "core/sensing/reference/recorded_faces.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace alltact {
 namespace {
@@ -20,7 +19,9 @@ struct PosedRows {
   Eigen::VectorXd off_px;
   std::vector<int> numbers;
 
-  [[nodiscard]] TouchSearch search() const { return find_touches(patches, modes, off_px, numbers); }
+  [[nodiscard]] FrameJudgements search() const {
+    return find_touches(patches, modes, off_px, numbers);
+  }
   [[nodiscard]] PosedRows first(std::size_t count) const {
     const auto n = static_cast<Eigen::Index>(count);
     PosedRows some{patches,
@@ -102,7 +103,7 @@ bool is_suspect(const FrameEvidence& frame) {
   return frame.touch == FrameTouch::kTouched || frame.touch == FrameTouch::kDoubtful;
 }
 
-/// Of the frames whose word is not given for otherwise.
+/// Frames that are chosen to count as untouched do not count.
 bool is_mostly_touched(const FrameJudgements& evidence,
                        const std::vector<std::size_t>& numbers,
                        const ReferenceChoices& choices) {
@@ -196,17 +197,19 @@ void leave_all_in(std::size_t frames, ReferenceReport& report) {
   }
 }
 
-Message unexplained(const FrameJudgements& evidence) {
-  return en::say(
+/// Frames of which nobody can tell stay in.
+void warn_of_unexplained(const FrameJudgements& evidence, ReferenceReport& report) {
+  const auto unexplained =
+      std::count_if(evidence.begin(), evidence.end(), [](const FrameEvidence& frame) {
+        return frame.touch == FrameTouch::kUnexplained;
+      });
+  if (unexplained == 0) return;
+  report.warnings.push_back(en::say(
       "In {} of {} frames the face is darker than in the brightest, and so are frames of near "
-      "poses: "
-      "something pressed on it for long, or these poses were shown once. They stay in; if anything "
-      "touched the face, record again, and show each pose several times",
-      std::count_if(
-          evidence.begin(),
-          evidence.end(),
-          [](const FrameEvidence& frame) { return frame.touch == FrameTouch::kUnexplained; }),
-      evidence.size());
+      "poses: something pressed on it for long, or these poses were shown once. They stay in; if "
+      "anything touched the face, record again, and show each pose several times",
+      unexplained,
+      evidence.size()));
 }
 
 /// The stretch is told, so that its darkest frame can be shown.
@@ -252,15 +255,14 @@ Status leave_out_touched(RecordedVideo& video,
     if (const auto touch = find_lasting_touch(
             read->rows.patches, read->rows.modes, static_cast<int>(numbers.size())))
       return refuse(*touch, numbers, report);
-  const TouchSearch search = read->rows.first(numbers.size()).search();
-  FrameJudgements evidence = search.frames;
+  FrameJudgements evidence = read->rows.first(numbers.size()).search();
   const bool is_unsure = is_mostly_touched(evidence, numbers, choices);
   spread_to_uncompared(evidence);
   report_stretches(evidence, numbers, choices, report);
   if (is_unsure)
     leave_all_in(numbers.size(), report);
-  else if (search.is_torn)
-    report.warnings.push_back(unexplained(evidence));
+  else
+    warn_of_unexplained(evidence, report);
   kept.clear();
   for (std::size_t i = 0; i < numbers.size(); ++i)
     if (is_unsure || !is_suspect(evidence[i]) || is_in(choices.keep, numbers[i]))

@@ -71,7 +71,7 @@ class Drawing {
                       1,
                       cv::LINE_AA);
         break;
-      case ProblemMark::Kind::kPressed:
+      case ProblemMark::Kind::kDarker:
         cv::rectangle(picture_,
                       centre - cv::Point(radius, radius),
                       centre + cv::Point(radius, radius),
@@ -93,7 +93,7 @@ class Drawing {
   static const cv::Scalar& colour_of(ProblemMark::Kind kind) {
     return kind == ProblemMark::Kind::kUsed      ? kUsedColour
            : kind == ProblemMark::Kind::kRefused ? kRefusedColour
-           : kind == ProblemMark::Kind::kPressed ? kDarkerColour
+           : kind == ProblemMark::Kind::kDarker  ? kDarkerColour
                                                  : kExpectedColour;
   }
   [[nodiscard]] const cv::Mat& picture() const { return picture_; }
@@ -148,7 +148,7 @@ std::vector<Line> key_to(const ProblemScene& scene) {
       {ProblemMark::Kind::kUsed, "circle: a marker, with its number"},
       {ProblemMark::Kind::kRefused, "cross: looks like a dot, but is none of the rows"},
       {ProblemMark::Kind::kExpected, "broken circle: a marker should be here"},
-      {ProblemMark::Kind::kPressed, "square: something pressed here"}};
+      {ProblemMark::Kind::kDarker, "square: darker than the untouched face"}};
   for (const auto& [kind, meaning] : meanings)
     if (std::any_of(scene.marks.begin(), scene.marks.end(), [kind = kind](const ProblemMark& mark) {
           return mark.kind == kind;

@@ -16,7 +16,7 @@ struct ProblemMark {
     kUsed = 1,  ///< found and taken: a circle
     kRefused,   ///< found and not taken: crossed out
     kExpected,  ///< not found where it should be: a broken circle
-    kPressed,   ///< something pressed here: a square
+    kDarker,    ///< darker than the untouched face: a square
   };
   Kind kind = Kind::kUsed;
   double u = 0, v = 0, radius_px = 0;

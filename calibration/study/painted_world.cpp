@@ -62,19 +62,6 @@ Split split_of(std::size_t rows, std::size_t painted) {
   return split;
 }
 
-MarkerTable rows_of(const MarkerTable& table, const std::vector<std::size_t>& rows) {
-  MarkerTable part;
-  part.typical = table.typical;
-  part.layouts.resize(static_cast<Eigen::Index>(rows.size()), table.layouts.cols());
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    part.frames.push_back(table.frames[rows[i]]);
-    part.seen.push_back(table.seen[rows[i]]);
-    part.layouts.row(static_cast<Eigen::Index>(i)) =
-        table.layouts.row(static_cast<Eigen::Index>(rows[i]));
-  }
-  return part;
-}
-
 Error too_few(const FingerSnapshot& finger) {
   return {en::say("too few pictures of the reference recording show the face"),
           finger.folder.string(),

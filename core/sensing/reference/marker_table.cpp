@@ -162,6 +162,19 @@ Status MarkerTable::save(const std::filesystem::path& file) const {
   return write_file_atomically(file, text);
 }
 
+MarkerTable rows_of(const MarkerTable& table, const std::vector<std::size_t>& rows) {
+  MarkerTable part;
+  part.typical = table.typical;
+  part.layouts.resize(static_cast<Eigen::Index>(rows.size()), table.layouts.cols());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    part.frames.push_back(table.frames[rows[i]]);
+    part.seen.push_back(table.seen[rows[i]]);
+    part.layouts.row(static_cast<Eigen::Index>(i)) =
+        table.layouts.row(static_cast<Eigen::Index>(rows[i]));
+  }
+  return part;
+}
+
 MarkerTable reduced_table(MarkerTable table, int by) {
   if (by == 1) return table;
   table.layouts = table.layouts.unaryExpr([by](double px) { return reduced_px(px, by); });

@@ -26,6 +26,9 @@ struct MarkerTable {
   [[nodiscard]] Status save(const std::filesystem::path& file) const;
 };
 
+/// Only some of its rows.
+[[nodiscard]] MarkerTable rows_of(const MarkerTable& table, const std::vector<std::size_t>& rows);
+
 /// Of the same recording reduced by `by` pixels a side (reduced_picture.h).
 [[nodiscard]] MarkerTable reduced_table(MarkerTable table, int by);
 

@@ -21,8 +21,9 @@ using test::TouchedRecording;
 
 constexpr double kDeep_mm = 0.1;
 constexpr double kPlain_mm = 0.15;  // ends of touches are less deep
-// Of frames deeper than that. None is wanted; seeds 1001 to 2000 left 1.9 % in: touches of 0.3 mm
-// that last for a third of the recording, in poses that hardly any other frame shows, and ends.
+// Of frames deeper than kDeep_mm in a slow run. None is wanted; seeds 1001 to 2000 left 1.3 % in:
+// touches of 0.3 mm that last for a third of the recording, in poses that hardly any other frame
+// shows, and ends of touches.
 constexpr double kMostLeftIn = 0.02;
 
 struct Outcome {
@@ -153,7 +154,7 @@ TEST(CleanReference, NothingThatPressesAtRandomIsInstalled) {
   for (std::uint64_t seed = first; seed <= last; ++seed)
     all += outcome_of(test::drawn_recording(seed, true));
   print("touched at random", all);
-  EXPECT_LE(all.deep_left_in, kMostLeftIn * all.deep);
+  EXPECT_LE(all.deep_left_in, test::is_slow_run() ? kMostLeftIn * all.deep : 0);
   EXPECT_LT(all.lost(), 0.02);
 }
 

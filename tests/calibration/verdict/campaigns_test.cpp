@@ -18,7 +18,7 @@
 // Three kinds of campaigns are counted apart:
 //
 //   local      brightness depends on the layer at its own pixel: broken and refused at most
-//              kShare each
+//              5 % each (kMeasuredShare in a slow run)
 //
 //   scattered  a tenth or more of the light comes from beside. The mapping does not model it, and
 //              balls agree although all depths are wrong by a tenth to a third. Where the skin
@@ -54,9 +54,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kTolerance = 1.5;  // measured may exceed the headline by this factor
-// Of verdicts that may be wrong. 5 % is wanted; seeds 501 to 1500 gave 6.5 % (sd 1.3) and 5.8 %
-// (1.6): thin layers whose skin leaves the ball early, and defocus.
-constexpr double kShare = 0.08;
+constexpr double kShare = 0.05;     // of verdicts that may be wrong
+// In a slow run: seeds 501 to 1500 gave 6.5 % (sd 1.3) and 5.8 % (1.6), of thin layers whose skin
+// leaves the ball early, and of defocus.
+constexpr double kMeasuredShare = 0.08;
 constexpr double kScatteredSkirt = 0.1;
 constexpr double kQuantile = 0.68;
 
@@ -338,8 +339,9 @@ TEST(Campaigns, VerdictHoldsForTheNextContact) {
       touches.untouched);
   EXPECT_LE(touches.called_good, 0.1 * touches.touched);
   EXPECT_LE(touches.accused, 0.005 * touches.untouched);
-  EXPECT_LE(local.broken, kShare * local.good);
-  EXPECT_LE(local.refusals, kShare * local.would_hold);
+  const double share = is_slow_run() ? kMeasuredShare : kShare;
+  EXPECT_LE(local.broken, share * local.good);
+  EXPECT_LE(local.refusals, share * local.would_hold);
   EXPECT_EQ(typed.unnamed, 0);
 }
 
