@@ -1,5 +1,5 @@
-// `alltact`: everything the Studio does, without a screen. What it can do and its version are told
-// at once; for anything else the library of the commands is loaded, with all that measuring takes.
+// `alltact`: everything the Studio does, without a screen. It prints its commands and its version
+// at once. For anything else it loads the library of the commands, with all that measuring needs.
 #include "app/console/command_names.h"
 #include "app/console/load_library.h"
 
@@ -13,7 +13,7 @@ bool asks_for_help(int argc, char** argv) {
                        std::strcmp(argv[1], "--version") == 0);
 }
 
-int tell_help(int argc, char** argv) {
+int print_help(int argc, char** argv) {
   CLI::App program;
   alltact::describe(program);
   for (const alltact::CommandName& command : alltact::kCommands)
@@ -25,7 +25,7 @@ int tell_help(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (asks_for_help(argc, argv)) return tell_help(argc, argv);
+  if (asks_for_help(argc, argv)) return print_help(argc, argv);
   const alltact::Loaded commands = alltact::load_function("commands", "alltact_run");
   if (commands.function != nullptr)
     return reinterpret_cast<int (*)(int, char**)>(commands.function)(argc, argv);

@@ -5,9 +5,10 @@
 namespace alltact {
 namespace {
 
-constexpr std::size_t kLongestWord = 60;  // a longer one is no slip
+constexpr std::size_t kLongestWord = 60;  // a longer input is no typing error
 
-/// Letters to be put in, left out, exchanged or swapped with their neighbours.
+/// Edit distance (optimal string alignment): insertions, deletions, substitutions and swaps of
+/// neighbours.
 std::size_t letters_between(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before, last(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
@@ -37,10 +38,10 @@ Message either(const std::vector<std::string>& words) {
 std::string nearest_word(std::string_view given, const std::vector<std::string>& words) {
   std::string nearest;
   if (given.size() > kLongestWord) return nearest;
-  std::size_t least = kLongestWord;
+  std::size_t fewest = kLongestWord;
   for (const std::string& word : words) {
     const std::size_t letters = letters_between(given, word);
-    if (letters < least && 3 * letters <= word.size()) least = letters, nearest = word;
+    if (letters < fewest && 3 * letters <= word.size()) fewest = letters, nearest = word;
   }
   return nearest;
 }

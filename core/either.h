@@ -1,4 +1,4 @@
-// Which words there are to choose from.
+// Lists of alternative words for messages, and the nearest word to a mistyped one.
 #pragma once
 
 #include "core/message.h"
@@ -9,15 +9,15 @@
 
 namespace alltact {
 
-/// "a or b or c"; the words themselves are those of files and flags, alike in every language.
+/// Returns "a or b or c". The words are those of files and flags, alike in every language.
 [[nodiscard]] Message either(const std::vector<std::string>& words);
 
-/// The word that differs least from what was given, where at most a third of its letters do; else
-/// empty. Two neighbours that changed places count as one.
+/// Returns the word with the smallest edit distance to `given`, at most a third of its letters.
+/// Otherwise returns an empty string. Two swapped neighbours count as one edit.
 [[nodiscard]] std::string nearest_word(std::string_view given,
                                        const std::vector<std::string>& words);
 
-/// "one of a, b, c", with the word that is nearest to what was given before it.
+/// Returns "one of a, b, c", preceded by the word that is nearest to `given`.
 [[nodiscard]] Message one_of(const std::vector<std::string>& words, std::string_view given = {});
 
 }  // namespace alltact

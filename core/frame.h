@@ -1,4 +1,4 @@
-// One picture as it came from wherever pictures come from.
+// One frame of a camera, a video, an image file or a simulation.
 #pragma once
 
 #include <cstdint>
@@ -10,17 +10,17 @@
 
 namespace alltact {
 
-/// An immutable grey picture. `grey` is 8-bit, one channel, rows = height, as the source gave it
-/// (not yet turned by camera.orientation); nobody may write to it.
+/// An immutable grey image. `grey` is 8-bit, one channel, rows = height, in the source's
+/// orientation (before camera.orientation is applied). Nobody may write to it.
 struct Frame {
   cv::Mat grey;
-  /// The camera's own compressed picture, one whole JPEG, where the camera sends such; else null.
+  /// The camera's own compressed image, one complete JPEG; null where the camera sends none.
   std::shared_ptr<const std::vector<std::uint8_t>> jpeg;
-  std::string name;            ///< file name without its ending, or frame_00000 through a video
-  std::string origin;          ///< where it came from, for messages: a path or a device
-  std::uint64_t sequence = 0;  ///< counts from 0 in the order of the source, gaps are lost frames
-  std::int64_t time_ns = 0;    ///< monotonic clock of capture; 0 when the source has none
-  /// What camera and light were set to (see frame_settings.h); null where the source tells nothing.
+  std::string name;            ///< file name without its extension, or frame_00000 for a video
+  std::string origin;          ///< origin for messages: a path or a device
+  std::uint64_t sequence = 0;  ///< counts from 0 in the source's order; gaps are lost frames
+  std::int64_t time_ns = 0;    ///< monotonic clock of the capture, ns; 0: the source has none
+  /// Settings of camera and light (see frame_settings.h); null where the source reports none.
   std::shared_ptr<const std::string> controls;
 };
 

@@ -1,20 +1,20 @@
-// The grey levels that can be measured: one definition of clipped and of too dark, for all.
+// The measurable range of grey levels: one definition of clipped and of too dark for all modules.
 #pragma once
 
 #include <algorithm>
 
 namespace alltact {
 
-/// Grey levels (0 to 255) from here on are clipped, in a live picture as in its reference: how
-/// bright it was is not known. Cameras clip a few levels below 255 as well.
+/// Grey levels (0 to 255) from this one on are clipped: their true brightness is unknown. This
+/// holds for live and reference images. Cameras clip a few levels below 255 as well.
 constexpr int kClippedFrom = 250;
 
-/// A reference below this grey level is too dark to divide by, however little noise there is. A
-/// live picture may be as dark as it likes: what presses darkens.
+/// A reference below this grey level is too dark to divide by, however low its noise is. A live
+/// image has no lower limit, because presses darken it.
 constexpr int kTooDarkBelow = 8;
 
-/// The same where a picture's noise (its standard deviation, grey levels) is known: a reference
-/// must stand out of it by six, or quotients are biased.
+/// The same limit for an image with known noise (standard deviation, grey levels). A reference must
+/// exceed its noise six times, or quotients are biased.
 [[nodiscard]] constexpr double too_dark_below(double noise_sd) {
   constexpr double kSigmas = 6.0;
   return std::clamp<double>(kSigmas * noise_sd, kTooDarkBelow, kClippedFrom);

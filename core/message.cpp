@@ -8,13 +8,13 @@
 namespace alltact {
 namespace {
 
-/// A hole of a template: where it stands, and the part that fills it.
+/// A hole of a template: its range in the text, and the number of its part.
 struct Hole {
   std::size_t begin, end;
   std::size_t part;
 };
 
-/// The next hole from `begin` on; `next` is the part of a hole without a number.
+/// The next hole from `begin` on; `next` is the part for a hole without a number.
 std::optional<Hole> next_hole(std::string_view words, std::size_t begin, std::size_t& next) {
   for (std::size_t i = begin; i < words.size(); ++i) {
     if (words[i] == '{' && words.substr(i + 1).starts_with('{')) {
@@ -52,7 +52,7 @@ std::string filled(std::string_view words,
   return text;
 }
 
-/// One after another, from the first, where two are joined by `join`.
+/// Joins the messages in their order; `join` joins two.
 template <class Join>
 Message joined(const std::vector<Message>& messages, Join join) {
   Message all;
@@ -66,10 +66,10 @@ Message joined(const std::vector<Message>& messages, Join join) {
 }  // namespace
 
 Message Message::typed(std::string text) {
-  return put_together(Kind::kTyped, std::move(text), {}, -1, {});
+  return compose(Kind::kTyped, std::move(text), {}, -1, {});
 }
 
-Message Message::put_together(
+Message Message::compose(
     Kind kind, std::string words, std::string context, long count, std::vector<Message> parts) {
   Message message;
   message.kind_ = kind;
@@ -111,8 +111,8 @@ std::string hole_of(std::string_view words, std::size_t part) {
 
 }  // namespace detail
 
-Message word(const char* word, const char* said_of) {
-  return Message::put_together(Message::Kind::kSaid, word, said_of, -1, {});
+Message word(const char* word, const char* context) {
+  return Message::compose(Message::Kind::kTemplate, word, context, -1, {});
 }
 
 Message list(const std::vector<Message>& messages) {
@@ -130,8 +130,8 @@ Message sentences(const std::vector<Message>& messages) {
                 [](const Message& a, const Message& b) { return en::say("{}. {}", a, b); });
 }
 
-Message at(const Message& place, const Message& what) {
-  return place.empty() ? what : en::say("{}: {}", place, what);
+Message at(const Message& where, const Message& what) {
+  return where.empty() ? what : en::say("{}: {}", where, what);
 }
 
 }  // namespace en

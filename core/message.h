@@ -1,4 +1,4 @@
-// What the program says, told apart from the language it is said in.
+// Messages of the program, separate from the language in which they are shown.
 #pragma once
 
 #include <cstddef>
@@ -13,40 +13,40 @@
 
 namespace alltact {
 
-/// A sentence or phrase as its template, as it stands in the source, and what fills the template's
-/// holes. Command line and files take english(); a window translates the template, then the parts
-/// that are messages themselves. What a person typed or the system says is text, which no language
-/// changes. Immutable but for assignment; any thread.
+/// A sentence or phrase: its template as it stands in the source, and the parts that fill the
+/// template's holes. Command line and files use english(). A window translates the template, then
+/// the parts that are messages themselves. Text typed by a person or from the system is the same in
+/// every language. Immutable but for assignment; any thread.
 class Message {
  public:
-  /// Nothing said.
+  /// An empty message.
   Message() = default;
-  Message(const char (&/*nothing*/)[1]) {}  // NOLINT: "" is nothing said, in every language
+  Message(const char (&/*nothing*/)[1]) {}  // NOLINT: "" is empty in every language
 
-  /// A name, a path, a reason: as it is, in every language.
+  /// A name, a path, a reason: the same in every language.
   [[nodiscard]] static Message typed(std::string text);
 
-  /// What kind of thing was said.
-  enum class Kind { kTyped, kNumber, kSaid, kCounted };
+  /// Origin of the message's words.
+  enum class Kind { kTyped, kNumber, kTemplate, kCounted };
 
-  /// Puts a message together from what kind(), words() and so on told of it, perhaps in another
-  /// process. `parts` fill the holes of `words`; holes beyond them stay empty.
-  [[nodiscard]] static Message put_together(
+  /// Composes a message from the values of kind(), words() and so on, for example from another
+  /// process. `parts` fill the holes of `words`; surplus holes stay empty.
+  [[nodiscard]] static Message compose(
       Kind kind, std::string words, std::string context, long count, std::vector<Message> parts);
 
   [[nodiscard]] bool empty() const { return words_.empty(); }
   [[nodiscard]] Kind kind() const { return kind_; }
-  /// The template; of text and numbers, what they are.
+  /// The template; for text and numbers, their characters.
   [[nodiscard]] const std::string& words() const { return words_; }
-  /// Of a word, what it is said of; of what is counted, the template for one.
+  /// For a word, the thing it describes; for a counted thing, the singular template.
   [[nodiscard]] const std::string& context() const { return context_; }
   [[nodiscard]] long count() const { return count_; }
   [[nodiscard]] const std::vector<Message>& parts() const { return parts_; }
 
   [[nodiscard]] std::string english() const;
 
-  /// The words for a message that was said or counted, with holes {} or {0}, {1}, ... for its
-  /// parts; what stands after a colon in a hole says how numbers are written, and is passed over.
+  /// Returns the template of a message in a language, with holes {} or {0}, {1}, ... for its parts.
+  /// The format after a colon in a hole is ignored.
   using Language = std::function<std::string(const Message&)>;
   [[nodiscard]] std::string in(const Language& language) const;
 
@@ -59,15 +59,15 @@ class Message {
   std::vector<Message> parts_;
 };
 
-/// Says messages in English. Whatever is said through here, and nothing else, is translated, and
-/// lupdate finds it: a template is one literal (of several pieces, where it is long). A message
-/// that is said inside another's parentheses must not stand directly behind the template, where
-/// lupdate overlooks it: give it a name.
+/// Messages in English. Exactly the messages made by these functions are translated. lupdate finds
+/// them: a template is one literal (of several pieces, where it is long). lupdate overlooks a
+/// message made directly behind another's template, inside its parentheses: give that message a
+/// name.
 namespace en {
 
 namespace detail {
 
-/// The first hole of the template for this part, alone: "{:.2f}".
+/// The first hole of the template for this part, by itself: "{:.2f}".
 std::string hole_of(std::string_view words, std::size_t part);
 
 template <class T>
@@ -83,7 +83,7 @@ Message part_of([[maybe_unused]] std::string_view words,
   } else {
     std::string text = fmt::format(fmt::runtime(hole_of(words, index)), part);
     if constexpr (std::is_arithmetic_v<T> && !std::is_same_v<T, char>)
-      return Message::put_together(Message::Kind::kNumber, std::move(text), {}, -1, {});
+      return Message::compose(Message::Kind::kNumber, std::move(text), {}, -1, {});
     else
       return Message::typed(std::move(text));
   }
@@ -97,7 +97,7 @@ std::vector<Message> parts_of([[maybe_unused]] std::string_view words, const T&.
   return all;
 }
 
-/// What fmt is told of a part to check the template by.
+/// The type with which fmt checks a part against the template.
 template <class T>
 using Checked =
     std::conditional_t<std::is_same_v<T, Message> || std::is_same_v<T, std::filesystem::path>,
@@ -109,20 +109,20 @@ using Words = fmt::format_string<const Checked<T>&...>;
 
 }  // namespace detail
 
-/// A template in fmt's grammar, checked while compiling, and its parts: messages, numbers, and
-/// text that somebody typed.
+/// A template in fmt's grammar, checked at compile time, and its parts: messages, numbers, and text
+/// that somebody typed.
 template <class... T>
 [[nodiscard]] Message say(std::type_identity_t<detail::Words<T...>> words, const T&... parts) {
   const fmt::string_view text = words;
-  return Message::put_together(Message::Kind::kSaid,
-                               std::string(text.data(), text.size()),
-                               {},
-                               -1,
-                               detail::parts_of({text.data(), text.size()}, parts...));
+  return Message::compose(Message::Kind::kTemplate,
+                          std::string(text.data(), text.size()),
+                          {},
+                          -1,
+                          detail::parts_of({text.data(), text.size()}, parts...));
 }
 
-/// `many` or, of one thing, `one`: both have the same holes, and the first is for the count, or
-/// for {0}.
+/// Uses `many` or, for a count of one, `one`. Both have the same holes; the first is for the count,
+/// or for {0}.
 template <class N, class... T>
 [[nodiscard]] Message count(std::type_identity_t<detail::Words<N, T...>> many,
                             std::type_identity_t<detail::Words<N, T...>> one,
@@ -130,32 +130,32 @@ template <class N, class... T>
                             const T&... parts) {
   static_assert(std::is_integral_v<N>);
   const fmt::string_view text = many, single = one;
-  return Message::put_together(Message::Kind::kCounted,
-                               std::string(text.data(), text.size()),
-                               std::string(single.data(), single.size()),
-                               static_cast<long>(count),
-                               detail::parts_of({text.data(), text.size()}, count, parts...));
+  return Message::compose(Message::Kind::kCounted,
+                          std::string(text.data(), text.size()),
+                          std::string(single.data(), single.size()),
+                          static_cast<long>(count),
+                          detail::parts_of({text.data(), text.size()}, count, parts...));
 }
 
-/// A word that other languages bend by what it is said of, as "left" of a press and of a third.
-[[nodiscard]] Message word(const char* word, const char* said_of);
+/// A word whose translation depends on the thing it describes, as "left" of a press and of a third.
+[[nodiscard]] Message word(const char* word, const char* context);
 
-/// "a, b, c"; empty messages are left out.
+/// Returns "a, b, c"; empty messages are left out.
 [[nodiscard]] Message list(const std::vector<Message>& messages);
 /// "a; b; c"
 [[nodiscard]] Message clauses(const std::vector<Message>& messages);
 /// "a. b. c", without the last full stop.
 [[nodiscard]] Message sentences(const std::vector<Message>& messages);
-/// "place: what"; `what` alone where the place is empty.
-[[nodiscard]] Message at(const Message& place, const Message& what);
+/// Returns "where: what"; `what` by itself where the first is empty.
+[[nodiscard]] Message at(const Message& where, const Message& what);
 
 }  // namespace en
 }  // namespace alltact
 
-/// lupdate looks for en from here in functions that return another library's class.
+/// Makes lupdate find en in functions that return another library's class.
 namespace en = alltact::en;
 
-/// In English, so that what is written for terminals and files can be put together with fmt.
+/// In English, so that fmt can compose texts for terminals and files.
 template <>
 struct fmt::formatter<alltact::Message> : fmt::formatter<std::string> {
   template <class Context>

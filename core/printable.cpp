@@ -7,8 +7,8 @@
 namespace alltact {
 namespace {
 
-/// Bytes of the UTF-8 character that a text begins with; 0 where that is none, or a control
-/// character (of one byte, or U+0080 to U+009F).
+/// Bytes of the text's first UTF-8 character; 0 where it is invalid, or a control character (one
+/// byte, or U+0080 to U+009F).
 std::size_t printable_bytes(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char first = byte(0);
@@ -34,18 +34,18 @@ std::string escaped(char c) {
 std::string printable(std::string_view text) {
   constexpr std::string_view kCut = "...";
   std::string result;
-  std::size_t shown = 0, keep = 0;  // where a text that is too long is cut
+  std::size_t shown = 0, cut_at = 0;  // length at which a too long text is cut
   while (!text.empty()) {
     const std::size_t bytes = printable_bytes(text);
     const std::string one = bytes > 0 ? std::string(text.substr(0, bytes)) : escaped(text[0]);
     shown += bytes > 0 ? 1 : one.size();
-    if (shown > kMostPrinted) {
-      result.resize(keep);
+    if (shown > kMaxPrinted) {
+      result.resize(cut_at);
       result += kCut;
       break;
     }
     result += one;
-    if (shown <= kMostPrinted - kCut.size()) keep = result.size();
+    if (shown <= kMaxPrinted - kCut.size()) cut_at = result.size();
     text.remove_prefix(std::max<std::size_t>(bytes, 1));
   }
   return result;

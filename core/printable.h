@@ -1,4 +1,4 @@
-// What somebody else wrote, made fit for a message: the one place that does it.
+// Foreign text made safe for messages.
 #pragma once
 
 #include <string>
@@ -6,12 +6,12 @@
 
 namespace alltact {
 
-/// Most characters of a value that a message repeats.
-inline constexpr std::size_t kMostPrinted = 60;
+/// Maximum number of a value's characters that a message repeats.
+inline constexpr std::size_t kMaxPrinted = 60;
 
-/// The text on one line: control characters and bytes that are no UTF-8 as \n, \t or \x1b, so that
-/// no file writes on a terminal; longer than kMostPrinted characters it is cut there, "..." in
-/// place of its end.
+/// Returns the text on one line. Control characters and bytes that are not UTF-8 become
+/// , \t or \x1b, so that no file controls a terminal. A text above kMaxPrinted characters is cut
+/// and ends in "...".
 [[nodiscard]] std::string printable(std::string_view text);
 
 }  // namespace alltact

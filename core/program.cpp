@@ -8,7 +8,7 @@ std::string program_version() {
   return ALLTACT_VERSION;
 }
 
-std::filesystem::path file_with(const void* function) {
+std::filesystem::path binary_of(const void* function) {
   Dl_info info{};
   if (dladdr(function, &info) == 0 || info.dli_fname == nullptr) return {};
   std::error_code failed;
@@ -18,9 +18,9 @@ std::filesystem::path file_with(const void* function) {
 Result<std::filesystem::path> find_resource(const std::filesystem::path& name) {
   namespace fs = std::filesystem;
   static const fs::path own =
-      file_with(reinterpret_cast<const void*>(&program_version)).parent_path();
+      binary_of(reinterpret_cast<const void*>(&program_version)).parent_path();
   std::error_code failed;
-  // In lib or in the build's tree, or in lib/ARCHITECTURE.
+  // In lib or in a build tree, or in lib/ARCHITECTURE.
   for (const char* up : {"..", "../.."}) {
     if (own.empty()) break;
     const fs::path file = (own / up / "share/alltact" / name).lexically_normal();

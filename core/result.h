@@ -1,4 +1,4 @@
-// The outcome of work that can go wrong because of data: a value, or an error a person can act on.
+// The result of work that can fail because of data: a value, or an error a person can act on.
 #pragma once
 
 #include "core/message.h"
@@ -12,7 +12,7 @@
 
 namespace alltact {
 
-/// Where something is wrong: a file, a line, a key, as they are, or a phrase.
+/// Location of an error: a file, line or key, or a phrase.
 struct Where : Message {
   Where() = default;
   Where(const char (&nothing)[1]) : Message(nothing) {}                        // NOLINT
@@ -21,8 +21,8 @@ struct Where : Message {
   Where(Message phrase) : Message(std::move(phrase)) {}                        // NOLINT
 };
 
-/// What happened, where, and what the technician can try. Each part is a sentence or a phrase
-/// without a full stop; `where` and `advice` may be empty.
+/// What happened, where, and what the technician can try. Each part is a sentence or phrase without
+/// a full stop; `where` and `advice` may be empty.
 struct Error {
   Message what;
   Where where;
@@ -30,14 +30,14 @@ struct Error {
 
   /// "where: what. Try: advice", without the last full stop.
   [[nodiscard]] Message message() const {
-    const Message said = en::at(where, what);
-    return advice.empty() ? said : en::say("{}. Try: {}", said, advice);
+    const Message located = en::at(where, what);
+    return advice.empty() ? located : en::say("{}. Try: {}", located, advice);
   }
   /// The same in English, on one line, with the full stop.
   [[nodiscard]] std::string sentence() const { return message().english() + "."; }
 };
 
-/// Either a T or an Error. Asking the wrong one is our own mistake and asserts.
+/// Either a T or an Error. Access to the absent one is a programming error and asserts.
 template <class T>
 class [[nodiscard]] Result {
  public:
@@ -61,7 +61,7 @@ class [[nodiscard]] Result {
   std::variant<T, Error> content_;
 };
 
-/// The outcome of work that gives nothing back.
+/// The result of work that returns nothing.
 template <>
 class [[nodiscard]] Result<void> {
  public:

@@ -1,4 +1,4 @@
-// A named choice, declared once: its flag, its key in files, its help and its check come from here.
+// Settings, each declared once: flag, key in files, help and check derive from it.
 #pragma once
 
 #include "core/either.h"
@@ -22,15 +22,15 @@ namespace alltact {
 
 class Finger;
 
-/// What can be set: a number between two others, one of several words, or something else.
+/// Permitted values: an interval of numbers, one of several words, or something else.
 struct SettingRange {
   struct Numbers {
-    double low, high;  ///< both can be set
-    bool whole;        ///< whole numbers alone
+    double low, high;  ///< both ends are permitted
+    bool is_integer;   ///< integers only
   };
   std::optional<Numbers> numbers;
   std::vector<std::string> words;  ///< empty for numbers
-  std::string other;               ///< in words, of what is neither
+  std::string other;               ///< description of values that are neither numbers nor words
 
   /// "1 to 64" or "nearest or local"
   [[nodiscard]] std::string text() const {
@@ -39,32 +39,35 @@ struct SettingRange {
   }
 };
 
-/// Of a setting that trades accuracy for time. Figures are the study's to tell, of one finger on
-/// one computer; here stands what does not hang on either.
-struct Trade {
-  Message gains;                        ///< what more of it brings, or which of the words, and when
-  Message costs;                        ///< what that takes
-  std::vector<std::string> tried;       ///< what a study looks at, cheapest first, with the default
-  std::vector<std::string> alone = {};  ///< of these, what is too slow to be tried beside others
-  /// False: on this finger every value of it does the same. Empty: it matters on all.
+/// The trade-off of a setting between accuracy and time. It holds what is true for every finger and
+/// computer; the study measures the figures for one of each.
+struct TradeOff {
+  Message gains;                        ///< benefit of a higher value or of each word, and when
+  Message costs;                        ///< cost of that
+  std::vector<std::string> tried;       ///< values for a study, cheapest first, with the default
+  std::vector<std::string> alone = {};  ///< those of them that are too slow to combine with other
+                                        ///< settings
+  /// False: every value gives the same result on this finger. Empty: it has an effect on all
+  /// fingers.
   std::function<bool(const Finger&)> matters = nullptr;
 };
 
-/// One choice within a group S of settings.
+/// One setting of a group S.
 template <class S>
 struct Setting {
-  std::string name;  ///< as flag (--name) and as key, words joined by '-'
-  Message sentence;  ///< what it does, for help and dialogs
+  std::string name;  ///< flag (--name) and key, words joined by '-'
+  Message sentence;  ///< description for help and dialogs
   SettingRange range;
   std::function<std::string(const S&)> get;
   /// Error: outside the range, or not a value at all.
   std::function<Status(S&, std::string_view)> set;
-  std::optional<Trade> trade = std::nullopt;  ///< absent: it does not trade accuracy for time
+  std::optional<TradeOff> trade = std::nullopt;  ///< absent: it has no trade-off between accuracy
+                                                 ///< and time
 
   [[nodiscard]] std::string default_value() const { return get(S{}); }
 };
 
-/// A number in [low, high]. `member` is a pointer to an arithmetic member of S.
+/// A number in [low, high]. `member` points to an arithmetic member of S.
 template <class S, class T>
 Setting<S> number_setting(std::string name, Message sentence, T S::*member, T low, T high) {
   Setting<S> setting{std::move(name), std::move(sentence), {}, {}, {}};
@@ -72,8 +75,8 @@ Setting<S> number_setting(std::string name, Message sentence, T S::*member, T lo
       static_cast<double>(low), static_cast<double>(high), std::is_integral_v<T>};
   setting.get = [member](const S& s) { return fmt::format("{}", s.*member); };
   setting.set = [member, low, high, name = setting.name](S& s, std::string_view text) -> Status {
-    if (const auto doubt = doubt_of_number(text)) return Error{*doubt, name, ""};
-    const auto plain = std::is_integral_v<T> ? plain_whole_number(text) : plain_number(text);
+    if (const auto doubt = number_ambiguity(text)) return Error{*doubt, name, ""};
+    const auto plain = std::is_integral_v<T> ? plain_integer(text) : plain_number(text);
     T value{};
     const bool is_read =
         plain &&
@@ -87,7 +90,7 @@ Setting<S> number_setting(std::string name, Message sentence, T S::*member, T lo
   return setting;
 }
 
-/// A name, of a file for instance: anything but nothing.
+/// A non-empty text, for example a file name.
 template <class S>
 Setting<S> text_setting(std::string name,
                         Message sentence,
@@ -126,15 +129,15 @@ Setting<S> choice_setting(std::string name,
   return setting;
 }
 
-/// Whether a setting trades anything on this finger.
+/// True when the setting has a trade-off on this finger.
 template <class S>
-bool trades_on(const Setting<S>& setting, const Finger& finger) {
+bool has_trade_off(const Setting<S>& setting, const Finger& finger) {
   return setting.trade && (!setting.trade->matters || setting.trade->matters(finger));
 }
 
-/// With what is known of its trade.
+/// Returns the setting with its trade-off.
 template <class S>
-Setting<S> trading(Setting<S> setting, Trade trade) {
+Setting<S> with_trade_off(Setting<S> setting, TradeOff trade) {
   setting.trade = std::move(trade);
   return setting;
 }

@@ -1,4 +1,4 @@
-// Costly values that all who need them share, as long as anybody does.
+// Costly values that all users share, as long as anybody holds them.
 #pragma once
 
 #include "core/job.h"
@@ -15,21 +15,21 @@
 
 namespace alltact {
 
-/// Values by what they were made from. A value lives as long as somebody holds it. Any thread.
+/// Values by the key they were made from. A value lives as long as somebody holds it. Any thread.
 template <class T>
 class SharedValues {
  public:
-  /// The value for `key` that somebody holds or, where nobody does, what `make` gives. While
-  /// another thread makes it, waits for that one; where that fails or was stopped, makes it itself.
-  /// Errors: those of `make`, a function that gives a Result<std::shared_ptr<const T>>; `stopped`
-  /// when the job was asked to stop while waiting.
+  /// Returns the value for `key` that somebody holds, or else the one that `make` returns. While
+  /// another thread makes it, waits for that thread; if that fails or is stopped, makes it itself.
+  /// Errors: those of `make`, a function that returns a Result<std::shared_ptr<const T>>; `stopped`
+  /// when the job was stopped while waiting.
   template <class Make>
   [[nodiscard]] Result<std::shared_ptr<const T>> get(const std::string& key,
                                                      const Job& job,
                                                      const Error& stopped,
                                                      Make make) {
     std::unique_lock lock(mutex_);
-    forget_gone();
+    erase_expired();
     while (values_[key].is_making) {
       if (job.stop_requested()) return stopped;
       made_.wait_for(lock, std::chrono::milliseconds(20));
@@ -37,7 +37,7 @@ class SharedValues {
     if (auto there = values_[key].value.lock()) return there;
     values_[key].is_making = true;
     lock.unlock();
-    const Making making(*this, key);
+    const MakingGuard making(*this, key);
     Result<std::shared_ptr<const T>> value = make();
     if (value) {
       const std::lock_guard again(mutex_);
@@ -51,12 +51,12 @@ class SharedValues {
     std::weak_ptr<const T> value;
     bool is_making = false;
   };
-  /// Ends however the making ends.
-  struct Making {
-    Making(SharedValues& all, std::string key) : all(all), key(std::move(key)) {}
-    Making(const Making&) = delete;
-    Making& operator=(const Making&) = delete;
-    ~Making() {
+  /// Marks the entry as finished, also after an exception.
+  struct MakingGuard {
+    MakingGuard(SharedValues& all, std::string key) : all(all), key(std::move(key)) {}
+    MakingGuard(const MakingGuard&) = delete;
+    MakingGuard& operator=(const MakingGuard&) = delete;
+    ~MakingGuard() {
       {
         const std::lock_guard lock(all.mutex_);
         all.values_[key].is_making = false;
@@ -67,7 +67,7 @@ class SharedValues {
     std::string key;
   };
 
-  void forget_gone() {
+  void erase_expired() {
     std::erase_if(values_, [](const auto& entry) {
       return !entry.second.is_making && entry.second.value.expired();
     });

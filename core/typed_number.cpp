@@ -15,8 +15,8 @@
 namespace alltact {
 namespace {
 
-/// Characters that stand for one of ASCII's. Invisible ones become blanks, which may only stand
-/// around a number.
+/// Characters that are equivalent to one of ASCII. Invisible ones become blanks, which are valid
+/// only around a number.
 constexpr std::array<std::pair<std::string_view, char>, 40> kAlike{{
     {"０", '0'},     {"１", '1'},     {"２", '2'},     {"３", '3'},     {"４", '4'},
     {"５", '5'},     {"６", '6'},     {"７", '7'},     {"８", '8'},     {"９", '9'},
@@ -55,13 +55,13 @@ bool is_digit_at(std::string_view text, std::size_t at) {
   return at < text.size() && is_digit(text[at]);
 }
 
-/// "-1.234,5e3 mm" in its parts.
+/// The parts of "-1.234,5e3 mm".
 struct Parts {
   bool is_negative = false;
-  std::vector<std::string> groups;  // of digits; the first and the last may be empty
-  std::string marks;                // between them
+  std::vector<std::string> groups;  // digits; the first and the last group may be empty
+  std::string marks;                // between the groups
   std::string exponent;             // "e3"
-  std::string rest;                 // without the blanks around it
+  std::string rest;                 // without blanks at its ends
 };
 
 Parts parts_of(std::string_view text) {
@@ -74,7 +74,7 @@ Parts parts_of(std::string_view text) {
   std::size_t at = 0;
   for (; at < text.size(); ++at) {
     const char c = text[at];
-    // A blank, an apostrophe and a line belong to the number between two digits only.
+    // A blank, an apostrophe and an underscore belong to the number only between two digits.
     const bool is_inside = at > 0 && is_digit(text[at - 1]) && is_digit_at(text, at + 1);
     if (is_digit(c)) {
       parts.groups.back() += c;
@@ -105,11 +105,12 @@ std::string without_leading_zeros(const std::string& digits) {
   return digits.substr(std::min(digits.find_first_not_of('0'), digits.size() - 1));
 }
 
-/// With the decimal mark behind the first `whole` groups; all groups: without one.
-std::string joined(const Parts& parts, std::size_t whole) {
+/// Sets the decimal mark behind the first `integer_groups` groups; with all groups there is no
+/// mark.
+std::string joined(const Parts& parts, std::size_t integer_groups) {
   std::string before, behind;
   for (std::size_t i = 0; i < parts.groups.size(); ++i)
-    (i < whole ? before : behind) += parts.groups[i];
+    (i < integer_groups ? before : behind) += parts.groups[i];
   std::string text = parts.is_negative ? "-" : "";
   text += before.empty() ? "0" : without_leading_zeros(before);
   if (!behind.empty()) text += "." + behind;
@@ -129,19 +130,20 @@ Error not_a_number(std::string_view text) {
   return {en::say("'{}' is not a number", printable(text)), "", ""};
 }
 
-/// A text with several marks: what it would be without those of thousands.
+/// A text with several marks: suggests the number without thousands marks.
 Error grouped(std::string_view text, const Parts& parts) {
   const std::size_t last = parts.marks.size() - 1;
   const bool is_decimal = (parts.marks[last] == '.' || parts.marks[last] == ',') &&
                           parts.marks.find(parts.marks[last]) == last;
-  const std::size_t whole = is_decimal && last > 0 ? last + 1 : parts.groups.size();
+  const std::size_t integer_groups = is_decimal && last > 0 ? last + 1 : parts.groups.size();
   const auto is_of_three = [](const std::string& group) { return group.size() == 3; };
-  const auto first = parts.groups.begin(), end = first + static_cast<std::ptrdiff_t>(whole);
-  const bool is_one_kind = parts.marks.find_first_not_of(parts.marks[0]) >= whole - 1;
+  const auto first = parts.groups.begin(),
+             end = first + static_cast<std::ptrdiff_t>(integer_groups);
+  const bool is_one_kind = parts.marks.find_first_not_of(parts.marks[0]) >= integer_groups - 1;
   if (first->empty() || first->size() > 3 || !is_one_kind ||
       !std::all_of(first + 1, end, is_of_three))
     return not_a_number(text);
-  const auto meant = value_of(joined(parts, whole));
+  const auto meant = value_of(joined(parts, integer_groups));
   if (!meant) return not_a_number(text);
   return {
       en::say("'{}' holds a mark between thousands: write {}", printable(text), *meant), "", ""};
@@ -149,9 +151,9 @@ Error grouped(std::string_view text, const Parts& parts) {
 
 bool may_be_thousands(const Parts& parts, DecimalMark mark) {
   const char of_thousands = mark == DecimalMark::kPoint ? ',' : '.';
-  const std::string& whole = parts.groups[0];
-  return parts.marks[0] == of_thousands && parts.groups[1].size() == 3 && !whole.empty() &&
-         whole.size() <= 3 && whole[0] != '0';
+  const std::string& integer_part = parts.groups[0];
+  return parts.marks[0] == of_thousands && parts.groups[1].size() == 3 && !integer_part.empty() &&
+         integer_part.size() <= 3 && integer_part[0] != '0';
 }
 
 std::optional<Error> unit_problem(std::string_view text,
@@ -179,13 +181,13 @@ std::optional<Error> unit_problem(std::string_view text,
 
 }  // namespace
 
-Result<std::string> plain_number(std::string_view text, const NumberWriting& writing) {
+Result<std::string> plain_number(std::string_view text, const NumberFormat& format) {
   const std::string ascii = in_ascii(text);
   const Parts parts = parts_of(trimmed(ascii));
   const bool has_digits = std::any_of(
       parts.groups.begin(), parts.groups.end(), [](const auto& g) { return !g.empty(); });
   if (!has_digits) return not_a_number(text);
-  if (auto problem = unit_problem(text, parts.rest, writing.unit)) return *problem;
+  if (auto problem = unit_problem(text, parts.rest, format.unit)) return *problem;
   const bool is_grouped =
       parts.marks.size() > 1 || parts.marks.find_first_of("' _") != std::string::npos;
   if (is_grouped) return grouped(text, parts);
@@ -193,7 +195,7 @@ Result<std::string> plain_number(std::string_view text, const NumberWriting& wri
   const auto value = value_of(plain);
   if (!value)
     return Error{en::say("'{}' is too large or too small a number", printable(text)), "", ""};
-  if (!parts.marks.empty() && may_be_thousands(parts, writing.mark))
+  if (!parts.marks.empty() && may_be_thousands(parts, format.mark))
     if (const auto other = value_of(joined(parts, 2)))
       return Error{
           en::say("'{0}' can mean {1} or {2}: write {1} or {2}", printable(text), *value, *other),
@@ -202,35 +204,35 @@ Result<std::string> plain_number(std::string_view text, const NumberWriting& wri
   return plain;
 }
 
-Result<std::string> plain_whole_number(std::string_view text, const NumberWriting& writing) {
-  auto number = plain_number(text, writing);
+Result<std::string> plain_integer(std::string_view text, const NumberFormat& format) {
+  auto number = plain_number(text, format);
   if (!number) return number;
   std::string& plain = number.value();
   const std::size_t point = std::min(plain.find('.'), plain.size());
   const std::string_view behind = std::string_view(plain).substr(point);
-  // A whole number needs no mark: "1.000" was written by somebody who parts thousands.
+  // An integer needs no mark: "1.000" contains a thousands mark.
   constexpr std::size_t kPointAndThree = 4;
-  const bool is_whole = plain.find('e') == std::string::npos && behind.size() != kPointAndThree &&
-                        behind.find_first_not_of(".0") == std::string_view::npos;
-  if (!is_whole) return Error{en::say("'{}' is not a whole number", printable(text)), "", ""};
+  const bool is_integer = plain.find('e') == std::string::npos && behind.size() != kPointAndThree &&
+                          behind.find_first_not_of(".0") == std::string_view::npos;
+  if (!is_integer) return Error{en::say("'{}' is not a whole number", printable(text)), "", ""};
   plain.resize(point);
   if (plain == "-0") plain = "0";
   return plain;
 }
 
-Result<double> parse_typed_number(std::string_view text, const NumberWriting& writing) {
-  // Files hold millions of numbers that programs wrote.
-  if (writing.mark == DecimalMark::kPoint)
+Result<double> parse_typed_number(std::string_view text, const NumberFormat& format) {
+  // Fast path: files hold millions of numbers that programs wrote.
+  if (format.mark == DecimalMark::kPoint)
     if (const auto value = value_of(text)) return *value;
-  const auto plain = plain_number(text, writing);
+  const auto plain = plain_number(text, format);
   if (!plain) return plain.error();
   return *value_of(*plain);
 }
 
-std::optional<Message> doubt_of_number(std::string_view text, const NumberWriting& writing) {
+std::optional<Message> number_ambiguity(std::string_view text, const NumberFormat& format) {
   if (in_ascii(text).find_first_not_of("0123456789.,'_ +-") != std::string::npos)
     return std::nullopt;
-  const auto value = parse_typed_number(text, writing);
+  const auto value = parse_typed_number(text, format);
   if (value || value.error().what == not_a_number(text).what) return std::nullopt;
   return value.error().what;
 }

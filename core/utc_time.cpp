@@ -23,8 +23,8 @@ std::string utc_now() {
   return utc_in({});
 }
 
-// Dates in one format: their order as text is their order in time.
-std::string utc_now_from(const std::string& earliest) {
+// The format is fixed: alphabetical order is order in time.
+std::string utc_not_before(const std::string& earliest) {
   const std::string now = utc_now();
   return is_utc(earliest) && earliest > now ? earliest : now;
 }
@@ -41,7 +41,7 @@ bool is_utc(std::string_view text) {
          });
 }
 
-std::optional<double> seconds_of(const std::string& time) {
+std::optional<double> unix_seconds(const std::string& time) {
   int year = 0, month = 0, day = 0, hour = 0, minute = 0, second = 0, read = 0;
   if (std::sscanf(time.c_str(),
                   "%4d-%2d-%2dT%2d:%2d:%2dZ%n",

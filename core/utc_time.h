@@ -9,15 +9,15 @@ namespace alltact {
 
 /// Date and time in UTC as 2026-01-31T12:00:00Z.
 [[nodiscard]] std::string utc_now();
-/// The same, or `earliest` where that is later: what is made from something is not older than it,
-/// whatever the computer's clock says.
-[[nodiscard]] std::string utc_now_from(const std::string& earliest);
-/// A date that this computer's clock has yet to reach, by more than the minute by which clocks of a
-/// lab differ. False for what is no such date.
+/// Returns utc_now(), or `earliest` where that is later. A derived file is never older than its
+/// origin, whatever the computer's clock shows.
+[[nodiscard]] std::string utc_not_before(const std::string& earliest);
+/// True for a date more than a minute ahead of this computer's clock (the tolerance for clocks of a
+/// lab). False for invalid dates.
 [[nodiscard]] bool is_ahead_of_clock(const std::string& date);
-/// Whether a text looks like that.
+/// True for a text of the format of utc_now().
 [[nodiscard]] bool is_utc(std::string_view text);
 /// Seconds since 1970 of such a time; nullopt for anything else.
-[[nodiscard]] std::optional<double> seconds_of(const std::string& time);
+[[nodiscard]] std::optional<double> unix_seconds(const std::string& time);
 
 }  // namespace alltact

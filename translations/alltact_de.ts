@@ -80,7 +80,7 @@
     </message>
 </context>
 <context>
-    <name>alltact::AccuracyPlace</name>
+    <name>alltact::AccuracyPage</name>
     <message>
         <source>How fast must it be, and what error may it have? What settings cost in time and bring in accuracy is measured once on this finger&apos;s own pictures; then one answer stands here.</source>
         <translation>Wie schnell muss es sein, und welcher Fehler ist erlaubt? Was Einstellungen an Zeit kosten und an Genauigkeit bringen, wird einmal an den eigenen Bildern dieses Fingers gemessen; dann steht hier eine Antwort.</translation>
@@ -386,7 +386,7 @@
     </message>
 </context>
 <context>
-    <name>alltact::CalibratePlace</name>
+    <name>alltact::CalibratePage</name>
     <message>
         <source>&amp;Next: %1</source>
         <translation>&amp;Weiter: %1</translation>
@@ -1759,7 +1759,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
 </context>
 <context>
-    <name>alltact::InspectPlace</name>
+    <name>alltact::InspectPage</name>
     <message>
         <source>&amp;Live finger</source>
         <translation>&amp;Live-Finger</translation>
@@ -2500,7 +2500,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
 </context>
 <context>
-    <name>alltact::LivePlace</name>
+    <name>alltact::LivePage</name>
     <message>
         <source>show %1</source>
         <translation>%1 einblenden</translation>
@@ -2863,7 +2863,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
 </context>
 <context>
-    <name>alltact::MoreBox</name>
+    <name>alltact::MoreDataBox</name>
     <message>
         <source>What more would bring</source>
         <translation>Was mehr brächte</translation>
@@ -3106,7 +3106,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
 </context>
 <context>
-    <name>alltact::PicturePanel</name>
+    <name>alltact::ImagePanel</name>
     <message>
         <source>Zoom in</source>
         <translation>Vergrößern</translation>
@@ -3181,7 +3181,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
 </context>
 <context>
-    <name>alltact::PlaceHint</name>
+    <name>alltact::PageHint</name>
     <message>
         <source>What this place is for</source>
         <translation>Wozu dieser Ort da ist</translation>
@@ -3299,7 +3299,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
 </context>
 <context>
-    <name>alltact::PressDesk</name>
+    <name>alltact::PressCollection</name>
     <message>
         <source>change the ball&apos;s radius</source>
         <translation>Kugelradius ändern</translation>
@@ -3865,7 +3865,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
 </context>
 <context>
-    <name>alltact::ProblemBar</name>
+    <name>alltact::NotificationBar</name>
     <message>
         <source>The program ended unexpectedly last time.</source>
         <translation>Das Programm endete das letzte Mal unerwartet.</translation>
@@ -3963,7 +3963,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
 </context>
 <context>
-    <name>alltact::Rail</name>
+    <name>alltact::NavigationBar</name>
     <message>
         <source>%1 (Ctrl+%2)</source>
         <translation>%1 (Strg+%2)</translation>
@@ -4049,7 +4049,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
 </context>
 <context>
-    <name>alltact::RecordPlace</name>
+    <name>alltact::RecordPage</name>
     <message>
         <source>Bend it in all directions</source>
         <translation>In alle Richtungen biegen</translation>
@@ -4950,7 +4950,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
 </context>
 <context>
-    <name>alltact::SideBySide</name>
+    <name>alltact::SettingsComparison</name>
     <message>
         <source>Depth with the setting in use now</source>
         <translation>Tiefe mit der jetzt verwendeten Einstellung</translation>
@@ -5313,7 +5313,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
 </context>
 <context>
-    <name>alltact::TryGuide</name>
+    <name>alltact::Tutorial</name>
     <message>
         <source>A day with a simulated finger</source>
         <translation>Ein Tag mit einem simulierten Finger</translation>

@@ -2,7 +2,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
-    <name>alltact::AccuracyPlace</name>
+    <name>alltact::AccuracyPage</name>
     <message numerus="yes">
         <source>about %n second(s) left</source>
         <translation>
@@ -123,7 +123,7 @@
     </message>
 </context>
 <context>
-    <name>alltact::PressDesk</name>
+    <name>alltact::PressCollection</name>
     <message numerus="yes">
         <source>add %n picture(s)</source>
         <translation>
@@ -201,7 +201,7 @@
     </message>
 </context>
 <context>
-    <name>alltact::RecordPlace</name>
+    <name>alltact::RecordPage</name>
     <message numerus="yes">
         <source>%n frame(s)</source>
         <translation>

@@ -80,7 +80,7 @@
     </message>
 </context>
 <context>
-    <name>alltact::AccuracyPlace</name>
+    <name>alltact::AccuracyPage</name>
     <message>
         <source>How fast must it be, and what error may it have? What settings cost in time and bring in accuracy is measured once on this finger&apos;s own pictures; then one answer stands here.</source>
         <translation>要多快，又允许多大误差？用此手指自己的图像测量一次各项设置所花的时间和带来的精度，之后这里会给出一个答案。</translation>
@@ -384,7 +384,7 @@
     </message>
 </context>
 <context>
-    <name>alltact::CalibratePlace</name>
+    <name>alltact::CalibratePage</name>
     <message>
         <source>&amp;Next: %1</source>
         <translation>下一步：%1(&amp;N)</translation>
@@ -1747,7 +1747,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
 </context>
 <context>
-    <name>alltact::InspectPlace</name>
+    <name>alltact::InspectPage</name>
     <message>
         <source>&amp;Live finger</source>
         <translation>实时手指(&amp;L)</translation>
@@ -2488,7 +2488,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
 </context>
 <context>
-    <name>alltact::LivePlace</name>
+    <name>alltact::LivePage</name>
     <message>
         <source>show %1</source>
         <translation>显示%1</translation>
@@ -2850,7 +2850,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
 </context>
 <context>
-    <name>alltact::MoreBox</name>
+    <name>alltact::MoreDataBox</name>
     <message>
         <source>What more would bring</source>
         <translation>再多会带来什么</translation>
@@ -3093,7 +3093,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
 </context>
 <context>
-    <name>alltact::PicturePanel</name>
+    <name>alltact::ImagePanel</name>
     <message>
         <source>Zoom in</source>
         <translation>放大</translation>
@@ -3168,7 +3168,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
 </context>
 <context>
-    <name>alltact::PlaceHint</name>
+    <name>alltact::PageHint</name>
     <message>
         <source>What this place is for</source>
         <translation>这个页面的用途</translation>
@@ -3286,7 +3286,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
 </context>
 <context>
-    <name>alltact::PressDesk</name>
+    <name>alltact::PressCollection</name>
     <message>
         <source>change the ball&apos;s radius</source>
         <translation>更改球半径</translation>
@@ -3846,7 +3846,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
 </context>
 <context>
-    <name>alltact::ProblemBar</name>
+    <name>alltact::NotificationBar</name>
     <message>
         <source>The program ended unexpectedly last time.</source>
         <translation>程序上次意外退出。</translation>
@@ -3941,7 +3941,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
 </context>
 <context>
-    <name>alltact::Rail</name>
+    <name>alltact::NavigationBar</name>
     <message>
         <source>%1 (Ctrl+%2)</source>
         <translation>%1 (Ctrl+%2)</translation>
@@ -4027,7 +4027,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
 </context>
 <context>
-    <name>alltact::RecordPlace</name>
+    <name>alltact::RecordPage</name>
     <message>
         <source>Bend it in all directions</source>
         <translation>向各个方向弯曲</translation>
@@ -4910,7 +4910,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
 </context>
 <context>
-    <name>alltact::SideBySide</name>
+    <name>alltact::SettingsComparison</name>
     <message>
         <source>Depth with the setting in use now</source>
         <translation>用当前设置得到的深度</translation>
@@ -5272,7 +5272,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
 </context>
 <context>
-    <name>alltact::TryGuide</name>
+    <name>alltact::Tutorial</name>
     <message>
         <source>A day with a simulated finger</source>
         <translation>仿真手指的一天</translation>

@@ -8,8 +8,8 @@ namespace {
 constexpr const char* kRole = "alltact_accessible_role";
 constexpr const char* kValue = "alltact_accessible_value";
 
-/// Also tells a value in words.
-class SpeakingWidget : public QAccessibleWidget {
+/// Also reports a value as text.
+class AccessibleWidget : public QAccessibleWidget {
  public:
   using QAccessibleWidget::QAccessibleWidget;
   [[nodiscard]] QString text(QAccessible::Text kind) const override {
@@ -23,7 +23,7 @@ QAccessibleInterface* make_interface(const QString& /*class_name*/, QObject* obj
   if (widget == nullptr) return nullptr;
   const QVariant role = widget->property(kRole);
   if (!role.isValid()) return nullptr;
-  return new SpeakingWidget(widget, static_cast<QAccessible::Role>(role.toInt()));
+  return new AccessibleWidget(widget, static_cast<QAccessible::Role>(role.toInt()));
 }
 
 }  // namespace

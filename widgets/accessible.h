@@ -1,4 +1,4 @@
-// What a screen reader is told of widgets that paint themselves.
+// Accessibility of widgets that paint themselves.
 #pragma once
 
 #include <QAccessible>
@@ -6,14 +6,14 @@
 
 namespace alltact {
 
-/// From now on assistive programs see `widget` in this role; its name and description are the
+/// Assistive programs see `widget` in this role from now on; its name and description are the
 /// widget's accessibleName() and accessibleDescription().
 void set_accessible_role(QWidget& widget, QAccessible::Role role);
 
-/// What a widget with such a role shows now, in words; tells of the change, where it is one.
+/// Sets the value that a widget with such a role shows now, as text; announces a change.
 void set_accessible_value(QWidget& widget, const QString& text);
 
-/// Sets the description and tells of the change, where it is one.
+/// Sets the description; announces a change.
 void set_accessible_description(QWidget& widget, const QString& text);
 
 }  // namespace alltact

@@ -17,7 +17,7 @@ struct BackgroundWork::Shared {
   Message what;
   bool is_done = false;
   std::function<void()> at_end;
-  bool is_replaced = false;  // told and asked on the window's thread alone
+  bool is_replaced = false;  // both only on the window's thread
   Job job{[this](double part, const Message& words) {
     const std::lock_guard lock(mutex);
     fraction = part;
@@ -61,8 +61,8 @@ void BackgroundWork::stop() {
 }
 
 std::optional<double> BackgroundWork::seconds_left() const {
-  constexpr double kEnoughToTell = 0.05;
-  if (!shared_ || fraction_ < kEnoughToTell) return std::nullopt;
+  constexpr double kMinFraction = 0.05;
+  if (!shared_ || fraction_ < kMinFraction) return std::nullopt;
   return static_cast<double>(since_.elapsed()) * 1e-3 * (1 - fraction_) / fraction_;
 }
 
@@ -82,7 +82,7 @@ void BackgroundWork::look() {
   if (waiting_)
     start(std::exchange(waiting_, nullptr));
   else if (at_end && !is_replaced)
-    at_end();  // which may start what comes next
+    at_end();  // which may start further work
   if (!shared_) Q_EMIT finished();
 }
 

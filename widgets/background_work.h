@@ -1,4 +1,4 @@
-// Long work beside the window, with progress and a stop.
+// Long work on a background thread, with progress and cancellation.
 #pragma once
 
 #include "core/job.h"
@@ -13,30 +13,31 @@
 
 namespace alltact {
 
-/// One piece of work at a time.
+/// Runs one piece of work at a time.
 class BackgroundWork : public QObject {
   Q_OBJECT
  public:
-  /// Runs on a thread of its own; what it returns is called on this object's thread when it is
-  /// done, and never once this object has gone.
+  /// Runs on a thread of its own. The function that it returns is called on this object's thread
+  /// afterwards, but never once this object is destroyed.
   using Work = std::function<std::function<void()>(const Job& job)>;
 
   explicit BackgroundWork(QObject* parent = nullptr);
-  /// Asks the work to stop; it is not waited for, so it must own all it uses.
+  /// Requests the work to stop without waiting for it; the work must own all that it uses.
   ~BackgroundWork() override;
 
   /// Does nothing while other work runs.
   void start(Work work);
-  /// In place of what runs: that is asked to stop, what it returns is not called, and this runs
-  /// when it has ended. Of several that wait only the last one runs. For readings of what may have
+  /// Replaces the running work: requests it to stop, drops its result, and runs `work` when it has
+  /// ended. Of several that wait only the last one runs. Use it for readings of what may have
   /// changed since the one before began.
   void restart(Work work);
-  /// Asks what runs to stop, whose outcome is called; what waits does not run any more.
+  /// Requests the running work to stop; its result is still used. Waiting work does not run any
+  /// more.
   void stop();
   [[nodiscard]] bool is_running() const { return shared_ != nullptr; }
   [[nodiscard]] double fraction() const { return fraction_; }
   [[nodiscard]] const Message& what() const { return what_; }
-  /// Empty as long as it cannot be told.
+  /// nullopt as long as it cannot be estimated.
   [[nodiscard]] std::optional<double> seconds_left() const;
 
  Q_SIGNALS:

@@ -1,4 +1,4 @@
-// Grey pictures as Qt draws them.
+// Grey images as Qt draws them.
 #pragma once
 
 #include <QImage>
@@ -7,7 +7,7 @@
 
 namespace alltact {
 
-/// Shares the pixels (CV_8UC1): to be used while `grey` lives.
+/// Shares the pixels (CV_8UC1); valid while `grey` lives.
 [[nodiscard]] inline QImage grey_image(const cv::Mat& grey) {
   return {grey.data,
           grey.cols,

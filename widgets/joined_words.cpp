@@ -21,12 +21,12 @@ QString listed(const QStringList& things) {
 }
 
 QString joined(const QStringList& parts) {
-  QStringList said = parts;
-  said.removeAll(QString());
-  return said.join(JoinedWords::between_parts());
+  QStringList parts_shown = parts;
+  parts_shown.removeAll(QString());
+  return parts_shown.join(JoinedWords::between_parts());
 }
 
-QString set_apart(const QStringList& clauses) {
+QString joined_clauses(const QStringList& clauses) {
   return clauses.join(JoinedWords::between_clauses());
 }
 

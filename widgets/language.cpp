@@ -6,9 +6,9 @@
 namespace alltact {
 namespace {
 
-constexpr const char* kContext = "alltact::en";  // where lupdate puts what is said
+constexpr const char* kContext = "alltact::en";  // where lupdate puts the messages
 
-/// Numbers with the sign before their decimals that the window's language writes.
+/// Numbers with the decimal mark of the window's language.
 Message with_local_numbers(const Message& message) {
   std::string words = message.words();
   if (message.kind() == Message::Kind::kNumber)
@@ -17,7 +17,7 @@ Message with_local_numbers(const Message& message) {
                 .toStdString();
   std::vector<Message> parts;
   for (const Message& part : message.parts()) parts.push_back(with_local_numbers(part));
-  return Message::put_together(
+  return Message::compose(
       message.kind(), std::move(words), message.context(), message.count(), std::move(parts));
 }
 
@@ -26,12 +26,13 @@ std::string in_language(const Message& message) {
   const char* const words = message.words().c_str();
   const char* const of = message.context().empty() ? nullptr : message.context().c_str();
   const int count = is_counted ? static_cast<int>(message.count()) : -1;
-  const std::string said = QCoreApplication::translate(kContext, words, of, count).toStdString();
-  // Where nobody translated it, Qt gives the words back, which are for many.
-  return is_counted && count == 1 && said == words ? message.context() : said;
+  const std::string translated =
+      QCoreApplication::translate(kContext, words, of, count).toStdString();
+  // Qt returns the source text, which is the plural form, where there is no translation.
+  return is_counted && count == 1 && translated == words ? message.context() : translated;
 }
 
-thread_local int in_english = 0;  // how many say so
+thread_local int in_english = 0;  // number of EnglishScope that exist
 
 }  // namespace
 
@@ -68,12 +69,12 @@ QString WindowTranslator::translate(const char* context,
   return in_english > 0 ? QString() : QTranslator::translate(context, source, of, count);
 }
 
-InEnglish::InEnglish() {
+EnglishScope::EnglishScope() {
   ++in_english;
   QLocale::setDefault(QLocale::c());
 }
 
-InEnglish::~InEnglish() {
+EnglishScope::~EnglishScope() {
   --in_english;
   QLocale::setDefault(before_);
 }

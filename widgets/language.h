@@ -1,4 +1,4 @@
-// What the libraries say, in the window's language.
+// Messages of the libraries in the window's language.
 #pragma once
 
 #include "core/message.h"
@@ -12,16 +12,16 @@ namespace alltact {
 /// GUI thread only.
 [[nodiscard]] QString in_window_language(const Message& message);
 
-/// The same, as one to begin a line with: a capital first and a full stop last.
+/// The same as a sentence: a capital first and a full stop last.
 [[nodiscard]] QString window_sentence(const Message& message);
 
-/// Without a full stop, as a title or in a label: a capital first.
+/// The same as a title or label: a capital first, no full stop.
 [[nodiscard]] QString window_phrase(const Message& message);
 
-/// Words that are in the window's language already, with its full stop.
+/// Adds the full stop of the window's language to words that are in it already.
 [[nodiscard]] QString as_sentence(const QString& words);
 
-/// Translates unless somebody is InEnglish.
+/// Translates unless an EnglishScope exists.
 class WindowTranslator : public QTranslator {
  public:
   QString translate(const char* context,
@@ -30,14 +30,14 @@ class WindowTranslator : public QTranslator {
                     int count) const override;
 };
 
-/// While it lives texts and numbers are those of a program without translations, whatever the
-/// window speaks: for what is written for others. GUI thread only, and not across its event loop.
-class InEnglish {
+/// While it lives, texts and numbers are English, whatever the window's language: for files that
+/// others read. GUI thread only, and not across its event loop.
+class EnglishScope {
  public:
-  InEnglish();
-  ~InEnglish();
-  InEnglish(const InEnglish&) = delete;
-  InEnglish& operator=(const InEnglish&) = delete;
+  EnglishScope();
+  ~EnglishScope();
+  EnglishScope(const EnglishScope&) = delete;
+  EnglishScope& operator=(const EnglishScope&) = delete;
 
  private:
   QLocale before_;

@@ -8,7 +8,7 @@
 namespace alltact {
 namespace {
 
-/// Of one value of one setting.
+/// The text of one value of one setting.
 class SettingsWords {
   Q_DECLARE_TR_FUNCTIONS(alltact::SettingsWords)
  public:

@@ -1,4 +1,4 @@
-// Settings as people call them, in the window's language.
+// Settings as text in the window's language.
 #pragma once
 
 #include "core/sensing/pipeline_settings.h"
@@ -7,8 +7,8 @@
 
 namespace alltact {
 
-/// "nearest recorded picture, no smoothing": what of `choice` is other than in `base`; empty where
-/// nothing is.
+/// "nearest recorded image, no smoothing": the settings of `choice` that differ from `base`; empty
+/// where none does.
 [[nodiscard]] QString difference_words(const PipelineSettings& choice,
                                        const PipelineSettings& base);
 

@@ -1,11 +1,11 @@
-// A path or a command may be longer than its field.
+// Tool tips for fields whose path or command may be longer than the field.
 #pragma once
 
 #include <QLineEdit>
 
 namespace alltact {
 
-/// From now on the field's tip is its text, whole.
+/// The field's tool tip is its full text from now on.
 inline void show_text_as_tip(QLineEdit& field) {
   QObject::connect(&field, &QLineEdit::textChanged, &field, &QWidget::setToolTip);
 }

@@ -1,4 +1,4 @@
-// Widgets that say everything anew when the language changes.
+// Widgets that set their texts again when the language changes.
 #pragma once
 
 #include <QEvent>
@@ -8,7 +8,8 @@
 
 namespace alltact {
 
-/// A widget class Base whose texts are set by say(): once now, and again for each new language.
+/// A widget class Base whose texts are set by say(): once at the call, and again for each new
+/// language.
 template <class Base>
 class Translated : public Base {
  public:

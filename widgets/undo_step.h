@@ -1,4 +1,4 @@
-// Steps that can be undone and say what they are called anew in each language.
+// Steps that can be undone, with names that follow the language.
 #pragma once
 
 #include <QString>
@@ -8,7 +8,7 @@
 
 namespace alltact {
 
-/// What a step is called. Asked again whenever it is shown, so that it follows the language.
+/// A step's name. Called whenever the name is shown, so that it follows the language.
 using StepWords = std::function<QString()>;
 
 class UndoStep : public QUndoCommand {
@@ -20,11 +20,11 @@ class UndoStep : public QUndoCommand {
   StepWords words_;
 };
 
-/// Of the step that undo or redo would do next; empty where there is none.
+/// The name of the step that undo or redo runs next; empty where there is none.
 [[nodiscard]] inline QString words_of(const QUndoCommand* step) {
   if (step == nullptr) return {};
-  const auto* said = dynamic_cast<const UndoStep*>(step);
-  return said != nullptr ? said->words() : step->text();
+  const auto* undo_step = dynamic_cast<const UndoStep*>(step);
+  return undo_step != nullptr ? undo_step->words() : step->text();
 }
 [[nodiscard]] inline QString undo_words(const QUndoStack& stack) {
   return words_of(stack.command(stack.index() - 1));

@@ -1,12 +1,12 @@
-// A change of one value that can be undone.
+// An undoable change of one value.
 #pragma once
 
 #include "widgets/undo_step.h"
 
 namespace alltact {
 
-/// Holds the values before and after, never a pointer into what they belong to. Changes with the
-/// same `merge_id` (>= 0) that follow each other are one step.
+/// Holds the values before and after, never a pointer to their owner. Consecutive changes with the
+/// same `merge_id` (>= 0) are one step.
 template <class T>
 class ValueChange : public UndoStep {
  public:

@@ -3,7 +3,7 @@
 #include "app/console/flags.h"
 #include "app/console/number_flags.h"
 #include "app/console/press_flags.h"
-#include "app/pictures/pictures.h"
+#include "app/figures/figures.h"
 #include "calibration/finger/calibrate_finger.h"
 #include "calibration/finger/calibration_report.h"
 #include "calibration/verdict/verdict_json.h"
@@ -16,7 +16,7 @@
 namespace alltact {
 namespace {
 
-void tell_methods(const std::vector<MethodRow>& methods, Console& console) {
+void print_methods(const std::vector<MethodRow>& methods, Console& console) {
   console.say(fmt::format("{:<25} {:>7} {:>13} {:>12} {:>9} {:>9}",
                           "all methods, same presses",
                           "presses",
@@ -36,7 +36,7 @@ void tell_methods(const std::vector<MethodRow>& methods, Console& console) {
                     : fmt::format("{:<25} {}", method_name(row.method), row.failed));
 }
 
-void tell(const FingerCalibration& done, Console& console) {
+void print_result(const FingerCalibration& done, Console& console) {
   const Calibration& calibration = done.calibration;
   console.say(
       fmt::format("{:<24} {:>9} {:>12} {:>13}", "press", "depth mm", "residual mm", "left-out mm"));
@@ -57,60 +57,60 @@ void tell(const FingerCalibration& done, Console& console) {
                             calibration.balls.size()));
   for (const Message& sentence : done.made_of) console.say(fmt::format("{}.", sentence));
   for (const BallFit& ball : calibration.balls)
-    if (ball.told_depth)
+    if (ball.given_depth)
       console.say(fmt::format("{}: measured {} mm deep, the solution has {:.3f} mm",
                               ball.press,
-                              value_and_sd(ball.told_depth->mm, ball.told_depth->sd_mm, 3),
-                              ball.pressed_in_mm));
+                              value_and_sd(ball.given_depth->mm, ball.given_depth->sd_mm, 3),
+                              ball.indentation_mm));
   for (const StepFit& step : calibration.steps)
     console.say(fmt::format("{}: a step of {:.3f} mm reads {} mm",
                             step.press,
                             step.step_mm,
-                            value_and_sd(step.reads_mm, step.sd_mm, 3)));
+                            value_and_sd(step.estimated_mm, step.sd_mm, 3)));
   for (const Message& reason : calibration.left_out)
     console.warn(fmt::format("Left out: {}", reason));
-  if (!done.problem_picture.empty())
-    console.warn("What was found there: " + done.problem_picture.string());
+  if (!done.problem_image.empty())
+    console.warn("What was found there: " + done.problem_image.string());
   for (const Message& remark : calibration.remarks) console.say(fmt::format("Remark: {}", remark));
   for (const Message& sign : done.fault_signs) console.warn(fmt::format("Warning: {}.", sign));
   console.say(fmt::format("Mapping: {}", calibration.degree_choice));
   console.say(fmt::format("Verdict: {}.", done.verdict.sentence));
   console.say(fmt::format("By zone of the face: {}.", zone_sentence(done.zones)));
-  if (!done.methods.empty()) tell_methods(done.methods, console);
+  if (!done.methods.empty()) print_methods(done.methods, console);
 }
 
-/// What a repetition starts from, changed by what was said on the command line.
+/// The inputs of a repetition, changed by the command line's options.
 Result<CalibrationInputs> inputs_again(const CalibrateOptions& options, Console& console) {
   std::vector<Message> warnings;
-  auto kept = CalibrationInputs::load(options.finger, &warnings);
-  if (!kept) return kept.error();
+  auto stored = CalibrationInputs::load(options.finger, &warnings);
+  if (!stored) return stored.error();
   for (const Message& warning : warnings) console.warn(fmt::format("Warning: {}", warning));
-  CalibrationInputs inputs = std::move(kept).value();
+  CalibrationInputs inputs = std::move(stored).value();
   if (options.change) options.change(inputs.calibration, inputs.pipeline);
-  PressSet& said = inputs.said;
-  if (options.ball_radius_mm > 0) said.ball_radius_mm = options.ball_radius_mm;
-  if (!options.operator_name.empty()) said.operator_name = options.operator_name;
+  PressSet& press_set = inputs.press_set;
+  if (options.ball_radius_mm > 0) press_set.ball_radius_mm = options.ball_radius_mm;
+  if (!options.operator_name.empty()) press_set.operator_name = options.operator_name;
   for (const std::string& name : options.included) {
-    PressNote note = said.of(name);
+    PressNote note = press_set.of(name);
     if (!note.excluded)
       return Error{en::say("'{}' is not excluded", name), options.finger.string(), ""};
     note.excluded.reset();
-    said.say(name, std::move(note));
+    press_set.say(name, std::move(note));
   }
-  if (options.say_of_presses) options.say_of_presses(said);
+  if (options.annotate_presses) options.annotate_presses(press_set);
   return inputs;
 }
 
-/// Without the part that draws a finger is calibrated all the same.
+/// A finger is calibrated even if the library that draws is missing.
 MakeReport report_maker(const CalibrateOptions& options, Console& console) {
-  const auto pictures = load_pictures();
-  if (!pictures) {
+  const auto drawing = load_figures();
+  if (!drawing) {
     console.warn(
-        fmt::format("There will be no pages of the report: {}", pictures.error().sentence()));
+        fmt::format("There will be no pages of the report: {}", drawing.error().sentence()));
     return {};
   }
   return
-      [drawn = *pictures, folder = options.finger](const FingerCalibration& done, const Job& job) {
+      [drawn = *drawing, folder = options.finger](const FingerCalibration& done, const Job& job) {
         return drawn->calibration_pages(done, folder, job);
       };
 }
@@ -125,12 +125,12 @@ Result<FingerCalibration> calibrate_as_asked(const CalibrateOptions& options, Co
   FingerCalibrationInput input;
   input.folder = options.finger;
   input.presses = options.presses;
-  input.said.ball_radius_mm = options.ball_radius_mm;
-  input.said.operator_name = options.operator_name;
+  input.press_set.ball_radius_mm = options.ball_radius_mm;
+  input.press_set.operator_name = options.operator_name;
   input.reference = options.reference;
   input.calibration = options.calibration;
   input.pipeline = options.pipeline;
-  if (options.say_of_presses) options.say_of_presses(input.said);
+  if (options.annotate_presses) options.annotate_presses(input.press_set);
   input.date = options.date;
   input.program_version = program_version();
   input.make_report = report_maker(options, console);
@@ -146,8 +146,8 @@ Status run_calibrate(const CalibrateOptions& options, Console& console) {
   std::vector<Message> warnings = done->warnings;
   warnings.insert(warnings.end(), done->about_settings.begin(), done->about_settings.end());
   for (const Message& warning : warnings) console.warn(fmt::format("Warning: {}", warning));
-  tell(*done, console);
-  console.say("Report: " + (options.finger / kReportPage).string() + ", .pdf");
+  print_result(*done, console);
+  console.say("Report: " + (options.finger / kReportHtml).string() + ", .pdf");
   console.say("Again, from what is kept with the finger: " + repeat_command(options.finger));
   Console::Json& answer = console.answer();
   answer["verdict"] = done->verdict.sentence.english();
@@ -158,10 +158,10 @@ Status run_calibrate(const CalibrateOptions& options, Console& console) {
   answer["expected_error_mm"] = done->verdict.error_mm;
   answer["presses"] = done->calibration.balls.size();
   answer["left_out"] = in_english(done->calibration.left_out);
-  if (!done->problem_picture.empty()) answer["problem_picture"] = done->problem_picture.string();
+  if (!done->problem_image.empty()) answer["problem_picture"] = done->problem_image.string();
   answer["remarks"] = in_english(done->calibration.remarks);
   answer["warnings"] = in_english(warnings);
-  answer["report"] = (options.finger / kReportFigures).string();
+  answer["report"] = (options.finger / kReportJson).string();
   return {};
 }
 
@@ -182,8 +182,8 @@ void add_calibrate(CLI::App& program, Chosen& chosen) {
       command->add_option("--ball-radius-mm", options->ball_radius_mm, "Radius of the ball, mm")
           ->type_name("R")
           ->transform(typed_number(kBallRadius));
-  PressFlags said;
-  said.add_to(*command);
+  PressFlags press_set;
+  press_set.add_to(*command);
   CLI::Option* reference =
       command
           ->add_option("--reference",
@@ -221,7 +221,7 @@ void add_calibrate(CLI::App& program, Chosen& chosen) {
   SettingFlags<CalibrationSettings> calibration;
   calibration.add_to(*command, calibration_settings());
   SettingFlags<PipelineSettings> pipeline;
-  pipeline.add_to(*command, pipeline_settings(), settings_beyond_mapping());
+  pipeline.add_to(*command, pipeline_settings(), mapping_independent_settings());
   command->callback([=, &chosen] {
     if (!options->again && presses->count() == 0) throw CLI::RequiredError("PRESS");
     if (!options->again && radius->count() == 0) throw CLI::RequiredError("--ball-radius-mm");
@@ -237,7 +237,7 @@ void add_calibrate(CLI::App& program, Chosen& chosen) {
     if (options->calibration.method == CalibrationMethod::kPaper)
       pipeline.refuse_all("the source paper's method has none of these settings");
     options->change = change;
-    options->say_of_presses = [=](PressSet& presses) { said.say(presses); };
+    options->annotate_presses = [=](PressSet& presses) { press_set.say(presses); };
     chosen = [=](Console& console) { return run_calibrate(*options, console); };
   });
 }

@@ -3,8 +3,8 @@
 #include "app/console/number_flags.h"
 #include "app/console/press_flags.h"
 #include "calibration/checks/check_history.h"
+#include "calibration/checks/contact_free_check.h"
 #include "calibration/checks/finger_check.h"
-#include "calibration/checks/untouched_check.h"
 #include "calibration/finger/calibrate_finger.h"
 #include "calibration/hard_cases/hard_cases.h"
 #include "calibration/verdict/verdict_json.h"
@@ -31,7 +31,7 @@ Console::Json entry_json(const CheckEntry& entry) {
 }
 
 /// The last checks with presses, oldest first.
-Status tell_history(const Path& folder, Console& console) {
+Status print_history(const Path& folder, Console& console) {
   constexpr std::size_t kShown = 5;
   std::vector<Message> warnings;
   const auto checks = load_checks(folder, &warnings);
@@ -54,7 +54,7 @@ Status tell_history(const Path& folder, Console& console) {
   return {};
 }
 
-void tell(const PressCheck& check, Console& console) {
+void print_check(const PressCheck& check, Console& console) {
   console.say(fmt::format(
       "{:<24} {:>9} {:>9} {:>9} {:>9}", "press", "depth mm", "error mm", "factor", "light %"));
   Console::Json presses = Console::Json::array();
@@ -91,17 +91,17 @@ void tell(const PressCheck& check, Console& console) {
 
 Status run_check_presses(const Path& folder,
                          const PressInput& presses,
-                         const PressSet& said,
+                         const PressSet& press_set,
                          Console& console) {
   const auto snapshot = open_finger(folder, console);
   if (!snapshot) return snapshot.error();
   const Finger& finger = (*snapshot)->finger;
-  const auto check = check_with_presses(**snapshot, presses, said, console.job());
+  const auto check = check_with_presses(**snapshot, presses, press_set, console.job());
   if (!check) return check.error();
-  tell(*check, console);
+  print_check(*check, console);
   console.answer()["finger"] = finger.name;
-  const Status kept = append_check(folder, entry_of(*check, finger, utc_now(), program_version()));
-  if (!kept) return kept.error();
+  const Status saved = append_check(folder, entry_of(*check, finger, utc_now(), program_version()));
+  if (!saved) return saved.error();
   if (check->verdict == CheckVerdict::kRecalibrate)
     return Error{en::say("the finger must be calibrated again; the reason is above"),
                  folder,
@@ -109,12 +109,10 @@ Status run_check_presses(const Path& folder,
   return {};
 }
 
-Status run_check_untouched(const Path& folder,
-                           const std::vector<Path>& pictures,
-                           Console& console) {
+Status run_check_reference(const Path& folder, const std::vector<Path>& images, Console& console) {
   const auto finger = open_finger(folder, console);
   if (!finger) return finger.error();
-  const auto check = check_untouched(**finger, pictures, console.job());
+  const auto check = check_contact_free(**finger, images, console.job());
   if (!check) return check.error();
   for (const Message& reason : check->left_out) console.warn(fmt::format("Left out: {}", reason));
   console.say(fmt::format("Verdict: {}.", check->sentence));
@@ -126,7 +124,7 @@ Status run_check_untouched(const Path& folder,
   answer["false_depth_mm"] = check->false_depth_mm;
   answer["uncorrected_mm"] = check->uncorrected_mm;
   answer["limit_mm"] = check->limit_mm;
-  answer["pictures"] = check->pictures;
+  answer["pictures"] = check->image_count;
   answer["left_out"] = in_english(check->left_out);
   if (check->verdict == CheckVerdict::kRecalibrate)
     return Error{
@@ -151,7 +149,7 @@ Status run_check(const Path& folder, Console& console) {
   console.answer()["fit"] = check.fit;
   console.answer()["items"] = std::move(items);
   if (check.verdict) console.answer()["verdict"] = verdict_json(*check.verdict);
-  if (const Status told = tell_history(folder, console); !told) return told;
+  if (const Status printed = print_history(folder, console); !printed) return printed;
   if (!check.fit)
     return Error{en::say("not fit to use; what is missing stands above"), folder.string(), ""};
   const bool is_proven = check.verdict && (check.verdict->grade == Grade::kGood ||
@@ -167,7 +165,7 @@ Status run_check(const Path& folder, Console& console) {
 Status run_check_numerics(Console& console) {
   Console::Json rows = Console::Json::array();
   int failed = 0;
-  // JSON has no infinity: null says that there was a number that was none, or a false one.
+  // JSON has no infinity: null means a number that is not finite, or a false one.
   const auto number = [](double error) {
     return std::isfinite(error) ? Console::Json(error) : Console::Json();
   };
@@ -181,22 +179,22 @@ Status run_check_numerics(Console& console) {
   for (const HardCase& one : hard_cases()) {
     failed += !one.holds();
     console.say(fmt::format("{:>9.2g}  {:>9.2g}  {:>9.2g}  {:>6.1f} %  {:<5}  {} ({}; plain: {})",
-                            one.plain_score.error,
-                            one.our_score.error,
+                            one.naive_score.error,
+                            one.own_score.error,
                             one.bound,
-                            100 * one.our_score.answered,
+                            100 * one.own_score.answered,
                             one.holds() ? "yes" : "NO",
                             one.what,
                             one.unit,
-                            one.plain));
+                            one.naive));
     rows.push_back({{"what", one.what},
-                    {"plain", one.plain},
+                    {"plain", one.naive},
                     {"unit", one.unit},
-                    {"plain_error", number(one.plain_score.error)},
-                    {"our_error", number(one.our_score.error)},
+                    {"plain_error", number(one.naive_score.error)},
+                    {"our_error", number(one.own_score.error)},
                     {"bound", one.bound},
-                    {"answered", one.our_score.answered},
-                    {"must_be_answered", one.least_answered},
+                    {"answered", one.own_score.answered},
+                    {"must_be_answered", one.min_answered},
                     {"holds", one.holds()}});
   }
   const std::size_t all = rows.size();
@@ -217,11 +215,11 @@ void add_check(CLI::App& program, Chosen& chosen) {
   auto folder = std::make_shared<Path>();
   auto numerics = std::make_shared<bool>(false);
   auto presses = std::make_shared<PressInput>();
-  auto said = std::make_shared<PressSet>();
+  auto press_set = std::make_shared<PressSet>();
   auto untouched = std::make_shared<std::vector<Path>>();
   CLI::App* command = add_command(program, "check");
   CLI::Option* finger = command->add_option("FINGER", *folder, "The finger's folder");
-  CLI::Option* pictures =
+  CLI::Option* images =
       command
           ->add_option(
               "--presses",
@@ -232,11 +230,11 @@ void add_check(CLI::App& program, Chosen& chosen) {
           ->needs(finger);
   command
       ->add_option("--ball-radius-mm",
-                   said->ball_radius_mm,
+                   press_set->ball_radius_mm,
                    "Radius of the ball that was pressed, mm (default: that of the calibration)")
       ->type_name("R")
       ->transform(typed_number(kBallRadius))
-      ->needs(pictures);
+      ->needs(images);
   PressFlags steps;
   steps.add_to(*command, "step");
   command
@@ -246,7 +244,7 @@ void add_check(CLI::App& program, Chosen& chosen) {
                    "drifted, and must it be recorded again?")
       ->type_name("PICTURE...")
       ->needs(finger)
-      ->excludes(pictures);
+      ->excludes(images);
   command
       ->add_flag(
           "--numerics",
@@ -257,10 +255,10 @@ void add_check(CLI::App& program, Chosen& chosen) {
   command->callback([=, &chosen] {
     if (!*numerics && finger->count() == 0) throw CLI::RequiredError("FINGER");
     chosen = [=](Console& console) {
-      if (!untouched->empty()) return run_check_untouched(*folder, *untouched, console);
+      if (!untouched->empty()) return run_check_reference(*folder, *untouched, console);
       if (!presses->files.empty()) {
-        steps.say(*said);
-        return run_check_presses(*folder, *presses, *said, console);
+        steps.say(*press_set);
+        return run_check_presses(*folder, *presses, *press_set, console);
       }
       return *numerics ? run_check_numerics(console) : run_check(*folder, console);
     };

@@ -1,4 +1,4 @@
-// The commands of `alltact`: what each needs, and its work. One file each; the demonstration runs
+// The commands of `alltact`: options and function of each. One file each; the demonstration runs
 // the same functions.
 #pragma once
 
@@ -47,39 +47,39 @@ struct SimulateOptions {
   std::uint64_t seed = 1;
   bool video = false;
   bool maps = false;     ///< also the truth of every pixel
-  bool explain = false;  ///< tell what the scene builds, and render nothing
+  bool explain = false;  ///< explain the scene's steps, and render nothing
   int threads = 1;
   bool costs = false;  ///< run_simulate_costs() instead
   std::string effect;  ///< run_simulate_effects() of this one; empty: of all
 };
-/// Renders a scene and writes its truth beside it.
+/// Renders a scene and writes its truth next to it.
 Status run_simulate(const SimulateOptions& options, Console& console);
 
 struct SimulateFitOptions {
   Path finger;
-  std::vector<Path> presses;    ///< empty: those that the finger keeps
+  std::vector<Path> presses;    ///< empty: those stored with the finger
   std::vector<Path> untouched;  ///< empty: the finger's own reference
   double ball_radius_mm = 0;    ///< 0: that of the finger's presses
   Path scene;                   ///< to be written
 };
-/// Writes the scene whose pictures come out as a real finger's do (twin.h).
+/// Writes the scene whose frames match a real finger's (twin.h).
 Status run_simulate_fit(const SimulateFitOptions& options, Console& console);
-/// Prints what every effect of the simulation costs on this computer.
+/// Prints the time of every effect of the simulation on this computer.
 Status run_simulate_costs(int frames, Console& console);
-/// Tells what effects there are, or what one takes. Error: there is no such effect.
+/// Lists the effects, or the parameters of one. Error: there is no such effect.
 Status run_simulate_effects(const std::string& name, Console& console);
 
 struct LensOptions {
   std::vector<Path> inputs;
-  Board board;  ///< its columns, rows and square_mm; the settings say the rest
+  Board board;  ///< only columns, rows and square_mm; the rest is in the settings
   LensSettings settings;
   Orientation orientation = Orientation::kNone;
-  std::optional<FlatPort> port;  ///< what the finger is seen through, where the board was not
+  std::optional<FlatPort> port;           ///< the finger's window, where the board had none
   std::optional<double> known_length_mm;  ///< on the finger, with `known_ends`
-  std::vector<double> known_ends_px;      ///< u1 v1 u2 v2 in the picture after orientation
+  std::vector<double> known_ends_px;      ///< u1 v1 u2 v2 in the image after orientation
   Path camera;
 };
-/// Calibrates a lens from pictures of a board and writes CAMERA.yaml.
+/// Calibrates a lens from images of a board and writes CAMERA.yaml.
 Status run_lens(const LensOptions& options, Console& console);
 
 struct ReferenceOptions {
@@ -95,15 +95,15 @@ struct CalibrateOptions {
   PressInput presses;
   double ball_radius_mm = 0;  ///< with `again` 0 for the same
   std::optional<Path> reference;
-  std::string operator_name;  ///< kept with the calibration; empty: not told
-  /// Says what was said of single presses; may be empty.
-  std::function<void(PressSet&)> say_of_presses;
+  std::string operator_name;  ///< stored with the calibration; empty: not given
+  /// Applies the user's annotations of single presses; may be empty.
+  std::function<void(PressSet&)> annotate_presses;
   CalibrationSettings calibration;
   PipelineSettings pipeline;
-  bool again = false;                 ///< from what the finger keeps, and with it:
+  bool again = false;                 ///< from the data stored with the finger, and with it:
   std::string date;                   ///< empty: now
   std::vector<std::string> included;  ///< names that are excluded no longer
-  /// Applies the settings that were given to those that are kept; may be empty.
+  /// Applies the given settings to the stored ones; may be empty.
   std::function<void(CalibrationSettings&, PipelineSettings&)> change;
 };
 /// Learns a finger's depth mapping from ball presses.
@@ -117,32 +117,32 @@ struct ReconstructOptions {
        flags = true, limits = false;
   bool points = false;
   std::vector<std::string> surfaces;  ///< endings of write_surface, without the dot
-  bool picture = false;               ///< of the face in 3D
-  Standpoint standpoint = Standpoint::kTilted;
+  bool image = false;                 ///< of the face in 3D
+  Viewpoint viewpoint = Viewpoint::kTilted;
   SceneOptions scene;
   int threads = 0;           ///< 0: all cores
   std::optional<Part> part;  ///< only this part of the frames, for run_merge()
   bool live = false;         ///< lines on standard output instead of files, until stopped
   bool as_paper = false;     ///< by the source paper's method, which has no settings
   PipelineSettings pipeline;
-  /// Of the finger that `pipeline` is; empty: none.
+  /// Name of the finger's preset that gave `pipeline`; empty: none.
   std::string preset;
 };
-/// Turns pictures into depth. Error at the end when any of them could not be.
+/// Measures depth in frames. Error at the end when any of them failed.
 Status run_reconstruct(const ReconstructOptions& options, Console& console);
 
-/// Brings the parts of a reconstruction together (parts.h).
+/// Merges the parts of a reconstruction (parts.h).
 Status run_merge(const std::vector<Path>& folders, Console& console);
 
 struct ServeOptions {
   Path finger;
   std::vector<Path> inputs;
-  std::optional<Path> socket;  ///< empty: the usual one (stream_socket.h)
-  /// Those to measure with, as the finger's folder has them now.
+  std::optional<Path> socket;  ///< empty: the default one (stream_socket.h)
+  /// The settings to measure with, as the finger's folder has them now.
   std::function<Result<PipelineSettings>()> settings;
-  bool schema = false;  ///< tells of the format instead
+  bool schema = false;  ///< prints the format instead
 };
-/// Measures a source as it comes and sends that to other programs, until it ends or is stopped.
+/// Measures a live source and sends the results to other programs, until it ends or is stopped.
 /// Errors: the socket is taken or others could reach it; the finger is not calibrated.
 Status run_serve(const ServeOptions& options, Console& console);
 
@@ -155,7 +155,7 @@ struct LightOptions {
 
 struct RecordOptions {
   std::vector<Path> inputs;
-  Path output;  ///< a video; or, with a button, what pictures are named after (png)
+  Path output;  ///< a video; or, with a button, the name pattern of images (png)
   std::optional<LearntButton> button;
   LightOptions light;
   RecorderSettings recorder;
@@ -164,23 +164,24 @@ struct RecordOptions {
   int threads = 1;
   std::optional<std::uint64_t> frames;  ///< ends after so many
   std::optional<double> seconds;        ///< ends after so much recorded time
-  GaugeChoice gauge;                    ///< read beside; none where its name is empty
+  GaugeChoice gauge;                    ///< read in parallel; none where its name is empty
 };
 /// Records a source until it ends or is stopped; with a button, between one press and the next, or
-/// a picture a press. Error: frames were lost on this computer, or could not be read; the recording
+/// one image a press. Error: frames were lost on this computer, or could not be read; the recording
 /// had to end; the button or the light is missing or not allowed.
 Status run_record(const RecordOptions& options, Console& console);
 
-/// Says what a finger is fit for, and its last checks. Error: it is not fit to use.
+/// Prints the grade of a finger's calibration, and its last checks. Error: it is not fit to use.
 Status run_check(const Path& finger, Console& console);
-/// Holds new presses against the calibration and keeps the outcome. Error: calibrate again.
+/// Checks the calibration with new presses and stores the outcome. Error: calibrate again.
 Status run_check_presses(const Path& folder,
                          const PressInput& presses,
-                         const PressSet& said,
+                         const PressSet& press_set,
                          Console& console);
-/// Holds pictures of the untouched finger against its reference. Error: record that again.
-Status run_check_untouched(const Path& finger, const std::vector<Path>& pictures, Console& console);
-/// Shows what this computer makes of hard calculations (hard_cases.h). Error: one is out of bounds.
+/// Compares images of the finger out of contact with its reference. Error: record that again.
+Status run_check_reference(const Path& finger, const std::vector<Path>& images, Console& console);
+/// Prints the accuracy of hard calculations on this computer (hard_cases.h). Error: one is out of
+/// bounds.
 Status run_check_numerics(Console& console);
 
 struct ForceOptions {
@@ -188,13 +189,13 @@ struct ForceOptions {
   std::vector<Path> tables;
   std::optional<ForceSplit> split;
   std::optional<ForceKind> kind;
-  bool is_kind_told = false;  ///< else, with `again`, as before; kind is empty for "auto"
+  bool is_kind_given = false;  ///< else, with `again`, as before; kind is empty for "auto"
   std::optional<double> creep_s;
-  bool again = false;  ///< with the table that the finger keeps, split, kind and creep as before
+  bool again = false;  ///< with the finger's stored table, split, kind and creep
   bool undo = false;   ///< back to the model from before
   int threads = 1;
   std::vector<Path> recording;  ///< a table is made of it, and of:
-  Path gauge, output;           ///< gauge: empty where it lies beside the recording
+  Path gauge, output;           ///< gauge: empty where it lies next to the recording
   GaugeFileOptions gauge_file;
   CollectOptions collect;
 };
@@ -218,64 +219,63 @@ struct GripperOptions {
   double tolerance_ms = 20;
   Eigen::Vector3d up = {0, 0, -1};  ///< in the gripper's frame
 };
-/// Tells the reach of a gripper's linkages, where its cameras are for a motor position, and what
-/// recordings of both fingers tell of an object between them. Error: out of reach; no frames that
-/// belong together.
+/// Prints the reach of a gripper's linkages, its cameras' poses for a motor position, and the
+/// object between the fingers from recordings of both. Error: out of reach; no frames that belong
+/// together.
 Status run_gripper(const GripperOptions& options, Console& console);
 
 struct DemoOptions {
   Path folder;
-  bool studio = false;  ///< the finger alone, and the Studio in place of this program
+  bool studio = false;  ///< the finger alone, and the Studio instead of this program
   std::uint64_t seed = 1;
   int threads = 1;
 };
-/// A whole day of a simulated finger, and what was measured against the truth. With `studio` comes
-/// back only where that cannot be opened.
+/// A full day of a simulated finger, with its measurements against the truth. With `studio` it
+/// returns only where that cannot be opened.
 Status run_demo(const DemoOptions& options, Console& console);
 
 struct ExperimentsOptions {
   std::vector<std::string> names;  ///< none: all
-  std::optional<Path> folder;  ///< keeps the fingers and experiments.json; empty: nothing is kept
-  std::optional<Path> report;  ///< NAME.html; NAME.pdf goes beside it
+  std::optional<Path> folder;  ///< for the fingers and experiments.json; empty: nothing is stored
+  std::optional<Path> report;  ///< NAME.html; NAME.pdf goes next to it
   bool fresh = false;          ///< no finger of an earlier run, and none for a later one
   std::uint64_t seed = 1;
   int threads = 2;
 };
-/// Repeats the source paper's experiments in simulation and prints its figures beside ours. Error:
-/// no such experiment; one of them told no figure.
+/// Repeats the source paper's experiments in simulation and prints the results next to the paper's.
+/// Error: no such experiment; one of them gave no figure.
 Status run_experiments(const ExperimentsOptions& options, Console& console);
 
 struct StudyCommandOptions {
   /// None: the demonstration's, simulated; with `simulating` the scene (none: demo_presses).
   std::vector<Path> fingers;
-  std::optional<Path> folder;  ///< keeps the study; empty: nothing is kept
-  bool quick = false;          ///< one setting at a time, a few pictures
-  bool calibrating = false;    ///< what presses, pictures and methods cost and bring instead
-  bool simulating = false;     ///< what each effect of a scene costs and changes instead
-  bool scaling = false;        ///< how time and memory grow with what is measured instead
-  std::optional<double> within_ms, keep_mm, place_mm;
-  bool save = false;  ///< keeps the presets with the finger
-  std::string use;    ///< what the finger measures with from now on (study_use.h); empty: as before
+  std::optional<Path> folder;  ///< stores the study; empty: nothing is stored
+  bool quick = false;          ///< one setting at a time, a few frames
+  bool calibrating = false;    ///< instead: cost and benefit of presses, frames and methods
+  bool simulating = false;     ///< instead: cost and influence of each effect of a scene
+  bool scaling = false;        ///< instead: time and memory over the size of the measured data
+  std::optional<double> max_time_ms, max_error_mm, position_mm;
+  bool save = false;  ///< stores the presets with the finger
+  std::string use;    ///< settings that the finger uses from now on (study_use.h); empty: as before
   std::uint64_t seed = 1;
   int threads = 1;
 };
-/// Tells what every setting costs in time and brings in accuracy. A study that was kept in the
-/// folder before and is not complete goes on. Error: those of study_accuracy(); nothing is within
-/// the limits that were asked for.
+/// Prints the time and the accuracy of every setting. An incomplete study in the folder is
+/// continued. Error: those of study_accuracy(); nothing is within the given limits.
 Status run_study(const StudyCommandOptions& options, Console& console);
 
 struct DevicesOptions {
   bool details = false;       ///< every format and control, too
-  bool learn_button = false;  ///< waits for a button and says how to recognise it
+  bool learn_button = false;  ///< waits for a button and prints how to recognise it
 };
-/// Lists cameras and HID devices, with what is wrong with those that cannot be used.
+/// Lists cameras and HID devices, with the problems of those that cannot be used.
 Status run_devices(const DevicesOptions& options, Console& console);
 
 struct ThumbnailOptions {
   Path file, output;
   int size_px = 256;  ///< of the longer side
 };
-/// A small picture of depth or of a mesh, as file managers show it (thumbnail.h).
+/// Writes a thumbnail of a depth map or a mesh for file managers (thumbnail.h).
 Status run_thumbnail(const ThumbnailOptions& options, Console& console);
 
 /// Set by the command that was chosen on the command line.
@@ -300,7 +300,7 @@ void add_demo(CLI::App& program, Chosen& chosen);
 void add_devices(CLI::App& program, Chosen& chosen);
 void add_thumbnail(CLI::App& program, Chosen& chosen);
 
-/// Warns of what is strange in finger.yaml.
+/// Warns of unusual entries in finger.yaml.
 [[nodiscard]] Result<FingerPtr> open_finger(const Path& folder, Console& console);
 
 }  // namespace alltact

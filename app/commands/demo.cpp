@@ -18,9 +18,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// One of the two ways to measure, each with a finger of its own.
+/// One of the two methods, each with a finger of its own.
 struct Contender {
-  std::string name;  ///< as --method says it
+  std::string name;  ///< as --method names it
   Path finger;
   Path results;
   CalibrationMethod calibration;
@@ -39,7 +39,7 @@ class Demo {
                      CalibrationMethod::kPaper,
                      {}}} {}
 
-  /// The finger alone, calibrated; one that is there already is kept.
+  /// The finger alone, calibrated; an existing one is used again.
   Status make_calibrated_finger() {
     const auto there = FingerStore::of(folder("finger"))->snapshot();
     if (there && (*there)->mapping) return {};
@@ -63,7 +63,7 @@ class Demo {
         return Error{en::say("stopped before the demonstration was over"), "", ""};
       if (const Status status = (this->*step)(); !status) return status;
     }
-    tell();
+    print_results();
     return write_report();
   }
 
@@ -99,7 +99,7 @@ class Demo {
     description.width_mm = finger.at("width_mm");
     description.layer_mm = finger.at("layer_mm");
     description.per_row = finger.at("per_row");
-    std::error_code failed;  // fingers of an earlier demonstration, made by us below our own folder
+    std::error_code failed;  // fingers of an earlier demonstration, made here below its own folder
     for (const Contender& contender : contenders_) fs::remove_all(contender.finger, failed);
     if (const Status status = run_new(description, console_); !status) return status;
     const Status status =
@@ -138,7 +138,7 @@ class Demo {
       reconstruction.finger = contender.finger;
       reconstruction.inputs = {folder("objects")};
       reconstruction.folder = contender.results;
-      reconstruction.points = true;  // the untouched face is compared as well
+      reconstruction.points = true;  // the face out of contact is compared as well
       reconstruction.as_paper = contender.calibration == CalibrationMethod::kPaper;
       std::error_code failed;  // results of an earlier demonstration
       fs::remove_all(contender.results, failed);
@@ -190,7 +190,7 @@ class Demo {
       {"time_ms", "time of a frame, median", &Evaluation::time_ms, "{:.2f} ms"},
   };
 
-  void tell() {
+  void print_results() {
     headline(fmt::format("What was measured, against the truth of {} simulated frames",
                          contenders_.front().evaluation.frames));
     console_.say(
@@ -235,32 +235,32 @@ class Demo {
   std::vector<const char*> scenes_{"reference", "presses", "objects"};
 };
 
-/// Where windows are to be shown, as this program was told: what draws reports says otherwise.
-class ToldPlatform {
+/// The platform for windows from this program's environment: drawing a report overwrites it.
+class SavedPlatform {
  public:
-  ToldPlatform() {
-    if (const char* told = std::getenv(kName)) told_ = told;
+  SavedPlatform() {
+    if (const char* env_value = std::getenv(kName)) env_value_ = env_value;
   }
   void restore() const {
-    if (told_)
-      setenv(kName, told_->c_str(), 1);
+    if (env_value_)
+      setenv(kName, env_value_->c_str(), 1);
     else
       unsetenv(kName);
   }
 
  private:
   static constexpr const char* kName = "QT_QPA_PLATFORM";
-  std::optional<std::string> told_;
+  std::optional<std::string> env_value_;
 };
 
-/// Becomes the Studio, on a simulated finger that the calibrated one measures; comes back only with
-/// an error.
+/// Becomes the Studio, on a simulated finger that the calibrated one measures; returns only with an
+/// error.
 Status become_studio(const Path& finger) {
   std::error_code failed;
   const Path programs = fs::read_symlink("/proc/self/exe", failed).parent_path();
   const auto scene = find_resource("scenes/studio_finger.yaml");
   if (!scene) return scene.error();
-  // Beside this program, or where the build leaves it.
+  // Next to this program, or where the build leaves it.
   for (const Path& studio : {programs / "alltact-studio", programs / "studio/alltact-studio"}) {
     if (!fs::is_regular_file(studio, failed)) continue;
     const std::string name = studio.string(), folder = finger.string(), source = scene->string();
@@ -275,7 +275,7 @@ Status become_studio(const Path& finger) {
 
 Status run_demo(const DemoOptions& options, Console& console) {
   if (!options.studio) return Demo(options, console).run();
-  const ToldPlatform platform;
+  const SavedPlatform platform;
   const Status made = Demo(options, console).make_calibrated_finger();
   platform.restore();
   return made ? become_studio(options.folder / "finger") : made;
@@ -293,7 +293,7 @@ void add_demo(CLI::App& program, Chosen& chosen) {
       "Only makes and calibrates the finger, unless it is there, and opens the Studio on it");
   command->add_option("--seed", options->seed, "Of everything random (default 1)")
       ->type_name("S")
-      ->transform(typed_whole_number(0));
+      ->transform(typed_integer(0));
   add_threads_flag(*command, options->threads);
   command->callback(
       [=, &chosen] { chosen = [=](Console& console) { return run_demo(*options, console); }; });

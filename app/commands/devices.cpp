@@ -10,7 +10,7 @@ namespace {
 
 using Json = Console::Json;
 
-constexpr int kPatience_ms = 20'000;
+constexpr int kTimeout_ms = 20'000;
 
 Json format_json(const CameraFormat& format) {
   Json json;
@@ -80,7 +80,7 @@ void say_camera(const FoundCamera& camera, bool details, Console& console) {
                             : best.ok()    ? best->text().english()
                                            : best.error().sentence();
   console.say(fmt::format(
-      "camera  {} ({}, {}): {}", identity.lasting(), identity.node, identity.name, state));
+      "camera  {} ({}, {}): {}", identity.stable_name(), identity.node, identity.name, state));
   if (!details) return;
   for (const CameraFormat& format : camera.formats)
     console.say(fmt::format(
@@ -92,13 +92,13 @@ void say_hid(const FoundHid& hid, Console& console) {
   const HidIdentity& identity = hid.identity;
   console.say(fmt::format(
       "hid     {} ({}, {}): {}",
-      identity.lasting(),
+      identity.stable_name(),
       identity.node,
       identity.name,
       hid.problem ? "cannot be used: " + hid.problem->sentence() : std::string("can be used")));
 }
 
-/// Also a terminal that shows no progress must hear what to do.
+/// The instructions also appear on a terminal that shows no progress.
 Status learn(const std::vector<FoundHid>& hids, Console& console) {
   std::vector<std::unique_ptr<HidPort>> ports;
   std::vector<std::string> names;
@@ -106,7 +106,7 @@ Status learn(const std::vector<FoundHid>& hids, Console& console) {
     auto port = hid.problem ? *hid.problem : open_hid(hid.identity.node);
     if (!port) continue;
     ports.push_back(std::move(*port));
-    names.push_back(hid.identity.lasting());
+    names.push_back(hid.identity.stable_name());
   }
   if (ports.empty())
     return Error{en::say("there is no HID device that can be read"),
@@ -115,7 +115,7 @@ Status learn(const std::vector<FoundHid>& hids, Console& console) {
   std::vector<HidPort*> listening;
   for (const auto& port : ports) listening.push_back(port.get());
   console.warn("Leave the button alone for a second, then press and release it twice.");
-  const auto found = learn_button(listening, kPatience_ms, console.job());
+  const auto found = learn_button(listening, kTimeout_ms, console.job());
   if (!found) return found.error();
   const LearntButton button{names[found->first], found->second};
   console.say(fmt::format("button  {}", button.text()));
@@ -140,7 +140,7 @@ Status run_devices(const DevicesOptions& options, Console& console) {
   for (const FoundHid& hid : hids) {
     say_hid(hid, console);
     Json json = {{"node", hid.identity.node},
-                 {"device", hid.identity.lasting()},
+                 {"device", hid.identity.stable_name()},
                  {"name", hid.identity.name},
                  {"usable", !hid.problem.has_value()}};
     if (hid.problem) json["problem"] = hid.problem->sentence();

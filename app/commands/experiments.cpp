@@ -5,8 +5,8 @@
 #include "app/console/command_names.h"
 #include "app/console/flags.h"
 #include "app/console/number_flags.h"
-#include "app/console/passing_folder.h"
-#include "app/pictures/pictures.h"
+#include "app/console/temporary_folder.h"
+#include "app/figures/figures.h"
 #include "core/io/atomic_file.h"
 #include "core/io/cache_folder.h"
 #include "core/program.h"
@@ -33,10 +33,10 @@ std::string number_or_dash(const std::optional<double>& number) {
   return number ? fmt::format("{:g}", *number) : "-";
 }
 
-void tell_outcome(const Experiment& experiment,
-                  const ExperimentOutcome& outcome,
-                  double seconds,
-                  Console& console) {
+void print_outcome(const Experiment& experiment,
+                   const ExperimentOutcome& outcome,
+                   double seconds,
+                   Console& console) {
   console.say(fmt::format("\n{}: {} ({} frames, {:.1f} s)",
                           experiment.name,
                           experiment.measures,
@@ -45,7 +45,7 @@ void tell_outcome(const Experiment& experiment,
   for (const ExperimentFigure& figure : outcome.figures)
     console.say(fmt::format("  {:<58} {:>9} {:>9} {:>7}  {:<7}{}",
                             figure.what.english(),
-                            fmt::format("{:.3f}", figure.ours),
+                            fmt::format("{:.3f}", figure.simulated),
                             number_or_dash(figure.paper),
                             number_or_dash(figure.aim),
                             figure.unit,
@@ -61,25 +61,25 @@ Console::Json json_of_plot(const ExperimentPlot& plot) {
   Console::Json& all = json["series"] = Console::Json::array();
   for (const ExperimentSeries& series : plot.series)
     all.push_back({{"name", series.name.english()},
-                   {"of_the_paper", series.look == ExperimentSeries::Look::kPaper},
+                   {"of_the_paper", series.style == ExperimentSeries::Style::kPaper},
                    {"x", series.x},
                    {"y", series.y}});
   return json;
 }
 
-/// What the maps of a report show, without their pixels: of each method the error of what the map
-/// shows.
+/// The maps of a report without their pixels: for each method the error of the shown map.
 Console::Json json_of_maps(const std::vector<ExperimentMaps>& all) {
   Console::Json json = Console::Json::array();
   for (const ExperimentMaps& maps : all) {
     Console::Json entry{{"caption", maps.caption.english()}};
     for (const ExperimentMap& difference : maps.differences) {
-      const cv::Mat told = difference.mm == difference.mm;  // NaN is not
+      const cv::Mat valid = difference.mm == difference.mm;  // false for NaN
       entry["differences"].push_back(
           {{"name", difference.name.english()},
            {"rms_mm",
-            cv::norm(difference.mm, cv::NORM_L2, told) / std::sqrt(cv::countNonZero(told) + 1e-9)},
-           {"told_percent", 100.0 * cv::countNonZero(told) / static_cast<double>(told.total())}});
+            cv::norm(difference.mm, cv::NORM_L2, valid) /
+                std::sqrt(cv::countNonZero(valid) + 1e-9)},
+           {"told_percent", 100.0 * cv::countNonZero(valid) / static_cast<double>(valid.total())}});
     }
     json.push_back(std::move(entry));
   }
@@ -98,7 +98,7 @@ Console::Json json_of_outcome(const Experiment& experiment,
   Console::Json& figures = json["figures"] = Console::Json::array();
   for (const ExperimentFigure& figure : outcome.figures) {
     Console::Json entry{
-        {"what", figure.what.english()}, {"unit", figure.unit}, {"ours", figure.ours}};
+        {"what", figure.what.english()}, {"unit", figure.unit}, {"ours", figure.simulated}};
     if (figure.paper) entry["paper"] = *figure.paper;
     if (figure.aim) {
       entry["aim"] = *figure.aim;
@@ -113,8 +113,8 @@ Console::Json json_of_outcome(const Experiment& experiment,
   return json;
 }
 
-void tell_finger(const ExperimentBench& bench, double seconds, Console& console) {
-  if (bench.finger_was_kept()) {
+void print_finger(const ExperimentBench& bench, double seconds, Console& console) {
+  if (bench.finger_was_cached()) {
     console.say(fmt::format(
         "The finger they share was kept from an earlier run and read in {:.1f} s (--fresh makes it "
         "anew).\n",
@@ -124,8 +124,8 @@ void tell_finger(const ExperimentBench& bench, double seconds, Console& console)
   console.say(fmt::format(
       "The finger they share was recorded and calibrated in {:.1f} s{}.\n",
       seconds,
-      bench.options().cache && !bench.not_kept() ? " and is kept for the next time" : ""));
-  if (bench.not_kept()) console.warn(bench.not_kept()->sentence());
+      bench.options().cache && !bench.cache_problem() ? " and is kept for the next time" : ""));
+  if (bench.cache_problem()) console.warn(bench.cache_problem()->sentence());
 }
 
 Result<ExperimentReport> run_in_folder(const std::vector<const Experiment*>& chosen,
@@ -134,14 +134,14 @@ Result<ExperimentReport> run_in_folder(const std::vector<const Experiment*>& cho
   const StopWatch making;
   const auto bench = ExperimentBench::make(options, console.job());
   if (!bench) return bench.error();
-  console.say(ours_and_theirs().english());
-  tell_finger(*bench, seconds_of(making), console);
+  console.say(simulated_and_real().english());
+  print_finger(*bench, seconds_of(making), console);
   console.say(fmt::format("  {:<58} {:>9} {:>9} {:>7}", "", "ours", "paper's", "aim"));
   Console::Json& answer = console.answer();
-  answer["about"] = ours_and_theirs().english();
+  answer["about"] = simulated_and_real().english();
   answer["seed"] = options.seed;
   answer["finger_seconds"] = seconds_of(making);
-  answer["finger_was_kept"] = bench->finger_was_kept();
+  answer["finger_was_kept"] = bench->finger_was_cached();
   Console::Json& all = answer["experiments"] = Console::Json::array();
   ExperimentReport report;
   report.seed = options.seed;
@@ -152,7 +152,7 @@ Result<ExperimentReport> run_in_folder(const std::vector<const Experiment*>& cho
     auto outcome = experiment->run(*bench);
     if (!outcome) return outcome.error();
     const double seconds = seconds_of(running);
-    tell_outcome(*experiment, *outcome, seconds, console);
+    print_outcome(*experiment, *outcome, seconds, console);
     all.push_back(json_of_outcome(*experiment, *outcome, seconds));
     report.done.push_back({experiment, std::move(*outcome), seconds});
   }
@@ -160,9 +160,9 @@ Result<ExperimentReport> run_in_folder(const std::vector<const Experiment*>& cho
 }
 
 Status write_report(const ExperimentReport& report, const Path& file, Console& console) {
-  const auto pictures = load_pictures();
-  if (!pictures) return pictures.error();
-  const auto pages = (*pictures)->experiment_pages(report, file.stem().string());
+  const auto drawing = load_figures();
+  if (!drawing) return drawing.error();
+  const auto pages = (*drawing)->experiment_pages(report, file.stem().string());
   if (!pages) return pages.error();
   for (const ReportFile& page : *pages) {
     const Status written = write_file_atomically(file.parent_path() / page.name, page.content);
@@ -173,17 +173,17 @@ Status write_report(const ExperimentReport& report, const Path& file, Console& c
   return {};
 }
 
-Status run_where_it_is_kept(const std::vector<const Experiment*>& chosen,
-                            const BenchOptions& bench,
-                            const ExperimentsOptions& options,
-                            Console& console) {
+Status run_and_report(const std::vector<const Experiment*>& chosen,
+                      const BenchOptions& bench,
+                      const ExperimentsOptions& options,
+                      Console& console) {
   const auto report = run_in_folder(chosen, bench, console);
   if (!report) return report.error();
   if (options.report) return write_report(*report, *options.report, console);
   return {};
 }
 
-/// What can be known to go wrong before minutes have passed.
+/// Finds errors that can be known before minutes have passed.
 Status check_report(const Path& file) {
   if (file.extension() != ".html")
     return Error{en::say("this is no name for a report"), file, en::say("a name ending in .html")};
@@ -191,8 +191,8 @@ Status check_report(const Path& file) {
   const Path folder = file.parent_path().empty() ? Path(".") : file.parent_path();
   if (!std::filesystem::is_directory(folder, failed))
     return Error{en::say("the folder of the report is not there"), folder, en::say("making it")};
-  const auto pictures = load_pictures();
-  return pictures ? Status() : pictures.error();
+  const auto drawing = load_figures();
+  return drawing ? Status() : drawing.error();
 }
 
 }  // namespace
@@ -209,14 +209,14 @@ Status run_experiments(const ExperimentsOptions& options, Console& console) {
   if (!options.fresh) bench.cache = cache_folder("fingers");
   if (!options.folder) {
     const auto passing =
-        PassingFolder::make(en::say("a folder for the simulated fingers cannot be made"));
+        TemporaryFolder::make(en::say("a folder for the simulated fingers cannot be made"));
     if (!passing) return passing.error();
     bench.folder = passing.value().path();
-    return run_where_it_is_kept(*chosen, bench, options, console);
+    return run_and_report(*chosen, bench, options, console);
   }
   bench.folder = *options.folder;
   if (const Status made = make_folder(bench.folder); !made) return made;
-  const Status status = run_where_it_is_kept(*chosen, bench, options, console);
+  const Status status = run_and_report(*chosen, bench, options, console);
   if (!status) return status;
   const Path file = bench.folder / kExperimentsFile;
   const Status written = write_file_atomically(file, console.answer().dump(2) + "\n");
@@ -253,13 +253,13 @@ void add_experiments(CLI::App& program, Chosen& chosen) {
                     "kept in alltact/fingers of $XDG_CACHE_HOME or ~/.cache)");
   command->add_option("--seed", options->seed, "Of everything random (default 1)")
       ->type_name("S")
-      ->transform(typed_whole_number(0));
+      ->transform(typed_integer(0));
   command
       ->add_option("--threads",
                    options->threads,
                    "The figures are the same for any number (1 to 64; default 2)")
       ->type_name("N")
-      ->transform(typed_whole_number(1, 64));
+      ->transform(typed_integer(1, 64));
   command->callback([=, &chosen] {
     if (!output->empty()) options->folder = *folder;
     if (!pages->empty()) options->report = *report;

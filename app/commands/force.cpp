@@ -5,7 +5,7 @@
 #include "app/console/flags.h"
 #include "app/console/number_flags.h"
 #include "calibration/force/collect_force.h"
-#include "calibration/force/new_force.h"
+#include "calibration/force/finger_force_model.h"
 #include "core/io/atomic_file.h"
 
 #include <fmt/format.h>
@@ -25,7 +25,7 @@ Console::Json json_of(const Eigen::VectorXd& values) {
   return Console::Json(std::vector<double>(values.begin(), values.end()));
 }
 
-void tell_comparison(const TrainedForce& trained, Console& console) {
+void print_comparison(const TrainedForce& trained, Console& console) {
   const int axes = trained.model.axes;
   std::string head;
   for (int axis = 0; axis < axes; ++axis)
@@ -60,8 +60,8 @@ void tell_comparison(const TrainedForce& trained, Console& console) {
   console.answer()["comparison"] = std::move(rows);
 }
 
-void tell_training(const TrainedForce& trained, Console& console) {
-  tell_comparison(trained, console);
+void print_training(const TrainedForce& trained, Console& console) {
+  print_comparison(trained, console);
   const auto percent = [](const Eigen::VectorXd& part) {
     std::string text;
     for (const double one : part)
@@ -85,14 +85,14 @@ void tell_training(const TrainedForce& trained, Console& console) {
   answer["remarks"] = in_english(trained.remarks);
 }
 
-/// The gauge's file that was told, or the one that was written beside the recording.
+/// The given gauge file, or the one that was written next to the recording.
 Result<Path> gauge_file_of(const ForceOptions& options) {
   if (!options.gauge.empty()) return options.gauge;
-  const Path beside = gauge_log_of(options.recording.front());
+  const Path log_file = gauge_log_of(options.recording.front());
   std::error_code ignored;
-  if (options.recording.size() == 1 && std::filesystem::exists(beside, ignored)) return beside;
+  if (options.recording.size() == 1 && std::filesystem::exists(log_file, ignored)) return log_file;
   return Error{en::say("there are no readings of a gauge beside the recording"),
-               beside,
+               log_file,
                en::say("--gauge FILE, or alltact record --gauge")};
 }
 
@@ -120,8 +120,8 @@ Status run_collect_force(const ForceOptions& options, Console& console) {
   const auto collected = collect_force(*frames, *gauge, options.collect);
   if (!collected) return collected.error();
   for (const Message& remark : collected->remarks) console.warn(remark.english());
-  if (const Status kept = write_file_atomically(options.output, collected->table.to_csv()); !kept)
-    return kept;
+  if (const Status saved = write_file_atomically(options.output, collected->table.to_csv()); !saved)
+    return saved;
   console.say(fmt::format("{} rows in {}; {} of {} frames have no reading of the gauge.",
                           collected->table.rows(),
                           options.output.string(),
@@ -140,22 +140,22 @@ Status run_collect_force(const ForceOptions& options, Console& console) {
   return {};
 }
 
-/// As it was trained before where it is trained again, and as it is told now.
+/// The settings of the earlier training where it is repeated, overridden by the given ones.
 Result<ForceTraining> training_of(const ForceOptions& options) {
   ForceTraining training;
   if (options.again) {
-    const auto before = kept_force_training(options.finger);
+    const auto before = stored_force_training(options.finger);
     if (!before) return before.error();
     training = *before;
   }
   if (options.split) training.split = *options.split;
-  if (options.is_kind_told) training.kind = options.kind;
+  if (options.is_kind_given) training.kind = options.kind;
   if (options.creep_s) training.creep_s = *options.creep_s;
   return training;
 }
 
 Status run_undo_force(const Path& folder, Console& console) {
-  const auto finger = take_back_force(folder);
+  const auto finger = revert_force(folder);
   if (!finger) return finger.error();
   const std::string& model = (*finger)->finger.force_model;
   console.say(model.empty() ? std::string("The finger has no force model now.")
@@ -174,17 +174,18 @@ Status run_force(const ForceOptions& options, Console& console) {
   const auto training = training_of(options);
   if (!training) return training.error();
   const auto table =
-      options.again ? kept_force_table(options.finger) : ForceTable::load_all(options.tables);
+      options.again ? stored_force_table(options.finger) : ForceTable::load_all(options.tables);
   if (!table) return table.error();
-  if (!table->passed_over.empty()) {
+  if (!table->ignored_columns.empty()) {
     std::string names;
-    for (const std::string& name : table->passed_over) names += (names.empty() ? "" : ", ") + name;
+    for (const std::string& name : table->ignored_columns)
+      names += (names.empty() ? "" : ", ") + name;
     console.warn(fmt::format("Columns that are passed over: {}", names));
   }
   set_opencv_threads(options.threads);
-  const auto trained = give_force(options.finger, *table, *training, console.job());
+  const auto trained = train_finger_force(options.finger, *table, *training, console.job());
   if (!trained) return trained.error();
-  tell_training(*trained, console);
+  print_training(*trained, console);
   return {};
 }
 
@@ -248,13 +249,13 @@ void add_force(CLI::App& program, Chosen& chosen) {
   command->callback([=, &chosen] {
     if (options->tables.empty() && !options->again && !options->undo && options->recording.empty())
       throw CLI::ValidationError("TABLE", "is required, or --again, --undo or --collect");
-    const auto place = [](const auto& words, const std::string& word) {
+    const auto index_of = [](const auto& words, const std::string& word) {
       return std::find(words.begin(), words.end(), word) - words.begin() + 1;
     };
-    if (!split->empty()) options->split = static_cast<ForceSplit>(place(kForceSplits, *split));
-    options->is_kind_told = !kind->empty();
-    if (options->is_kind_told && *kind != "auto")
-      options->kind = static_cast<ForceKind>(place(kForceKinds, *kind));
+    if (!split->empty()) options->split = static_cast<ForceSplit>(index_of(kForceSplits, *split));
+    options->is_kind_given = !kind->empty();
+    if (options->is_kind_given && *kind != "auto")
+      options->kind = static_cast<ForceKind>(index_of(kForceKinds, *kind));
     chosen = [=](Console& console) { return run_force(*options, console); };
   });
 }

@@ -42,7 +42,7 @@ void add_gauge_flags(CLI::App& command, GaugeChoice& gauge) {
       ->check(CLI::IsMember({"mark10", "imada", "sauter"}));
   add("--gauge-baud", gauge.baud, "Speed of a serial gauge, 8N1 (default 9600)", "BAUD")
       ->check(CLI::IsMember(serial_speeds()))
-      ->transform(typed_whole_number(1));
+      ->transform(typed_integer(1));
   add("--gauge-ask",
       gauge.ask,
       "What a serial gauge is asked with for each reading, such as '?\\r' (default: it tells by "
@@ -115,7 +115,7 @@ Result<std::unique_ptr<GaugeLog>> start_gauge(const GaugeChoice& gauge) {
   return GaugeLog::start(*opener, gauge.gauge);
 }
 
-void tell_gauge(GaugeLog* gauge, Console& console) {
+void print_gauge(GaugeLog* gauge, Console& console) {
   if (gauge == nullptr) return;
   for (const Message& remark : gauge->take_remarks()) console.warn(remark.english());
 }
@@ -126,7 +126,7 @@ Status end_gauge(GaugeLog* gauge,
                  Console& console) {
   if (gauge == nullptr) return {};
   const auto counts = gauge->end();
-  tell_gauge(gauge, console);
+  print_gauge(gauge, console);
   if (!counts) return counts.error();
   const std::filesystem::path file = gauge_log_of(video);
   console.say(fmt::format("{} readings of the gauge in {}", counts->readings, file.string()));

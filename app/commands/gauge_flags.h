@@ -1,4 +1,4 @@
-// What commands are told of a force gauge, and what they tell of it.
+// Flags of commands for a force gauge, and messages about it.
 #pragma once
 
 #include "app/console/console.h"
@@ -10,10 +10,10 @@
 
 namespace alltact {
 
-/// Of a gauge that is read while recording.
+/// For a gauge that is read while recording.
 void add_gauge_flags(CLI::App& command, GaugeChoice& gauge);
 
-/// Of a gauge's file; `collect` is the flag that they go with.
+/// For a gauge's file; `collect` is the flag that they go with.
 void add_gauge_file_flags(CLI::App& command,
                           CLI::Option* collect,
                           GaugeFileOptions& file,
@@ -22,10 +22,10 @@ void add_gauge_file_flags(CLI::App& command,
 /// Null where no gauge is chosen. Errors: those of gauge_opener and of opening it.
 [[nodiscard]] Result<std::unique_ptr<GaugeLog>> start_gauge(const GaugeChoice& gauge);
 
-/// What came since the last call, for the person at the gauge.
-void tell_gauge(GaugeLog* gauge, Console& console);
+/// Prints the readings since the last call, for the person at the gauge.
+void print_gauge(GaugeLog* gauge, Console& console);
 
-/// Ends the file beside `video` and tells what is in it.
+/// Completes the file next to `video` and prints its content.
 [[nodiscard]] Status end_gauge(GaugeLog* gauge,
                                const std::filesystem::path& video,
                                Console::Json& answer,

@@ -1,4 +1,4 @@
-// Two fingers on a gripper: where their cameras are, and what they tell of an object between them.
+// Two fingers on a gripper: the poses of their cameras, and measurements of an object between them.
 #include "core/gripper/gripper.h"
 
 #include "app/commands/commands.h"
@@ -8,7 +8,7 @@
 #include "core/gripper/held_object.h"
 #include "core/gripper/motor_log.h"
 #include "core/gripper/recorded_contacts.h"
-#include "core/io/picture.h"
+#include "core/io/image_file.h"
 #include "core/numerics/sd_text.h"
 
 #include <cmath>
@@ -25,7 +25,7 @@ Console::Json vector_json(const Eigen::Vector3d& v) {
   return {v.x(), v.y(), v.z()};
 }
 
-void tell_linkages(const Gripper& gripper, Console& console) {
+void print_linkages(const Gripper& gripper, Console& console) {
   const GripperMotor& motor = gripper.motor;
   Console::Json& answer = console.answer();
   answer["gripper"] = gripper.name;
@@ -38,7 +38,7 @@ void tell_linkages(const Gripper& gripper, Console& console) {
   Console::Json fingers = Console::Json::array();
   for (std::size_t i = 0; i < 2; ++i) {
     const auto linkage = Linkage::create(gripper.fingers[i].linkage, motor.lead_mm);
-    if (!linkage) continue;  // a gripper that was loaded is valid
+    if (!linkage) continue;  // a loaded gripper is valid
     const MotorReach reach = linkage->reach_around(0.5 * (motor.first_turns + motor.last_turns));
     console.say(fmt::format("{:<12} closes from {:.4g} turns ({}) to {:.4g} ({})",
                             gripper.fingers[i].name,
@@ -61,24 +61,24 @@ void tell_linkages(const Gripper& gripper, Console& console) {
   answer["linkages"] = std::move(fingers);
 }
 
-void tell_pose(const Gripper& gripper, const GripperPose& pose, Console& console) {
+void print_pose(const Gripper& gripper, const GripperPose& pose, Console& console) {
   console.say(
       fmt::format("at {:g} +- {:g} turns, gripper_from_camera:", pose.motor_turns, pose.sd_turns));
   Console::Json fingers = Console::Json::array();
   for (std::size_t i = 0; i < 2; ++i) {
-    const PlacedFinger& finger = pose.fingers[i];
+    const FingerPose& finger = pose.fingers[i];
     const Eigen::Vector3d& at = finger.gripper_from_camera.translation_mm;
-    const Eigen::Vector3d turns = degrees_of(finger.gripper_from_camera.rotation);
+    const Eigen::Vector3d turns = rpy_deg(finger.gripper_from_camera.rotation);
     const Eigen::Quaterniond turn = finger.gripper_from_camera.rotation.normalized();
     Console::Json one{{"finger", gripper.fingers[i].name},
                       {"crank_deg", finger.angle.rad * kDegPerRad}};
-    std::string sure = "dead point";
+    std::string angle_text = "dead point";
     if (finger.angle_sd_rad) {
       one["crank_deg_per_turn"] = finger.angle.rad_per_turn * kDegPerRad;
       one["crank_sd_deg"] = *finger.angle_sd_rad * kDegPerRad;
-      sure = fmt::format("{:.3f} deg a turn, sd {:.3f} deg",
-                         finger.angle.rad_per_turn * kDegPerRad,
-                         *finger.angle_sd_rad * kDegPerRad);
+      angle_text = fmt::format("{:.3f} deg a turn, sd {:.3f} deg",
+                               finger.angle.rad_per_turn * kDegPerRad,
+                               *finger.angle_sd_rad * kDegPerRad);
     }
     console.say(fmt::format(
         "{:<12} at {:.3f} {:.3f} {:.3f} mm, turned {:.3f} {:.3f} {:.3f} deg about x, y, z; crank "
@@ -91,7 +91,7 @@ void tell_pose(const Gripper& gripper, const GripperPose& pose, Console& console
         turns.y(),
         turns.z(),
         finger.angle.rad * kDegPerRad,
-        sure));
+        angle_text));
     one["gripper_from_camera"] = {{"translation_mm", vector_json(at)},
                                   {"rotation", {turn.w(), turn.x(), turn.y(), turn.z()}}};
     fingers.push_back(std::move(one));
@@ -108,7 +108,7 @@ std::string with_sd(double value, const std::optional<double>& sd, const char* u
 }
 
 void put_width(const GripperPose& pose,
-               const std::array<SeenContact, 2>& contacts,
+               const std::array<ObservedContact, 2>& contacts,
                Console::Json& entry,
                std::string& line) {
   const HeldWidth width = held_width(pose, contacts);
@@ -140,21 +140,21 @@ void put_turns(const Gripper& gripper,
   line += fmt::format(
       "; turn by both: {}{}",
       with_sd(joint->mean.deg, joint->mean.sd_deg, "deg"),
-      joint->agree ? "" : fmt::format(", though they are {:.1f} deg apart", joint->apart_deg));
+      joint->agree ? "" : fmt::format(", though they are {:.1f} deg apart", joint->difference_deg));
   entry["turn_deg"] = joint->mean.deg;
   entry["turn_sd_deg"] = joint->mean.sd_deg;
-  entry["apart_deg"] = joint->apart_deg;
+  entry["apart_deg"] = joint->difference_deg;
   entry["agree"] = joint->agree;
 }
 
-/// The face that stands beside results.jsonl; nullopt where none was kept.
-Result<std::optional<cv::Mat>> kept_points(const Path& results, const std::string& frame) {
+/// The face stored next to results.jsonl; nullopt where there is none.
+Result<std::optional<cv::Mat>> stored_points(const Path& results, const std::string& frame) {
   // A frame's name comes from a file and must not lead elsewhere.
   if (Path(frame).filename() != Path(frame)) return std::optional<cv::Mat>();
   const Path file = results.parent_path() / (frame + ".points.tiff");
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored)) return std::optional<cv::Mat>();
-  auto points = read_float_picture(file);
+  auto points = read_float_image(file);
   if (!points) return points.error();
   if (points->type() != CV_32FC3)
     return Error{en::say("holds no points: three numbers a pixel are needed"),
@@ -170,7 +170,7 @@ Status put_gap(const GripperPose& pose,
                std::string& line) {
   std::array<GapFace, 2> faces;
   for (std::size_t i = 0; i < 2; ++i) {
-    auto points = kept_points(files[i], seen[i]->frame);
+    auto points = stored_points(files[i], seen[i]->frame);
     if (!points) return points.error();
     if (!*points) return {};
     faces[i].points_mm = std::move(**points);
@@ -185,13 +185,13 @@ Status put_gap(const GripperPose& pose,
   return {};
 }
 
-void tell_unpaired(const Gripper& gripper,
-                   const std::array<std::vector<RecordedContacts>, 2>& seen,
-                   const PairedFrames& paired,
-                   Console& console) {
+void print_unpaired(const Gripper& gripper,
+                    const std::array<std::vector<RecordedContacts>, 2>& seen,
+                    const PairedFrames& paired,
+                    Console& console) {
   Console::Json unpaired = Console::Json::object();
   for (std::size_t i = 0; i < 2; ++i) {
-    const auto& alone = i == 0 ? paired.alone_first : paired.alone_second;
+    const auto& alone = i == 0 ? paired.unpaired_first : paired.unpaired_second;
     Console::Json names = Console::Json::array();
     std::string words;
     constexpr std::size_t kShown = 5;
@@ -210,8 +210,8 @@ void tell_unpaired(const Gripper& gripper,
   console.answer()["unpaired"] = std::move(unpaired);
 }
 
-/// Where the gripper was while two frames were taken: at one motor position, or as the log says
-/// half-way between them; by how far the motor went in between it may be off as well.
+/// The gripper's position while two frames were taken: one motor position, or that of the log at
+/// the middle of both times. The motor's motion between them adds to its uncertainty.
 class RecordedPose {
  public:
   RecordedPose(const Gripper& gripper, const GripperOptions& options, std::optional<MotorLog> log)
@@ -235,10 +235,10 @@ class RecordedPose {
   std::optional<MotorLog> log_;
 };
 
-Status tell_recorded(const Gripper& gripper,
-                     const RecordedPose& pose_of,
-                     const GripperOptions& options,
-                     Console& console) {
+Status print_recorded(const Gripper& gripper,
+                      const RecordedPose& pose_of,
+                      const GripperOptions& options,
+                      Console& console) {
   const std::array<Path, 2> files{options.results[0], options.results[1]};
   std::array<std::vector<RecordedContacts>, 2> seen;
   for (std::size_t i = 0; i < 2; ++i) {
@@ -280,7 +280,7 @@ Status tell_recorded(const Gripper& gripper,
   }
   console.answer()["paired_by"] = paired.by_time ? "time" : "order";
   console.answer()["pairs"] = std::move(pairs);
-  tell_unpaired(gripper, seen, paired, console);
+  print_unpaired(gripper, seen, paired, console);
   if (paired.pairs.empty())
     return Error{en::say("no frame of one finger has a partner of the other"),
                  options.results[0].string(),
@@ -300,7 +300,7 @@ Status run_gripper(const GripperOptions& options, Console& console) {
                          "turn about it brings an object upright"),
                  std::string("--up"),
                  en::say("a direction across it, for example 0 0 -1")};
-  tell_linkages(*gripper, console);
+  print_linkages(*gripper, console);
   std::optional<MotorLog> log;
   if (options.motor_log) {
     auto read = MotorLog::load(*options.motor_log);
@@ -310,10 +310,11 @@ Status run_gripper(const GripperOptions& options, Console& console) {
   if (options.motor_turns) {
     const auto pose = gripper->pose_at(*options.motor_turns, options.motor_sd_turns);
     if (!pose) return pose.error();
-    tell_pose(*gripper, *pose, console);
+    print_pose(*gripper, *pose, console);
   }
   if (options.results.empty()) return {};
-  return tell_recorded(*gripper, RecordedPose(*gripper, options, std::move(log)), options, console);
+  return print_recorded(
+      *gripper, RecordedPose(*gripper, options, std::move(log)), options, console);
 }
 
 void add_gripper(CLI::App& program, Chosen& chosen) {

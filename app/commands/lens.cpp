@@ -11,11 +11,11 @@
 namespace alltact {
 namespace {
 
-void tell_views(const LensViews& found, const LensCalibration& done, Console& console) {
+void print_views(const LensViews& found, const LensCalibration& done, Console& console) {
   console.say(fmt::format(
       "{:<24} {:>7} {:>9} {:>9} {:>9}", "view", "corners", "outliers", "error px", "tilt deg"));
   for (const LensViewReport& view : done.views) {
-    if (!view.put_aside.empty()) continue;
+    if (!view.rejection.empty()) continue;
     console.say(fmt::format("{:<24} {:>7} {:>9} {:>9.3f} {:>9.0f}",
                             view.name,
                             view.corners,
@@ -26,11 +26,11 @@ void tell_views(const LensViews& found, const LensCalibration& done, Console& co
   for (const auto& [name, reason] : found.refused)
     console.warn(fmt::format("No board: {}: {}", name.english(), reason));
   for (const LensViewReport& view : done.views)
-    if (!view.put_aside.empty())
-      console.warn(fmt::format("Put aside: {}: {}", view.name, view.put_aside));
+    if (!view.rejection.empty())
+      console.warn(fmt::format("Put aside: {}: {}", view.name, view.rejection));
 }
 
-void tell_lens(const LensCalibration& done, const LensSettings& settings, Console& console) {
+void print_lens(const LensCalibration& done, const LensSettings& settings, Console& console) {
   const CameraParameters& lens = done.fit.lens;
   console.say(
       fmt::format("Lens: {}, {} x {} px, fx {:.2f} +- {:.2f}, fy {:.2f} +- {:.2f}, centre "
@@ -71,12 +71,12 @@ Console::Json views_json(const LensViews& found, const LensCalibration& done) {
   Console::Json views = Console::Json::array();
   for (const LensViewReport& view : done.views) {
     Console::Json entry{{"name", view.name}, {"corners", view.corners}};
-    if (view.put_aside.empty()) {
+    if (view.rejection.empty()) {
       entry["outliers"] = view.left_out;
       entry["error_px"] = view.error_px;
       entry["tilt_deg"] = view.tilt_deg;
     } else {
-      entry["put_aside"] = view.put_aside.english();
+      entry["put_aside"] = view.rejection.english();
     }
     views.push_back(entry);
   }
@@ -85,7 +85,7 @@ Console::Json views_json(const LensViews& found, const LensCalibration& done) {
   return views;
 }
 
-/// Every corner that is an outlier, so that it can be looked at in its picture.
+/// Every outlier corner, so that the user finds it in its image.
 Console::Json outliers_json(const LensCalibration& done) {
   Console::Json outliers = Console::Json::array();
   for (std::size_t i = 0; i < done.used.size(); ++i)
@@ -122,14 +122,14 @@ void answer(const LensViews& found, const LensCalibration& done, Console::Json& 
   json["unseen"] = in_english(done.coverage.unseen);
   json["tilted_views"] = done.coverage.tilted_views;
   json["more"] = done.coverage.advice.english();
-  json["pictures"] = found.looked_at;
+  json["pictures"] = found.analysed;
   json["views_used"] = done.used.size();
   json["views"] = views_json(found, done);
   json["outliers"] = outliers_json(done);
   json["remarks"] = in_english(done.remarks);
 }
 
-/// The camera that is written: the lens, and the window that it looks through.
+/// The camera to write: the lens, and the window in front of it.
 Result<CameraParameters> seen_through(const LensOptions& options,
                                       const CameraParameters& lens,
                                       Console& console) {
@@ -153,7 +153,7 @@ Result<CameraParameters> seen_through(const LensOptions& options,
   CameraParameters camera = lens;
   camera.port = port;
   const double seems_mm = apparent_distance_mm(port, distance);
-  // By how much z moves for what a caliper or a table may be off by, near the axis.
+  // By how much z changes per error of a caliper or a table, near the axis.
   const double by_gap_mm = port.medium_index - 1;
   const double by_index_mm = 0.01 * behind_mm / port.medium_index;
   console.say(fmt::format(
@@ -171,7 +171,7 @@ Result<CameraParameters> seen_through(const LensOptions& options,
   return camera;
 }
 
-/// A length on the finger that a caliper knows, against what this camera makes of it.
+/// Compares a length on the finger, measured with a caliper, with this camera's measurement.
 Status check_scale(const LensOptions& options,
                    const CameraParameters& parameters,
                    Console& console) {
@@ -241,13 +241,13 @@ Status run_lens(const LensOptions& options, Console& console) {
   }
   console.say(fmt::format("Board of {} found in {} of {} pictures, {} used",
                           board.words(),
-                          found->looked_at - found->refused.size(),
-                          found->looked_at,
+                          found->analysed - found->refused.size(),
+                          found->analysed,
                           done->used.size()));
   if (found->repeats > 0)
     console.say(fmt::format("{} more show the board where another of them does", found->repeats));
-  tell_views(*found, *done, console);
-  tell_lens(*done, options.settings, console);
+  print_views(*found, *done, console);
+  print_lens(*done, options.settings, console);
   for (const Message& remark : done->remarks) console.say(fmt::format("Remark: {}.", remark));
   answer(*found, *done, console.answer());
   const LensRecord record = lens_record(board, *done);

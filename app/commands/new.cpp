@@ -64,7 +64,7 @@ void add_new(CLI::App& program, Chosen& chosen) {
               options->per_row,
               "Engraved dots on each side face; 0: none, poses are told by the face's shape")
           ->type_name("N")
-          ->transform(typed_whole_number(0, 64));
+          ->transform(typed_integer(0, 64));
   const std::map<std::string, Polarity> polarities{
       {"auto", Polarity::kAuto}, {"bright", Polarity::kBright}, {"dark", Polarity::kDark}};
   command
@@ -96,7 +96,7 @@ void add_new(CLI::App& program, Chosen& chosen) {
   command->callback([=, &chosen] {
     if (!in_gripper->empty()) {
       const std::vector<double>& g = *gripper;
-      options->gripper_from_camera = RigidTransform{rotation_of_degrees({g[3], g[4], g[5]}),
+      options->gripper_from_camera = RigidTransform{rotation_from_rpy_deg({g[3], g[4], g[5]}),
                                                     Eigen::Vector3d(g[0], g[1], g[2])};
     }
     if (options->kind == FaceKind::kFinRay) {

@@ -1,4 +1,4 @@
-// The command line as a whole, in the library that holds all commands.
+// The command line program, in the library that holds all commands.
 #include "core/program.h"
 
 #include "app/commands/commands.h"
@@ -23,7 +23,7 @@
 namespace alltact {
 namespace {
 
-/// Wrong usage is told in one line; help is for those who ask for it.
+/// Prints wrong usage in one line; help is printed only on request.
 int usage_status(const CLI::App& program, const CLI::ParseError& error) {
   const int status = program.exit(error, std::cout, std::cerr);
   return status == 0 ? 0 : 2;
@@ -41,11 +41,9 @@ Result<std::string> page_named(const CLI::App& alltact,
   return Error{en::say("there is no such program or command"), page, ""};
 }
 
-/// What is installed beside the programs and made from what they say of themselves:
-/// `--completions bash|zsh|fish PROGRAM` and `--man PAGE`; nullopt where neither is asked for.
-std::optional<Result<std::string>> tell_of_programs(const CLI::App& alltact,
-                                                    int argc,
-                                                    char** argv) {
+/// Files to install with the programs, generated from their command lines:
+/// `--completions bash|zsh|fish PROGRAM` and `--man PAGE`; nullopt where neither is given.
+std::optional<Result<std::string>> generated_text(const CLI::App& alltact, int argc, char** argv) {
   const bool wants_page = argc == 3 && std::strcmp(argv[1], "--man") == 0;
   const bool wants_completions = argc == 4 && std::strcmp(argv[1], "--completions") == 0;
   if (!wants_page && !wants_completions) return std::nullopt;
@@ -91,18 +89,18 @@ void add_commands(CLI::App& program, Chosen& chosen, bool& json) {
     command->add_flag("--json", json, "One JSON object on standard output instead of text");
 }
 
-/// Beside whatever the command says.
+/// In addition to the command's own output.
 void say_slow_disk(const std::filesystem::path& file) {
   fmt::print(stderr, "{}\n", slow_disk(file).sentence());
 }
 
-/// What no function expected: memory or threads that cannot be had, else our own mistake.
+/// An error that no function expected: missing memory or threads, else a mistake in this program.
 Error as_error(const std::exception& thrown) {
-  const auto* picture = dynamic_cast<const cv::Exception*>(&thrown);
+  const auto* opencv_error = dynamic_cast<const cv::Exception*>(&thrown);
   const auto* system = dynamic_cast<const std::system_error*>(&thrown);
   const bool is_memory =
       dynamic_cast<const std::bad_alloc*>(&thrown) != nullptr ||
-      (picture != nullptr && picture->code == cv::Error::StsNoMem) ||
+      (opencv_error != nullptr && opencv_error->code == cv::Error::StsNoMem) ||
       (system != nullptr && (system->code() == std::errc::resource_unavailable_try_again ||
                              system->code() == std::errc::not_enough_memory));
   if (is_memory)
@@ -112,8 +110,8 @@ Error as_error(const std::exception& thrown) {
           en::say("reporting this as a defect")};
 }
 
-/// OpenCV's threads begin while there is memory for them: where their beginning fails, what uses
-/// them next would wait without end.
+/// Starts OpenCV's threads while there is memory for them: where their start fails, their next user
+/// would wait without end.
 void begin_threads() {
 #if defined(__SANITIZE_THREAD__)
   return set_opencv_threads(1);
@@ -127,13 +125,13 @@ void begin_threads() {
 }
 
 int run(int argc, char** argv) {
-  // Decoders' own messages would stand beside our sentences and say less.
+  // Decoders' own messages would mix with this program's sentences.
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   CLI::App program;
   Chosen chosen;
   bool json = false;
   add_commands(program, chosen, json);
-  if (const auto text = tell_of_programs(program, argc, argv)) return print(*text);
+  if (const auto text = generated_text(program, argc, argv)) return print(*text);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,9 +1,9 @@
 #include "app/commands/commands.h"
-#include "app/commands/kept_settings.h"
 #include "app/commands/opencv_threads.h"
 #include "app/commands/reconstruct_part.h"
 #include "app/commands/recorded_depth.h"
 #include "app/commands/result_files.h"
+#include "app/commands/stored_settings.h"
 #include "app/console/camera_remarks.h"
 #include "app/console/command_names.h"
 #include "app/console/flags.h"
@@ -25,21 +25,21 @@
 namespace alltact {
 namespace {
 
-/// What a run has come to.
+/// The state of a run.
 struct Progress {
   std::string lines;               ///< of results.jsonl
-  std::vector<std::string> parts;  ///< instead, where only a part is asked for
+  std::vector<std::string> parts;  ///< used instead, where only a part is requested
   std::size_t index = 0;           ///< frames seen
   std::size_t failed = 0;
   double total_ms = 0;
 };
 
-/// A live frame's line, or the line that says why there is none.
+/// A live frame's line, or the line with the reason why there is none.
 std::string live_line(const Result<FramePtr>& frame,
                       Pipeline& pipeline,
                       const ReconstructOptions& options,
                       Progress& progress) {
-  const std::string name = frame ? (*frame)->name : name_of(frame.error(), progress.index);
+  const std::string name = frame ? (*frame)->name : frame_name(frame.error(), progress.index);
   Error problem;
   if (frame) {
     if (const auto result = pipeline(*frame)) {
@@ -55,8 +55,8 @@ std::string live_line(const Result<FramePtr>& frame,
   return failure_line(name, progress.index, {as_sentence(problem)});
 }
 
-/// One line a frame on standard output until the source ends or somebody stops it. Frames that
-/// come faster than they are measured are skipped.
+/// One line a frame on standard output until the source ends or somebody stops it. Frames that come
+/// faster than they are measured are skipped.
 Status reconstruct_live(std::unique_ptr<Source> source,
                         Pipeline& pipeline,
                         const ReconstructOptions& options,
@@ -64,15 +64,16 @@ Status reconstruct_live(std::unique_ptr<Source> source,
   CameraRemarks remarks(*source);
   NewestSource newest(std::move(source));
   Progress progress;
-  Message told;  // of the settings: each difference once
+  Message last_difference;  // of the settings: each difference is reported once
   for (; !console.job().stop_requested(); ++progress.index) {
     const auto frame = newest.next();
     if (frame && !*frame) break;
-    remarks.tell(console);
+    remarks.report(console);
     if (frame) {
       const Message other = other_settings_than_stored(**frame, pipeline.finger());
-      if (!other.empty() && other != told) console.warn(fmt::format("Warning: {}", other));
-      told = other;
+      if (!other.empty() && other != last_difference)
+        console.warn(fmt::format("Warning: {}", other));
+      last_difference = other;
     }
     const Status status = console.put(live_line(frame, pipeline, options, progress));
     if (!status) return status;
@@ -85,14 +86,14 @@ Status reconstruct_live(std::unique_ptr<Source> source,
 }
 
 /// 0: all cores that this process may use.
-int threads_of(int asked) {
-  if (asked > 0) return asked;
+int threads_of(int requested) {
+  if (requested > 0) return requested;
   constexpr int kMost = 64;
   return std::clamp(cv::getNumberOfCPUs(), 1, kMost);
 }
 
 /// The figures of a run, once its files are there.
-Status tell(const Progress& progress, const Path& results, Console& console) {
+Status print_summary(const Progress& progress, const Path& results, Console& console) {
   const std::size_t done = progress.index - progress.failed;
   const double mean_ms = done > 0 ? progress.total_ms / static_cast<double>(done) : 0.0;
   console.say(fmt::format("{} of {} frames reconstructed, {:.1f} ms each; results in {}",
@@ -118,19 +119,19 @@ Status tell(const Progress& progress, const Path& results, Console& console) {
   return {};
 }
 
-/// As many pipelines as there shall be threads. They share what is large (ReferenceLibrary::load).
+/// One pipeline for each thread. They share the large data (ReferenceLibrary::load).
 Result<std::vector<Pipeline>> make_pipelines(const FingerSnapshot& finger,
                                              const ReconstructOptions& options,
                                              const Job& job) {
-  // Pictures in 3D are drawn by one thread.
-  const int wanted = options.picture || options.live ? 1 : threads_of(options.threads);
+  // 3D images are drawn by one thread.
+  const int thread_count = options.image || options.live ? 1 : threads_of(options.threads);
   std::vector<Pipeline> pipelines;
-  while (pipelines.size() < static_cast<std::size_t>(wanted)) {
+  while (pipelines.size() < static_cast<std::size_t>(thread_count)) {
     auto pipeline = options.as_paper ? paper_pipeline(finger, job)
                                      : Pipeline::create(finger, options.pipeline, job);
     if (!pipeline) return pipeline.error();
     pipelines.push_back(std::move(*pipeline));
-    if (pipelines.front().remembers_long()) break;
+    if (pipelines.front().has_long_memory()) break;
   }
   return pipelines;
 }
@@ -155,7 +156,7 @@ Status reconstruct_all(Source& source,
   const double count =
       static_cast<double>(std::min(source.count().value_or(0), frames.end) - frames.first);
   BatchWork work;
-  work.look = [&](BatchFrame& frame) {
+  work.inspect = [&](BatchFrame& frame) {
     if (frame.frame && !names.insert(frame.frame->name).second)
       frame.problem = Error{en::say("another picture is called '{}' as well", frame.frame->name),
                             frame.frame->origin,
@@ -204,7 +205,7 @@ Status run_reconstruct(const ReconstructOptions& options, Console& console) {
                  en::say("alltact calibrate with ball presses")};
   }
   SourceOptions how;
-  how.pace = options.live ? Pace::kRecorded : Pace::kAsked;
+  how.pace = options.live ? Pace::kRecorded : Pace::kOnDemand;
   how.job = &console.job();
   auto source = open_source(options.inputs, how);
   if (!source) return source.error();
@@ -215,7 +216,7 @@ Status run_reconstruct(const ReconstructOptions& options, Console& console) {
   if (const Status status = make_folder(options.folder); !status) return status;
 
   Progress progress;
-  const auto frames = frames_asked(options, **source, pipelines->front());
+  const auto frames = requested_frames(options, **source, pipelines->front());
   if (!frames) return frames.error();
   const bool is_continuous = (*source)->is_continuous();
   const std::size_t count = (*source)->count().value_or(0);
@@ -233,7 +234,7 @@ Status run_reconstruct(const ReconstructOptions& options, Console& console) {
                                       std::move(progress.parts)})
                         : write_file_atomically(results, progress.lines);
   if (!status) return status;
-  return tell(progress, results, console);
+  return print_summary(progress, results, console);
 }
 
 void add_reconstruct(CLI::App& program, Chosen& chosen) {
@@ -300,19 +301,19 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
       ->excludes(live);
   command
       ->add_flag("--picture",
-                 options->picture,
+                 options->image,
                  "Also a picture of the face in 3D per frame, NAME.3d.png; needs no display")
       ->excludes(live);
   command
       ->add_option("--picture-from",
-                   options->standpoint,
+                   options->viewpoint,
                    "Where pictures are looked at from (default tilted)")
       ->type_name("tilted|camera|outside|side")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Standpoint>{{"tilted", Standpoint::kTilted},
-                                            {"camera", Standpoint::kCamera},
-                                            {"outside", Standpoint::kOutside},
-                                            {"side", Standpoint::kSide}}));
+      ->transform(
+          CLI::CheckedTransformer(std::map<std::string, Viewpoint>{{"tilted", Viewpoint::kTilted},
+                                                                   {"camera", Viewpoint::kCamera},
+                                                                   {"outside", Viewpoint::kOutside},
+                                                                   {"side", Viewpoint::kSide}}));
   command
       ->add_option("--picture-top-mm",
                    options->scene.top_mm,
@@ -344,7 +345,7 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
                    options->threads,
                    "The result is the same for any number (1 to 64; default all cores)")
       ->type_name("N")
-      ->transform(typed_whole_number(1, 64));
+      ->transform(typed_integer(1, 64));
   command
       ->add_option("--preset",
                    options->preset,
@@ -377,10 +378,10 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
     }
     chosen = [=](Console& console) -> Status {
       if (is_paper) return run_reconstruct(*options, console);
-      const auto kept = kept_settings(options->finger, options->preset);
-      if (!kept) return kept.error();
-      options->pipeline = pipeline.applied_to(*kept);
-      warn_of_other_settings(*kept, options->pipeline, console);
+      const auto stored = stored_settings(options->finger, options->preset);
+      if (!stored) return stored.error();
+      options->pipeline = pipeline.applied_to(*stored);
+      warn_of_other_settings(*stored, options->pipeline, console);
       return run_reconstruct(*options, console);
     };
   });

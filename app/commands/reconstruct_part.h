@@ -1,4 +1,4 @@
-// Which part of a recording a run of `alltact reconstruct` measures.
+// The part of a recording that a run of `alltact reconstruct` measures.
 #pragma once
 
 #include "app/commands/commands.h"
@@ -10,14 +10,14 @@
 
 namespace alltact {
 
-/// Two runs of one name give the same results: same program, finger, settings, files asked for, and
-/// inputs by name and number of frames.
+/// Runs with the same name give the same results: same program, finger, settings, requested files,
+/// and inputs by name and number of frames.
 [[nodiscard]] std::string name_of_run(const ReconstructOptions& options, std::size_t frame_count);
 
-/// The frames that are asked for. Error: a part of what has no known number of frames, or is not
-/// measured in parts.
-[[nodiscard]] Result<BatchFrames> frames_asked(const ReconstructOptions& options,
-                                               const Source& source,
-                                               const Pipeline& pipeline);
+/// The requested frames. Error: a part of a source without a known number of frames, or of one that
+/// cannot be split.
+[[nodiscard]] Result<BatchFrames> requested_frames(const ReconstructOptions& options,
+                                                   const Source& source,
+                                                   const Pipeline& pipeline);
 
 }  // namespace alltact

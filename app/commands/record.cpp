@@ -4,9 +4,9 @@
 #include "app/console/command_names.h"
 #include "app/console/flags.h"
 #include "app/console/number_flags.h"
-#include "core/io/picture.h"
+#include "core/io/image_file.h"
 #include "core/recording/journal.h"
-#include "core/sources/files/ending.h"
+#include "core/sources/files/file_extension.h"
 #include "core/sources/hid/lit_source.h"
 #include "core/sources/newest_source.h"
 #include "core/sources/open/open_source.h"
@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kGigabyte = 1e9;
 
-/// How far a recording has come, and when it has what was asked for.
+/// The progress of a recording, and its end condition.
 class Extent {
  public:
   explicit Extent(const RecordOptions& options) : options_(options) {}
@@ -57,8 +57,8 @@ Message progress(const RecorderCounts& counts) {
                  static_cast<double>(counts.free_bytes) / kGigabyte);
 }
 
-/// From `first` (or the next frame) to the last; what it ended for, for the journal. The recorder's
-/// own end shows in Recorder::problem().
+/// From `first` (or the next frame) to the last; returns the reason of the end, for the journal.
+/// Recorder::problem() has the recorder's own reason.
 std::string record_all(SourceReader& reading,
                        FramePtr first,
                        Recorder& recorder,
@@ -68,11 +68,11 @@ std::string record_all(SourceReader& reading,
   const Source& source = reading.source();
   while (true) {
     const FramePtr frame = first ? std::exchange(first, nullptr) : reading.next();
-    tell_gauge(gauge, console);
+    print_gauge(gauge, console);
     if (reading.is_over()) return reading.why().english();
     if (reading.is_pressed() && extent.frames() > 0) return "the button was pressed";
     if (!frame) continue;
-    if (gauge != nullptr) gauge->meet(*frame);
+    if (gauge != nullptr) gauge->sync_clock(*frame);
     const bool is_taken = source.is_live() ? recorder.add(frame) : recorder.add_waiting(frame);
     if (!is_taken && recorder.problem()) return {};
     extent.add(*frame);
@@ -81,11 +81,11 @@ std::string record_all(SourceReader& reading,
   }
 }
 
-void tell(const Path& video,
-          const RecorderCounts& counts,
-          const Extent& extent,
-          Console::Json& answer,
-          Console& console) {
+void print_recording(const Path& video,
+                     const RecorderCounts& counts,
+                     const Extent& extent,
+                     Console::Json& answer,
+                     Console& console) {
   answer["video"] = video.string();
   answer["journal"] = journal_of(video).string();
   answer["frames"] = counts.recorded;
@@ -107,7 +107,7 @@ void tell(const Path& video,
                              journal_of(video).string()));
 }
 
-/// One recording, whole.
+/// One complete recording.
 Status record_one(SourceReader& reading,
                   const FramePtr& first,
                   const Path& video,
@@ -124,14 +124,14 @@ Status record_one(SourceReader& reading,
   const std::string why = record_all(reading, first, **recorder, extent, gauge, console);
   const Status finished = (*recorder)->finish(why, console.job());
   const RecorderCounts counts = (*recorder)->counts();
-  tell(video, counts, extent, answer, console);
-  const Status told = end_gauge(gauge, video, answer, console);
+  print_recording(video, counts, extent, answer, console);
+  const Status gauge_status = end_gauge(gauge, video, answer, console);
   const Message lost = en::say("{} frames were lost here", counts.dropped);
   if (!finished) {
     if (counts.dropped > 0) console.warn(fmt::format("{}.", lost));
     return finished;
   }
-  if (!told) return told;
+  if (!gauge_status) return gauge_status;
   if (counts.dropped > 0)
     return Error{en::say("{}, because the disk or this computer was too slow", lost),
                  video.string(),
@@ -146,8 +146,8 @@ Status all_was_readable(const SourceReader& reading, const RecordOptions& option
                ""};
 }
 
-/// NAME-001.mkv, the first from `number` on of which nothing exists; `number` is
-/// left behind it.
+/// NAME-001.mkv, the first from `number` on of which nothing exists; sets `number` to the one after
+/// it.
 Path next_free(const Path& output, int& number) {
   std::error_code ignored;
   Path file;
@@ -171,7 +171,7 @@ FramePtr next_pressed(SourceReader& reading) {
   return nullptr;
 }
 
-/// The source that ended before its first press is an error, the technician who ended it is none.
+/// A source that ended before the first press is an error, a technician who ended it is none.
 Status end_of_presses(const SourceReader& reading, bool is_any, const RecordOptions& options) {
   if (is_any || reading.is_stopped()) return {};
   return Error{en::say("the button was not pressed before the end: {}", reading.why()),
@@ -195,29 +195,29 @@ Status record_by_button(SourceReader& reading,
     if (!status) return status;
   }
   const bool is_any = !recordings.empty();
-  console.answer()["unreadable"] = reading.unreadable();  // moves what was there
+  console.answer()["unreadable"] = reading.unreadable();  // renames an existing file
   return end_of_presses(reading, is_any, options);
 }
 
-/// The first picture that came behind each press.
-Status take_pictures(SourceReader& reading, const RecordOptions& options, Console& console) {
-  Console::Json& pictures = console.answer()["pictures"] = Console::Json::array();
+/// The first image after each press.
+Status record_images(SourceReader& reading, const RecordOptions& options, Console& console) {
+  Console::Json& images = console.answer()["pictures"] = Console::Json::array();
   console.say("Press the button to take a picture. Ctrl-C ends.");
   int number = 1;
-  while (!options.frames || pictures.size() < *options.frames) {
+  while (!options.frames || images.size() < *options.frames) {
     const FramePtr frame = next_pressed(reading);
-    if (!frame) return end_of_presses(reading, !pictures.empty(), options);
+    if (!frame) return end_of_presses(reading, !images.empty(), options);
     const Path file = next_free(options.output, number);
     const Status status =
-        write_picture(file, frame->grey, frame->controls ? *frame->controls : std::string());
+        write_image(file, frame->grey, frame->controls ? *frame->controls : std::string());
     if (!status) return status;
-    pictures.push_back(file.string());
+    images.push_back(file.string());
     console.say(file.string());
   }
   return {};
 }
 
-/// Sets the light, which stays so afterwards, and has it told with every frame.
+/// Sets the light, which stays so afterwards, and records it with every frame.
 Result<std::unique_ptr<Source>> lit(std::unique_ptr<Source> source, const LightOptions& light) {
   if (light.device.empty()) return source;
   auto port = open_hid(light.device);
@@ -228,8 +228,8 @@ Result<std::unique_ptr<Source>> lit(std::unique_ptr<Source> source, const LightO
   return std::unique_ptr<Source>(std::make_unique<LitSource>(std::move(source), dimmer->setting()));
 }
 
-bool takes_pictures(const RecordOptions& options) {
-  return ending_of(options.output) == ".png";
+bool records_images(const RecordOptions& options) {
+  return extension_of(options.output) == ".png";
 }
 
 void add_button_flag(CLI::App& command, RecordOptions& options) {
@@ -272,9 +272,9 @@ void add_light_flags(CLI::App& command, LightOptions& light) {
   device->needs(control)->needs(brightness);
 }
 
-/// What does not go together on the command line.
+/// Refuses options that do not go together.
 void check_output(const RecordOptions& options) {
-  if (!takes_pictures(options)) return;
+  if (!records_images(options)) return;
   if (!options.button)
     throw CLI::ValidationError("--output", "pictures are taken with a --button; a video is .mkv");
   if (!options.gauge.gauge.empty())
@@ -302,10 +302,10 @@ Status run_record(const RecordOptions& options, Console& console) {
   const CameraRemarks remarks(**opened);
   auto source = lit(std::move(*opened), options.light);
   if (!source) return source.error();
-  // A picture is of the moment of its press, however long the one before took to write.
-  if (takes_pictures(options)) *source = std::make_unique<NewestSource>(std::move(*source));
+  // An image shows the moment of its press, however long the one before took to write.
+  if (records_images(options)) *source = std::make_unique<NewestSource>(std::move(*source));
   SourceReader reading(**source, remarks, button.get(), console);
-  if (takes_pictures(options)) return take_pictures(reading, options, console);
+  if (records_images(options)) return record_images(reading, options, console);
   const auto gauge = start_gauge(options.gauge);
   if (!gauge) return gauge.error();
   if (button) return record_by_button(reading, options, gauge->get(), console);
@@ -343,7 +343,7 @@ void add_record(CLI::App& program, Chosen& chosen) {
           "Each recording ends after so many frames, or all after so many pictures (default: at "
           "the source's end)")
       ->type_name("N")
-      ->transform(typed_whole_number(1, 1000000000));
+      ->transform(typed_integer(1, 1000000000));
   command
       ->add_option("--seconds",
                    options->seconds,
@@ -359,19 +359,19 @@ void add_record(CLI::App& program, Chosen& chosen) {
       ->check(CLI::IsMember({"recorded", "asked"}));
   command->add_option("--seed", options->seed, "Of a simulated finger, 0 to 2^64 - 1 (default 1)")
       ->type_name("S")
-      ->transform(typed_whole_number(0));
+      ->transform(typed_integer(0));
   command
       ->add_option("--threads",
                    options->threads,
                    "That render a simulated finger; the pictures are the same for any number (1 to "
                    "64; default 1)")
       ->type_name("N")
-      ->transform(typed_whole_number(1, 64));
+      ->transform(typed_integer(1, 64));
   SettingFlags<RecorderSettings> recorder;
   recorder.add_to(*command, recorder_settings());
   command->callback([=, &chosen] {
     check_output(*options);
-    options->pace = *pace == "asked" ? Pace::kAsked : Pace::kRecorded;
+    options->pace = *pace == "asked" ? Pace::kOnDemand : Pace::kRecorded;
     options->recorder = recorder.applied_to({});
     chosen = [=](Console& console) { return run_record(*options, console); };
   });

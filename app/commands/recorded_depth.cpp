@@ -36,9 +36,9 @@ Status RecordedDepth::compress(const BatchFrame& frame, FrameLine& line) {
   if (!packet) return packet.error();
   line.depth_packet = std::move(*packet);
   if (has_depth)
-    tell_depth_steps(line.line,
-                     "depth_video",
-                     fmt::format("\"file\":\"{}\",\"picture\":{}", kDepthVideoFile, frame.index));
+    add_depth_steps(line.line,
+                    "depth_video",
+                    fmt::format("\"file\":\"{}\",\"picture\":{}", kDepthVideoFile, frame.index));
   const std::lock_guard lock(lock_);
   idle_.push_back(std::move(*packets));
   return {};

@@ -1,4 +1,5 @@
-// The depth of a whole run as one file (depth_video.h), made by all threads and written by one.
+// The depth of a full run as one file (depth_video.h), compressed by all threads and written by
+// one.
 #pragma once
 
 #include "app/commands/commands.h"
@@ -14,13 +15,13 @@ namespace alltact {
 
 class RecordedDepth {
  public:
-  /// In the options' folder; of a part, beside the part's results. Errors: DepthVideoWriter's.
+  /// In the options' folder; for a part, next to the part's results. Errors: DepthVideoWriter's.
   [[nodiscard]] static Result<std::unique_ptr<RecordedDepth>> create(
       const ReconstructOptions& options, cv::Size size, double frames_per_s);
 
-  /// Gives the line its picture, and says there where it is. Any thread.
+  /// Adds the compressed depth frame to the line, and its index to the line's text. Any thread.
   [[nodiscard]] Status compress(const BatchFrame& frame, FrameLine& line);
-  /// The next frame's picture, in the frames' order, one thread at a time.
+  /// The next depth frame, in the frames' order, one thread at a time.
   [[nodiscard]] Status take(const FrameLine& line) { return video_.add(line.depth_packet); }
   [[nodiscard]] Status finish() { return video_.finish(); }
 

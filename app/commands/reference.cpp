@@ -16,9 +16,9 @@ Status run_flat(const ReferenceOptions& options, Console& console) {
                  options.finger.string(),
                  en::say("giving exactly one picture")};
   }
-  const auto picture = read_untouched_picture(options.inputs.front());
-  if (!picture) return picture.error();
-  const auto warnings = give_untouched_picture(options.finger, *picture);
+  const auto image = read_untouched_image(options.inputs.front());
+  if (!image) return image.error();
+  const auto warnings = set_untouched_image(options.finger, *image);
   if (!warnings) return warnings.error();
   for (const Message& warning : *warnings) console.warn(fmt::format("Warning: {}", warning));
   console.say("The untouched picture is installed. Next: alltact calibrate with ball presses");
@@ -26,11 +26,11 @@ Status run_flat(const ReferenceOptions& options, Console& console) {
   return {};
 }
 
-void tell(const ReferenceReport& report, Console& console) {
+void print_report(const ReferenceReport& report, Console& console) {
   console.say(
       fmt::format("{} of {} frames are in the reference library; each lies {:.2f} px (median) "
                   "from its nearest neighbour.",
-                  report.frames_kept,
+                  report.frames_retained,
                   report.frames_read,
                   report.median_step_px));
   constexpr std::size_t kShown = 8;
@@ -70,10 +70,10 @@ void tell(const ReferenceReport& report, Console& console) {
   for (const Message& warning : report.warnings) console.warn(fmt::format("Warning: {}", warning));
   Console::Json& answer = console.answer();
   answer["frames_read"] = report.frames_read;
-  answer["frames_kept"] = report.frames_kept;
+  answer["frames_kept"] = report.frames_retained;
   answer["median_step_px"] = report.median_step_px;
   answer["rejected"] = in_english(report.rejected);
-  answer["touched"] = report.touched;
+  answer["touched"] = report.contact_frames;
   answer["doubtful"] = report.doubtful;
   answer["uncompared"] = report.uncompared;
   answer["stretches"] = Console::Json::array();
@@ -81,7 +81,7 @@ void tell(const ReferenceReport& report, Console& console) {
     answer["stretches"].push_back({{"first", stretch.first},
                                    {"last", stretch.last},
                                    {"doubtful", stretch.is_doubtful},
-                                   {"kept", stretch.is_kept},
+                                   {"kept", stretch.is_retained},
                                    {"darker", stretch.darker},
                                    {"along_mm", stretch.along_mm}});
   answer["repeated"] = report.repeated;
@@ -146,10 +146,9 @@ Status run_reference(const ReferenceOptions& options, Console& console) {
   const auto finger = open_finger(options.finger, console);
   if (!finger) return finger.error();
   if ((*finger)->finger.face.kind == FaceKind::kFlat) return run_flat(options, console);
-  const auto report =
-      give_reference(options.finger, options.inputs, console.job(), options.choices);
+  const auto report = set_reference(options.finger, options.inputs, console.job(), options.choices);
   if (!report) return report.error();
-  tell(*report, console);
+  print_report(*report, console);
   return {};
 }
 
@@ -177,7 +176,7 @@ void add_reference(CLI::App& program, Chosen& chosen) {
                    "Frame of the recording that shows the finger at rest, counted from 0 (default: "
                    "the one in the middle of all poses)")
       ->type_name("N")
-      ->transform(typed_whole_number(0, std::numeric_limits<int>::max()));
+      ->transform(typed_integer(0, std::numeric_limits<int>::max()));
   add_ranges(*command,
              "--keep-frames",
              "Frames that were untouched whatever they look like: 12-40, or several with commas",

@@ -2,7 +2,7 @@
 
 #include "core/io/atomic_file.h"
 #include "core/io/depth_file.h"
-#include "core/io/picture.h"
+#include "core/io/image_file.h"
 #include "core/io/surface_file.h"
 #include "core/sensing/depth/depth_limits.h"
 #include "core/sensing/result_json.h"
@@ -27,7 +27,7 @@ FrameLine failed(const std::string& name, std::size_t index, const Error& proble
 
 }  // namespace
 
-void tell_depth_steps(std::string& line, const std::string& name, const std::string& where) {
+void add_depth_steps(std::string& line, const std::string& name, const std::string& where) {
   const std::size_t at = line.rfind(",\"times_ms\":");
   assert(at != std::string::npos);
   line.insert(at,
@@ -40,10 +40,10 @@ void tell_depth_steps(std::string& line, const std::string& name, const std::str
 
 Result<ResultFiles> ResultFiles::create(const ReconstructOptions& options) {
   ResultFiles files(options);
-  if (!options.picture) return files;
-  const auto pictures = load_pictures();
-  if (!pictures) return pictures.error();
-  auto faces = (*pictures)->faces({1280, 720}, options.scene, options.standpoint);
+  if (!options.image) return files;
+  const auto drawing = load_figures();
+  if (!drawing) return drawing.error();
+  auto faces = (*drawing)->faces({1280, 720}, options.scene, options.viewpoint);
   if (!faces) return faces.error();
   files.faces_ = std::move(*faces);
   return files;
@@ -57,7 +57,7 @@ Result<FrameLine> ResultFiles::write(BatchFrame& frame, const Pipeline& pipeline
   if (!frame.result) {
     const Error problem = frame.problem.value_or(Error());
     return failed(
-        frame.frame ? frame.frame->name : name_of(problem, frame.index), frame.index, problem);
+        frame.frame ? frame.frame->name : frame_name(problem, frame.index), frame.index, problem);
   }
   const FrameResult& result = *frame.result;
   FrameLine line;
@@ -71,7 +71,7 @@ Result<FrameLine> ResultFiles::write(BatchFrame& frame, const Pipeline& pipeline
       line.warnings.push_back(fmt::format("{}: {}", result.frame->name, problem));
     return line;
   }
-  if (options_->depth16) tell_depth_steps(line.line, "depth16", "\"in\":\"png\"");
+  if (options_->depth16) add_depth_steps(line.line, "depth16", "\"in\":\"png\"");
   if (const Status status = write_maps(result, pipeline); !status) return status.error();
   if (const Status status = write_sd(result, pipeline.finger()); !status) return status.error();
   if (const Status status = write_surfaces(result, pipeline.finger()); !status)
@@ -82,20 +82,22 @@ Result<FrameLine> ResultFiles::write(BatchFrame& frame, const Pipeline& pipeline
 Status ResultFiles::write_maps(const FrameResult& result, const Pipeline& pipeline) const {
   const cv::Mat& depth = result.depth->depth_mm;
   if (options_->depth)
-    if (Status status = write_file_of_many(file(result, ".depth.tiff"), depth_tiff(depth)); !status)
+    if (Status status = write_file_unsynced(file(result, ".depth.tiff"), depth_tiff(depth));
+        !status)
       return status;
   if (options_->depth16)
-    if (Status status = write_file_of_many(file(result, ".depth16.png"), depth_png(depth)); !status)
+    if (Status status = write_file_unsynced(file(result, ".depth16.png"), depth_png(depth));
+        !status)
       return status;
   if (options_->flags)
     if (Status status =
-            write_file_of_many(file(result, ".flags.png"), grey_png(result.depth->flags));
+            write_file_unsynced(file(result, ".flags.png"), grey_png(result.depth->flags));
         !status)
       return status;
   if (!faces_) return {};
-  const auto picture = faces_->picture(result, pipeline);
-  if (!picture) return Error{picture.error().what, file(result, ".3d.png"), picture.error().advice};
-  return write_picture(file(result, ".3d.png"), *picture);
+  const auto image = faces_->image(result, pipeline);
+  if (!image) return Error{image.error().what, file(result, ".3d.png"), image.error().advice};
+  return write_image(file(result, ".3d.png"), *image);
 }
 
 Status ResultFiles::write_sd(const FrameResult& result, const Finger& finger) const {
@@ -103,7 +105,7 @@ Status ResultFiles::write_sd(const FrameResult& result, const Finger& finger) co
   const auto mapping = Mapping::create(*finger.mapping);
   if (!mapping) return mapping.error();
   const auto write = [&](const std::string& ending, const cv::Mat& sd_mm) {
-    return write_file_of_many(file(result, ending), depth_tiff(sd_mm));
+    return write_file_unsynced(file(result, ending), depth_tiff(sd_mm));
   };
   if (options_->depth_sd || options_->limits) {
     const DepthSdAndLimits made =
@@ -111,7 +113,7 @@ Status ResultFiles::write_sd(const FrameResult& result, const Finger& finger) co
     if (options_->depth_sd)
       if (Status status = write(".depth_sd.tiff", made.sd_mm); !status) return status;
     if (options_->limits)
-      if (Status status = write_file_of_many(file(result, ".limits.png"), grey_png(made.limits));
+      if (Status status = write_file_unsynced(file(result, ".limits.png"), grey_png(made.limits));
           !status)
         return status;
   }
@@ -124,8 +126,8 @@ Status ResultFiles::write_sd(const FrameResult& result, const Finger& finger) co
 
 Status ResultFiles::write_surfaces(const FrameResult& result, const Finger& finger) const {
   if (options_->points)
-    if (Status status = write_picture(file(result, ".points.tiff"),
-                                      contact_face_points_mm(result, finger.face));
+    if (Status status =
+            write_image(file(result, ".points.tiff"), contact_face_points_mm(result, finger.face));
         !status)
       return status;
   if (options_->surfaces.empty()) return {};

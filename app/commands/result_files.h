@@ -1,8 +1,8 @@
-// What `alltact reconstruct` leaves of each frame beside results.jsonl.
+// The files that `alltact reconstruct` writes for each frame, besides results.jsonl.
 #pragma once
 
 #include "app/commands/commands.h"
-#include "app/pictures/pictures.h"
+#include "app/figures/figures.h"
 #include "core/batch/batch.h"
 
 #include <memory>
@@ -10,14 +10,14 @@
 
 namespace alltact {
 
-/// Any thread may write, but for pictures in 3D, which belong to the thread that made this.
+/// Any thread may write, except 3D images, which belong to the thread that made this.
 class ResultFiles {
  public:
   /// `options` outlives it.
   [[nodiscard]] static Result<ResultFiles> create(const ReconstructOptions& options);
 
-  /// The files of one frame, whole but not waited for (write_file_of_many), and its line. Error:
-  /// they cannot be written, nor could those of others.
+  /// Writes the complete files of one frame without waiting for the disk (write_file_unsynced), and
+  /// returns its line. Error: they cannot be written, nor could those of others.
   [[nodiscard]] Result<FrameLine> write(BatchFrame& frame, const Pipeline& pipeline) const;
 
  private:
@@ -28,15 +28,15 @@ class ResultFiles {
   [[nodiscard]] Path file(const FrameResult& result, const std::string& ending) const;
 
   const ReconstructOptions* options_;
-  std::unique_ptr<FacePictures> faces_;  // where pictures are wanted
+  std::unique_ptr<FaceRenderer> faces_;  // where 3D images are requested
 };
 
 /// As results.jsonl names it.
 [[nodiscard]] ReferenceMethod reference_method(const ReconstructOptions& options);
 
-/// Tells in a line, as `name`, where its depth in whole steps (depth_file.h) is, and what they
-/// mean.
+/// Adds to a line, as `name`, where its depth in integer steps (depth_file.h) is, and the unit of
+/// these.
 ///   where: members of a JSON object
-void tell_depth_steps(std::string& line, const std::string& name, const std::string& where);
+void add_depth_steps(std::string& line, const std::string& name, const std::string& where);
 
 }  // namespace alltact

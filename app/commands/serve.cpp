@@ -1,11 +1,11 @@
 #include "app/commands/commands.h"
-#include "app/commands/kept_settings.h"
 #include "app/commands/result_files.h"
 #include "app/commands/serve_messages.h"
+#include "app/commands/stored_settings.h"
 #include "app/console/camera_remarks.h"
 #include "app/console/command_names.h"
 #include "app/console/flags.h"
-#include "calibration/live/followed_finger.h"
+#include "calibration/live/watched_finger.h"
 #include "calibration/reference/settings_record.h"
 #include "core/sensing/result_json.h"
 #include "core/sources/newest_source.h"
@@ -20,8 +20,8 @@
 namespace alltact {
 namespace {
 
-/// What a finger's frames are measured by, now and after it was calibrated anew.
-FollowedFinger::MakePipeline pipeline_maker(const ServeOptions& options) {
+/// Makes the pipelines for a finger's frames, now and after a new calibration.
+WatchedFinger::MakePipeline pipeline_maker(const ServeOptions& options) {
   return [options](const FingerSnapshot& finger, const Job& job) -> Result<Pipeline> {
     if (!finger.mapping)
       return Error{en::say("the finger is not calibrated yet"),
@@ -33,10 +33,10 @@ FollowedFinger::MakePipeline pipeline_maker(const ServeOptions& options) {
   };
 }
 
-/// Measures the newest frame again and again, for whoever listens.
+/// Measures the newest frame again and again, for all clients.
 class Serving {
  public:
-  Serving(FollowedFinger& finger,
+  Serving(WatchedFinger& finger,
           std::unique_ptr<Source> source,
           const ServedSource& about,
           StreamServer& server,
@@ -48,7 +48,7 @@ class Serving {
         server_(server),
         console_(console) {}
 
-  /// Why it came to its end.
+  /// Returns the reason of its end.
   Message run() {
     describe();
     while (!console_.job().stop_requested()) {
@@ -56,11 +56,11 @@ class Serving {
       const auto frame = newest_.next();
       if (console_.job().stop_requested()) break;
       if (frame && !*frame) return en::say("the source ended");
-      remarks_.tell(console_);
+      remarks_.report(console_);
       if (frame)
         measure(*frame);
       else
-        tell(frame.error());
+        report(frame.error());
     }
     return en::say("stopped by hand");
   }
@@ -73,8 +73,8 @@ class Serving {
   void describe() { server_.publish(finger_message(finger_.finger(), finger_.pipeline(), about_)); }
 
   void follow() {
-    if (const auto problem = finger_.take_problem()) tell(*problem);
-    if (!finger_.take_news()) return;
+    if (const auto problem = finger_.take_problem()) report(*problem);
+    if (!finger_.take_update()) return;
     console_.warn("The finger has changed; it is measured as it is now.");
     describe();
   }
@@ -89,11 +89,11 @@ class Serving {
       server_.publish(frame_message(*result,
                                     result_line(*result, index_, pipeline.settings().reference),
                                     finger,
-                                    server_.wanted()));
+                                    server_.requested()));
     } else {
       ++failed_;
       const std::string line = failure_line(frame->name, index_, {as_sentence(result.error())});
-      server_.publish(unmeasured_message(*frame, line, finger, server_.wanted()));
+      server_.publish(unmeasured_message(*frame, line, finger, server_.requested()));
       warn_once(result.error());
     }
     ++index_;
@@ -102,33 +102,34 @@ class Serving {
   /// Each difference once.
   void warn_of_settings(const Frame& frame) {
     const Message other = other_settings_than_stored(frame, finger_.finger().finger);
-    if (!other.empty() && other != told_) console_.warn(fmt::format("Warning: {}", other));
-    told_ = other;
+    if (!other.empty() && other != last_difference_)
+      console_.warn(fmt::format("Warning: {}", other));
+    last_difference_ = other;
   }
 
-  void tell(const Error& problem) {
+  void report(const Error& problem) {
     server_.publish(problem_message(problem));
     warn_once(problem);
   }
 
-  /// A camera that is unplugged says so again and again.
+  /// An unplugged camera reports the same error again and again.
   void warn_once(const Error& problem) {
     const std::string sentence = problem.sentence();
     if (std::exchange(last_problem_, sentence) != sentence) console_.warn(sentence);
   }
 
-  FollowedFinger& finger_;
+  WatchedFinger& finger_;
   ServedSource about_;
   CameraRemarks remarks_;
   NewestSource newest_;
   StreamServer& server_;
   Console& console_;
   std::size_t index_ = 0, failed_ = 0;
-  Message told_;
+  Message last_difference_;
   std::string last_problem_;
 };
 
-Status tell_of_format(Console& console) {
+Status print_schema(Console& console) {
   if (!console.json()) return console.put(stream_schema_text());
   console.answer() = Console::Json::parse(stream_schema_json());
   return {};
@@ -139,8 +140,8 @@ Status tell_of_format(Console& console) {
 Status run_serve(const ServeOptions& options, Console& console) {
   const auto snapshot = open_finger(options.finger, console);
   if (!snapshot) return snapshot.error();
-  const Path socket = options.socket.value_or(usual_socket((*snapshot)->finger.name));
-  // First, so that nothing is loaded for nothing; nobody gets anything until all is ready.
+  const Path socket = options.socket.value_or(default_socket((*snapshot)->finger.name));
+  // First, so that nothing is loaded in vain; nobody gets anything until all is ready.
   auto server = StreamServer::start(socket, "serving " + options.finger.string());
   if (!server) return server.error();
   SourceOptions how;
@@ -148,7 +149,7 @@ Status run_serve(const ServeOptions& options, Console& console) {
   how.job = &console.job();
   auto source = open_source(options.inputs, how);
   if (!source) return source.error();
-  auto finger = FollowedFinger::open(options.finger, pipeline_maker(options), console.job());
+  auto finger = WatchedFinger::open(options.finger, pipeline_maker(options), console.job());
   if (!finger) return finger.error();
   const ServedSource about{options.inputs.front().string(),
                            (*source)->frames_per_s(),
@@ -196,7 +197,7 @@ void add_serve(CLI::App& program, Chosen& chosen) {
                        "Where programs connect: a Unix socket in a folder that is yours alone "
                        "(default alltact/NAME.sock in $XDG_RUNTIME_DIR)")
           ->type_name("PATH");
-  CLI::Option* kept =
+  CLI::Option* preset_flag =
       command
           ->add_option("--preset",
                        *preset,
@@ -207,22 +208,22 @@ void add_serve(CLI::App& program, Chosen& chosen) {
       "--schema",
       options->schema,
       "Instead: tells what a program sends and gets, for people or (--json) programs");
-  for (CLI::Option* option : {finger, inputs, socket, kept}) option->excludes(schema);
+  for (CLI::Option* option : {finger, inputs, socket, preset_flag}) option->excludes(schema);
   SettingFlags<PipelineSettings> pipeline;
   pipeline.add_to(*command, pipeline_settings());
   command->callback([=, &chosen] {
     if (options->schema) {
-      chosen = tell_of_format;
+      chosen = print_schema;
       return;
     }
     for (const CLI::Option* option : {finger, inputs})
       if (option->empty()) throw CLI::RequiredError(option->get_name());
     options->settings = [=]() -> Result<PipelineSettings> {
-      const auto settings = kept_settings(options->finger, *preset);
+      const auto settings = stored_settings(options->finger, *preset);
       return settings ? Result(pipeline.applied_to(*settings)) : settings.error();
     };
     chosen = [=](Console& console) -> Status {
-      const auto settings = kept_settings(options->finger, *preset);
+      const auto settings = stored_settings(options->finger, *preset);
       if (!settings) return settings.error();
       warn_of_other_settings(*settings, pipeline.applied_to(*settings), console);
       return run_serve(*options, console);

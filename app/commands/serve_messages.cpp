@@ -21,10 +21,10 @@ std::string text_of(const Json& json) {
 StreamMessage of_frame(const Frame& frame,
                        const std::string& line,
                        const FingerSnapshot& finger,
-                       StreamPartSet wanted) {
+                       StreamPartSet requested) {
   assert(line.ends_with('}'));
   StreamMessage message;
-  message.sought = wanted;
+  message.requested_parts = requested;
   message.sequence = frame.sequence;
   message.time_ns = frame.time_ns;
   message.json =
@@ -64,7 +64,7 @@ StreamMessage finger_message(const FingerSnapshot& finger,
   json["clock"] = source.is_camera ? "monotonic" : "source";
   json["frames_per_s"] = source.frames_per_s;
   json["size_px"] = {camera.width_px, camera.height_px};
-  json["reduced_by"] = pixels_a_side(pipeline.settings().resolution);
+  json["reduced_by"] = binning_factor(pipeline.settings().resolution);
   json["camera"] = camera_json(camera);
   json["face"] = face_json(finger.finger.face);
   json["parts"] = parts_json();
@@ -77,23 +77,24 @@ StreamMessage finger_message(const FingerSnapshot& finger,
 StreamMessage frame_message(const FrameResult& result,
                             const std::string& line,
                             const FingerSnapshot& finger,
-                            StreamPartSet wanted) {
-  StreamMessage message = of_frame(*result.frame, line, finger, wanted);
-  if (wanted[kPicture]) message.parts[kPicture] = result.grey;
+                            StreamPartSet requested) {
+  StreamMessage message = of_frame(*result.frame, line, finger, requested);
+  if (requested[kImage]) message.parts[kImage] = result.grey;
   if (!result.depth) return message;
-  if (wanted[kDepth16]) message.parts[kDepth16] = depth_steps(result.depth->depth_mm);
-  if (wanted[kDepth]) message.parts[kDepth] = result.depth->depth_mm;
-  if (wanted[kFlags]) message.parts[kFlags] = result.depth->flags;
-  if (wanted[kPoints]) message.parts[kPoints] = contact_face_points_mm(result, finger.finger.face);
+  if (requested[kDepth16]) message.parts[kDepth16] = depth_steps(result.depth->depth_mm);
+  if (requested[kDepth]) message.parts[kDepth] = result.depth->depth_mm;
+  if (requested[kFlags]) message.parts[kFlags] = result.depth->flags;
+  if (requested[kPoints])
+    message.parts[kPoints] = contact_face_points_mm(result, finger.finger.face);
   return message;
 }
 
 StreamMessage unmeasured_message(const Frame& frame,
                                  const std::string& line,
                                  const FingerSnapshot& finger,
-                                 StreamPartSet wanted) {
-  StreamMessage message = of_frame(frame, line, finger, wanted);
-  if (wanted[kPicture]) message.parts[kPicture] = frame.grey;
+                                 StreamPartSet requested) {
+  StreamMessage message = of_frame(frame, line, finger, requested);
+  if (requested[kImage]) message.parts[kImage] = frame.grey;
   return message;
 }
 

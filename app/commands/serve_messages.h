@@ -1,4 +1,4 @@
-// What `alltact serve` says: of its finger, and of each frame.
+// The messages of `alltact serve`: about its finger, and for each frame.
 #pragma once
 
 #include "core/finger/finger_store.h"
@@ -19,19 +19,19 @@ struct ServedSource {
                                            const Pipeline& pipeline,
                                            const ServedSource& source);
 
-/// `line`: of results.jsonl, to which finger_revision is added. Only the parts that somebody wants
-/// are made, as far as the frame tells them.
+/// `line`: of results.jsonl, to which finger_revision is added. Only the requested parts are made,
+/// as far as the frame has them.
 [[nodiscard]] StreamMessage frame_message(const FrameResult& result,
                                           const std::string& line,
                                           const FingerSnapshot& finger,
-                                          StreamPartSet wanted);
-/// Of a frame that could not be measured: its picture as it came.
+                                          StreamPartSet requested);
+/// For a frame that could not be measured: the image as it came.
 [[nodiscard]] StreamMessage unmeasured_message(const Frame& frame,
                                                const std::string& line,
                                                const FingerSnapshot& finger,
-                                               StreamPartSet wanted);
+                                               StreamPartSet requested);
 [[nodiscard]] StreamMessage problem_message(const Error& problem);
-/// Of a kEnd message.
+/// Content of a kEnd message.
 [[nodiscard]] std::string end_json(const Message& reason);
 
 }  // namespace alltact

@@ -4,7 +4,7 @@
 #include "app/console/number_flags.h"
 #include "core/finger/camera_yaml.h"
 #include "core/io/atomic_file.h"
-#include "core/io/picture.h"
+#include "core/io/image_file.h"
 #include "core/recording/video_writer.h"
 #include "core/simulation/effect_costs.h"
 #include "core/simulation/plan.h"
@@ -23,19 +23,19 @@ std::string frame_name(int frame) {
   return fmt::format("frame_{:05}", frame);
 }
 
-bool is_ours(const std::string& name) {
+bool is_own_output(const std::string& name) {
   return name.starts_with("frame_") || name == kVideoFile || name == kTruthFile;
 }
 
-/// A folder that is new, empty or an earlier simulation, whose frames go: a shorter run must not
-/// leave the tail of a longer one behind.
+/// A folder that is new, empty or an earlier simulation. Frames of that are removed, so that a
+/// shorter run does not leave the rest of a longer one.
 Status prepare_folder(const Path& folder) {
   std::error_code failed;
   if (!std::filesystem::exists(folder, failed)) return make_folder(folder);
   const bool earlier = std::filesystem::exists(folder / kTruthFile, failed);
   std::vector<Path> old;
   for (const auto& entry : std::filesystem::directory_iterator(folder, failed)) {
-    if (!is_ours(entry.path().filename().string())) continue;
+    if (!is_own_output(entry.path().filename().string())) continue;
     if (!earlier) {
       return Error{en::say("it holds {}, which is not of an earlier simulation",
                            entry.path().filename().string()),
@@ -101,26 +101,26 @@ void explain(const Scene& scene, const Plan& plan, Console& console) {
   }
 }
 
-Status write_truth_pictures(const Path& folder, const std::string& name, const Truth& truth) {
-  const Status status = write_picture(folder / (name + ".depth.tiff"), truth.depth_mm);
+Status write_truth_images(const Path& folder, const std::string& name, const Truth& truth) {
+  const Status status = write_image(folder / (name + ".depth.tiff"), truth.depth_mm);
   if (!status) return status;
-  return write_picture(folder / (name + ".z.tiff"), truth.untouched_z_mm);
+  return write_image(folder / (name + ".z.tiff"), truth.untouched_z_mm);
 }
 
 Status write_truth_maps(const Path& folder, const std::string& name, const TruthMaps& maps) {
-  const std::pair<std::string_view, const cv::Mat*> pictures[] = {
+  const std::pair<std::string_view, const cv::Mat*> images[] = {
       {".contact.png", &maps.contact},
-      {".seen.png", &maps.seen},
+      {".seen.png", &maps.labels},
       {".normal.tiff", &maps.normal},
       {".untouched.tiff", &maps.untouched_grey}};
-  for (const auto& [end, picture] : pictures) {
-    const Status status = write_picture(folder / (name + std::string(end)), *picture);
+  for (const auto& [end, image] : images) {
+    const Status status = write_image(folder / (name + std::string(end)), *image);
     if (!status) return status;
   }
   return {};
 }
 
-/// Renders every frame that arrives, gives it to `take`, writes its truth and adds it to `frames`.
+/// Renders every frame that arrives, passes it to `take`, writes its truth and adds it to `frames`.
 template <class Take>
 Status render_all(const SimulateOptions& options,
                   const Plan& plan,
@@ -132,13 +132,13 @@ Status render_all(const SimulateOptions& options,
     if (console.job().stop_requested())
       return Error{en::say("stopped before all frames were rendered"), "", ""};
     if (plan.arrival(frame).is_dropped) continue;
-    // Pictures keep their numbers; a video's frames are counted.
+    // Image files have their own numbers; a video's frames are counted.
     const std::string name = frame_name(options.video ? static_cast<int>(frames.size()) : frame);
     console.job().report(static_cast<double>(frame) / count, en::say("rendering {}", name));
     if (const Status status = take(name, plan.render(frame, options.threads)); !status)
       return status;
     const Truth truth = plan.truth(frame);
-    if (const Status status = write_truth_pictures(options.folder, name, truth); !status)
+    if (const Status status = write_truth_images(options.folder, name, truth); !status)
       return status;
     if (options.maps) {
       const Status status = write_truth_maps(options.folder, name, plan.truth_maps(frame));
@@ -158,9 +158,9 @@ Status write_video(const SimulateOptions& options,
                    Console& console,
                    const Path& file) {
   std::optional<VideoWriter> writer;
-  const auto take = [&](const std::string& name, const cv::Mat& picture) -> Status {
+  const auto take = [&](const std::string& name, const cv::Mat& image) -> Status {
     Frame frame;
-    frame.grey = picture;
+    frame.grey = image;
     frame.name = name;
     frame.origin = options.scene.string();
     if (!writer) {
@@ -203,14 +203,10 @@ Status run_simulate(const SimulateOptions& options, Console& console) {
       return write_video(options, *plan, count, frames, console, temporary);
     });
   } else {
-    status = render_all(options,
-                        *plan,
-                        count,
-                        frames,
-                        console,
-                        [&](const std::string& name, const cv::Mat& picture) {
-                          return write_picture(options.folder / (name + ".png"), picture);
-                        });
+    status = render_all(
+        options, *plan, count, frames, console, [&](const std::string& name, const cv::Mat& image) {
+          return write_image(options.folder / (name + ".png"), image);
+        });
   }
   if (!status) return status;
   const Path camera_file = options.folder / "camera.yaml";
@@ -281,12 +277,12 @@ void add_simulate(CLI::App& program, Chosen& chosen) {
                           "(default: {})",
                           kTimedFrames))
           ->type_name("N")
-          ->transform(typed_whole_number(1, 1000000));
+          ->transform(typed_integer(1, 1000000));
   CLI::Option* seed =
       command
           ->add_option("--seed", options->seed, "Of everything random, 0 to 2^64 - 1 (default 1)")
           ->type_name("S")
-          ->transform(typed_whole_number(0));
+          ->transform(typed_integer(0));
   CLI::Option* video = command->add_flag(
       "--video", options->video, "One lossless video, frames.mkv, instead of pictures");
   CLI::Option* maps = command->add_flag(

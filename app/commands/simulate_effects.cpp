@@ -16,7 +16,7 @@ Console::Json effect_json(const EffectDescription& effect) {
   Console::Json json{{"name", effect.kind->name},
                      {"stage", to_string(effect.kind->stage)},
                      {"what", effect.sentence.english()},
-                     {"several", effect.may_be_several},
+                     {"several", effect.is_repeatable},
                      {"needs", effect.kind->needs},
                      {"example", effect.kind->example}};
   Console::Json& parameters = json["parameters"] = Console::Json::array();
@@ -31,7 +31,7 @@ void say_effect(const EffectDescription& effect, Console& console) {
   const EffectKind& kind = *effect.kind;
   console.say(
       fmt::format("{} ({}): {}.", kind.name, to_string(kind.stage), effect.sentence.english()));
-  if (effect.may_be_several) console.say("May be named several times at once.");
+  if (effect.is_repeatable) console.say("May be named several times at once.");
   if (!kind.needs.empty())
     console.say(fmt::format("The example needs beside it: {}.", fmt::join(kind.needs, ", ")));
   for (const EffectParameter& parameter : effect.parameters)

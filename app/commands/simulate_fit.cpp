@@ -1,4 +1,4 @@
-// `alltact simulate --fit`: the scene that a real finger's pictures come out of.
+// `alltact simulate --fit`: the scene whose frames match a real finger's.
 #include "app/commands/commands.h"
 #include "calibration/twin/twin_inputs.h"
 #include "core/io/atomic_file.h"
@@ -40,7 +40,7 @@ Console::Json residuals_json(const std::vector<TwinResidual>& residuals) {
   return list;
 }
 
-void tell_figures(const Twin& twin, Console& console) {
+void print_figures(const Twin& twin, Console& console) {
   console.say(fmt::format("{:<52} {:>12} {:>10}", "what", "fitted", "+- sd"));
   for (const TwinFigure& figure : twin.figures)
     console.say(fmt::format("{:<52} {:>12.5g} {:>10}{}",
@@ -50,7 +50,7 @@ void tell_figures(const Twin& twin, Console& console) {
                             figure.remark.empty() ? "" : "  " + figure.remark.english()));
 }
 
-void tell_residuals(const Twin& twin, Console& console) {
+void print_residuals(const Twin& twin, Console& console) {
   console.say("");
   console.say("How far the twin's pictures are from the real ones, grey levels RMS:");
   console.say(fmt::format("untouched face {:.2f}", twin.untouched_rms));
@@ -83,7 +83,7 @@ Status run_simulate_fit(const SimulateFitOptions& options, Console& console) {
   TwinFiles files;
   files.presses.files = options.presses;
   files.untouched = options.untouched;
-  files.said.ball_radius_mm = options.ball_radius_mm;
+  files.press_set.ball_radius_mm = options.ball_radius_mm;
   const auto measured = measure_for_twin(**finger, files, Job(console.job(), 0.0, 0.1));
   if (!measured) return measured.error();
   for (const Message& reason : measured->left_out)
@@ -92,8 +92,8 @@ Status run_simulate_fit(const SimulateFitOptions& options, Console& console) {
   if (!twin) return twin.error();
   if (const Status written = write_file_atomically(options.scene, twin->yaml); !written)
     return written.error();
-  tell_figures(*twin, console);
-  tell_residuals(*twin, console);
+  print_figures(*twin, console);
+  print_residuals(*twin, console);
   for (const Message& remark : twin->remarks) console.say(fmt::format("Remark: {}.", remark));
   console.say(
       fmt::format("The twin's scene is {}: frame 0 is untouched, the others show its presses.",

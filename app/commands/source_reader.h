@@ -1,4 +1,4 @@
-// What a source gives to a command that records it.
+// Reads a source for a command that records it.
 #pragma once
 
 #include "app/console/button_presses.h"
@@ -11,20 +11,19 @@
 
 namespace alltact {
 
-/// What reads a source for a recording: says each fault and each remark of the camera once, and
-/// hears the button between frames.
+/// Prints each fault and each remark of the camera once, and takes button presses between frames.
 class SourceReader {
  public:
   SourceReader(Source& source, CameraRemarks remarks, ButtonPresses* button, Console& console)
       : source_(source), remarks_(std::move(remarks)), button_(button), console_(console) {}
 
-  /// The next frame; null when it is over, and why() says why, or when the button was pressed while
-  /// none came.
+  /// The next frame; null when the source is over, with the reason in why(), or when the button was
+  /// pressed while no frame came.
   FramePtr next() {
     while (true) {
       if (is_stopped()) return end(en::say("stopped by hand"));
       auto frame = source_.next();
-      remarks_.tell(console_);
+      remarks_.report(console_);
       is_pressed_ = button_ != nullptr && button_->taken(console_);
       if (frame && *frame) {
         last_problem_.clear();
@@ -32,7 +31,7 @@ class SourceReader {
       }
       if (frame)
         return end(is_stopped() ? en::say("stopped by hand") : en::say("the source ended"));
-      // A camera that is unplugged says so again and again, and may come back.
+      // An unplugged camera reports the same error again and again, and may come back.
       const std::string problem = frame.error().sentence();
       if (problem != last_problem_) console_.warn(problem);
       last_problem_ = problem;

@@ -5,7 +5,7 @@
 #include "app/console/command_names.h"
 #include "app/console/flags.h"
 #include "app/console/number_flags.h"
-#include "app/console/passing_folder.h"
+#include "app/console/temporary_folder.h"
 #include "calibration/experiments/simulated_world.h"
 #include "calibration/finger/measuring_settings.h"
 #include "calibration/study/real_presses.h"
@@ -25,28 +25,28 @@ constexpr const char* kRowsFile = "study_rows.jsonl";
 constexpr int kQuickFrames = 9, kFrames = 24;
 constexpr int kQuickRepeats = 2, kRepeats = 3;
 
-/// Rows that a study keeps as they come, so that one that was stopped goes on.
-class KeptRows {
+/// Rows that a study stores as they come, so that a stopped one can continue.
+class SavedRows {
  public:
-  /// `of`: what the rows depend on beside the settings; rows of anything else are forgotten.
-  static Result<KeptRows> open(const Path& file, const std::string& of) {
-    KeptRows kept(file);
-    if (!std::filesystem::exists(file)) return kept.begin(of);
+  /// `of`: what the rows depend on besides the settings; other rows are dropped.
+  static Result<SavedRows> open(const Path& file, const std::string& of) {
+    SavedRows saved(file);
+    if (!std::filesystem::exists(file)) return saved.begin(of);
     const auto text = read_file(file);
     if (!text) return text.error();
     const std::size_t end = text->find('\n');
-    if (end == std::string::npos || text->substr(0, end) != of) return kept.begin(of);
+    if (end == std::string::npos || text->substr(0, end) != of) return saved.begin(of);
     auto rows = rows_of_lines(std::string_view(*text).substr(end + 1), file.string());
     if (!rows) return rows.error();
-    kept.rows = std::move(rows).value();
-    kept.of_ = of;
-    return kept;
+    saved.rows = std::move(rows).value();
+    saved.of_ = of;
+    return saved;
   }
-  /// Rows that are kept already are replaced.
+  /// Replaces rows with the same settings.
   [[nodiscard]] Status add(const std::vector<StudyRow>& more) {
     for (const StudyRow& row : more) {
-      const auto known = std::find_if(rows.begin(), rows.end(), [&](const StudyRow& kept) {
-        return key_of(kept.settings) == key_of(row.settings);
+      const auto known = std::find_if(rows.begin(), rows.end(), [&](const StudyRow& saved) {
+        return key_of(saved.settings) == key_of(row.settings);
       });
       if (known == rows.end())
         rows.push_back(row);
@@ -61,8 +61,8 @@ class KeptRows {
   std::vector<StudyRow> rows;
 
  private:
-  explicit KeptRows(Path file) : file_(std::move(file)) {}
-  Result<KeptRows> begin(const std::string& of) {
+  explicit SavedRows(Path file) : file_(std::move(file)) {}
+  Result<SavedRows> begin(const std::string& of) {
     of_ = of;
     return *this;
   }
@@ -81,9 +81,9 @@ class StudyCommand {
 
   Status run() {
     if (options_.fingers.empty()) return study_of({});
-    if (uses_what_is_kept(options_)) {
+    if (uses_stored_preset(options_)) {
       for (const Path& finger : options_.fingers)
-        if (const Status used = use_what_is_kept(finger, options_.use, console_); !used)
+        if (const Status used = use_stored_preset(finger, options_.use, console_); !used)
           return used;
       return {};
     }
@@ -104,11 +104,11 @@ class StudyCommand {
     how.repeats = options_.quick ? kQuickRepeats : kRepeats;
     const auto world = world_of(finger_folder, world_options, how);
     if (!world) return world.error();
-    const Path kept =
+    const Path saved =
         folder_ / (finger_folder.empty() ? Path("simulated") : finger_folder.filename());
-    if (const Status made = make_folder(kept); !made) return made;
-    auto rows = KeptRows::open(
-        kept / kRowsFile,
+    if (const Status made = make_folder(saved); !made) return made;
+    auto rows = SavedRows::open(
+        saved / kRowsFile,
         fmt::format("{:016x} {} {}", world->checksum, program_version(), how.repeats));
     if (!rows) return rows.error();
     const std::vector<StudyRow> known = rows->rows;
@@ -122,18 +122,18 @@ class StudyCommand {
     if (!finger_folder.empty())
       if (const Status held = hold_against_presses(finger_folder, *study, *rows); !held)
         return held;
-    if (const Status told = tell(*study, how); !told) return told;
-    if (const Status written = write(*study, kept); !written || finger_folder.empty())
+    if (const Status printed = print_study(*study, how); !printed) return printed;
+    if (const Status written = write(*study, saved); !written || finger_folder.empty())
       return written;
     const std::string machine = fmt::format("{}, {} thread{}",
                                             this_machine().processor,
                                             options_.threads,
                                             options_.threads > 1 ? "s" : "");
-    return keep_and_use(options_, *study, finger_folder, machine, console_);
+    return save_and_use(options_, *study, finger_folder, machine, console_);
   }
 
-  /// A finger that keeps no presses, or too few, is not told about; why is said.
-  Status hold_against_presses(const Path& finger_folder, AccuracyStudy& study, KeptRows& rows) {
+  /// A finger without presses, or with too few, gets no result here; the reason is printed.
+  Status hold_against_presses(const Path& finger_folder, AccuracyStudy& study, SavedRows& rows) {
     const auto finger = open_finger(finger_folder, console_);
     if (!finger) return finger.error();
     const auto presses = RealPresses::open(*finger, console_.job());
@@ -159,7 +159,7 @@ class StudyCommand {
     return painted_world(*finger, options, console_.job());
   }
 
-  Status tell(const AccuracyStudy& study, const StudyOptions& how) {
+  Status print_study(const AccuracyStudy& study, const StudyOptions& how) {
     console_.say(fmt::format("{}, {} pictures ({} truth)",
                              study.about,
                              study.rows.front().frames,
@@ -167,30 +167,30 @@ class StudyCommand {
     console_.say(text_of(study));
     Console::Json json = Console::Json::parse(json_of(study).dump());
     const StudyPresets presets = presets_of(study);
-    tell_choice("fast", presets.fast, study, how, json);
-    tell_choice("finest", presets.finest, study, how, json);
+    print_choice("fast", presets.fast, study, how, json);
+    print_choice("finest", presets.finest, study, how, json);
     Status status;
-    if (options_.within_ms)
-      status = tell_limit(fmt::format("within {} ms", *options_.within_ms),
-                          as_good_as_fits(study, *options_.within_ms, options_.place_mm),
-                          study,
-                          how,
-                          json);
-    if (status && options_.keep_mm)
-      status = tell_limit(fmt::format("95 % within {} mm", *options_.keep_mm),
-                          as_fast_as_keeps(study, *options_.keep_mm, options_.place_mm),
-                          study,
-                          how,
-                          json);
+    if (options_.max_time_ms)
+      status = print_limit(fmt::format("within {} ms", *options_.max_time_ms),
+                           most_accurate_within(study, *options_.max_time_ms, options_.position_mm),
+                           study,
+                           how,
+                           json);
+    if (status && options_.max_error_mm)
+      status = print_limit(fmt::format("95 % within {} mm", *options_.max_error_mm),
+                           fastest_within(study, *options_.max_error_mm, options_.position_mm),
+                           study,
+                           how,
+                           json);
     console_.answer()["studies"].push_back(std::move(json));
     return status;
   }
 
-  void tell_choice(const std::string& name,
-                   std::optional<std::size_t> number,
-                   const AccuracyStudy& study,
-                   const StudyOptions& how,
-                   Console::Json& json) {
+  void print_choice(const std::string& name,
+                    std::optional<std::size_t> number,
+                    const AccuracyStudy& study,
+                    const StudyOptions& how,
+                    Console::Json& json) {
     if (!number) return;
     const StudyRow& row = study.rows[*number];
     const std::string flags = flags_of(row.settings, how.base);
@@ -212,26 +212,28 @@ class StudyCommand {
                              {"p95_mm", row.depth->p95_mm},
                              {"loses", in_english(balance.loses)},
                              {"brings", in_english(balance.brings)}};
-    if (row.place_mm) json["choices"][name]["place_mm"] = *row.place_mm;
+    if (row.position_mm) json["choices"][name]["place_mm"] = *row.position_mm;
   }
 
-  Status tell_limit(const std::string& name,
-                    std::optional<std::size_t> number,
-                    const AccuracyStudy& study,
-                    const StudyOptions& how,
-                    Console::Json& json) {
+  Status print_limit(const std::string& name,
+                     std::optional<std::size_t> number,
+                     const AccuracyStudy& study,
+                     const StudyOptions& how,
+                     Console::Json& json) {
     if (!number)
       return Error{en::say("no setting is {}", name),
                    "",
                    en::say("a wider limit; the table above tells what there is")};
-    tell_choice(name, number, study, how, json);
+    print_choice(name, number, study, how, json);
     return {};
   }
 
-  Status write(const AccuracyStudy& study, const Path& kept) {
+  Status write(const AccuracyStudy& study, const Path& saved) {
     if (!options_.folder) return {};
-    return write_study(
-        {json_of(study), csv_of(study), svg_of(study)}, study_provenance(options_), kept, console_);
+    return write_study({json_of(study), csv_of(study), svg_of(study)},
+                       study_provenance(options_),
+                       saved,
+                       console_);
   }
 
   const StudyCommandOptions& options_;
@@ -250,7 +252,7 @@ Status run_study(const StudyCommandOptions& options, Console& console) {
     if (const Status made = make_folder(*options.folder); !made) return made;
     return StudyCommand(options, *options.folder, console).run();
   }
-  const auto passing = PassingFolder::make(en::say("a folder for the study cannot be made"));
+  const auto passing = TemporaryFolder::make(en::say("a folder for the study cannot be made"));
   if (!passing) return passing.error();
   return StudyCommand(options, passing->path(), console).run();
 }
@@ -259,7 +261,7 @@ void add_study(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<StudyCommandOptions>();
   auto folder = std::make_shared<Path>();
   auto limits = std::make_shared<std::pair<double, double>>();
-  auto place_limit = std::make_shared<double>();
+  auto position_limit = std::make_shared<double>();
   CLI::App* command = add_command(program, "study");
   command->add_option("FINGER",
                       options->fingers,
@@ -304,24 +306,24 @@ void add_study(CLI::App& program, Chosen& chosen) {
                                        "Also say what is fastest with 95 % of depth within so much")
                           ->type_name("MM")
                           ->transform(typed_number(1e-6, 100.0));
-  CLI::Option* place =
+  CLI::Option* position_flag =
       command
           ->add_option("--place-mm",
-                       *place_limit,
+                       *position_limit,
                        "With both: how far off places may be told (default: a quarter more than "
                        "now)")
           ->type_name("MM")
           ->transform(typed_number(1e-6, 100.0));
   command->add_option("--seed", options->seed, "Of everything random (default 1)")
       ->type_name("S")
-      ->transform(typed_whole_number(0));
+      ->transform(typed_integer(0));
   add_use_flags(*command, *options);
   add_threads_flag(*command, options->threads);
   command->callback([=, &chosen] {
     if (!output->empty()) options->folder = *folder;
-    if (!within->empty()) options->within_ms = limits->first;
-    if (!keep->empty()) options->keep_mm = limits->second;
-    if (!place->empty()) options->place_mm = *place_limit;
+    if (!within->empty()) options->max_time_ms = limits->first;
+    if (!keep->empty()) options->max_error_mm = limits->second;
+    if (!position_flag->empty()) options->position_mm = *position_limit;
     check_use_flags(*options);
     chosen = [=](Console& console) { return run_study(*options, console); };
   });

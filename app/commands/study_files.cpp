@@ -1,8 +1,8 @@
 #include "app/commands/study_files.h"
 
 #include "app/console/flags.h"
-#include "app/console/passing_folder.h"
-#include "app/pictures/pictures.h"
+#include "app/console/temporary_folder.h"
+#include "app/figures/figures.h"
 #include "calibration/experiments/experiment_bench.h"
 #include "calibration/experiments/simulating_study.h"
 #include "calibration/study/calibrating_study.h"
@@ -20,41 +20,41 @@ namespace alltact {
 namespace {
 
 constexpr int kQuickSceneFrames = 4, kSceneFrames = 12;
-constexpr const char* kUsualScene = "demo_presses";
+constexpr const char* kDefaultScene = "demo_presses";
 
-/// The scene that was named: a file, or a name among the program's own.
+/// The given scene: a file, or a name among the program's own.
 Result<Path> scene_file(const std::vector<Path>& named) {
-  if (named.empty()) return find_resource(fmt::format("scenes/{}.yaml", kUsualScene));
+  if (named.empty()) return find_resource(fmt::format("scenes/{}.yaml", kDefaultScene));
   std::error_code failed;
   if (named.front().extension() == ".yaml" || std::filesystem::exists(named.front(), failed))
     return named.front();
   return find_resource("scenes/" + named.front().string() + ".yaml");
 }
 
-/// The figure, and as PNG and PDF where this computer has what draws them.
+/// The figure, also as PNG and PDF where this computer has the library that draws.
 Status add_figures(const std::string& svg,
                    const Console::Json& provenance,
                    std::vector<ReportFile>& all,
                    Console& console) {
   all.push_back({"study.svg", svg});
-  const auto pictures = load_pictures();
-  if (!pictures) {
-    console.warn(pictures.error().sentence());
+  const auto drawing = load_figures();
+  if (!drawing) {
+    console.warn(drawing.error().sentence());
     return {};
   }
-  auto drawn = (*pictures)->figure_files(svg, "study", provenance.value("date", std::string()));
+  auto drawn = (*drawing)->figure_files(svg, "study", provenance.value("date", std::string()));
   if (!drawn) return drawn.error();
   all.insert(all.end(), drawn->begin(), drawn->end());
   return {};
 }
 
-/// Tells a study and keeps it; `name` is of its folder below the one that was asked for.
+/// Prints a study and stores it; `name` is of its folder below the given one.
 template <class Study>
-Status tell_study(const Study& study,
-                  const std::string& svg,
-                  const std::string& name,
-                  const StudyCommandOptions& options,
-                  Console& console) {
+Status publish_study(const Study& study,
+                     const std::string& svg,
+                     const std::string& name,
+                     const StudyCommandOptions& options,
+                     Console& console) {
   console.say(text_of(study));
   console.answer()["studies"].push_back(Console::Json::parse(json_of(study).dump()));
   if (!options.folder) return {};
@@ -64,7 +64,7 @@ Status tell_study(const Study& study,
       {json_of(study), csv_of(study), svg}, study_provenance(options), folder, console);
 }
 
-/// The demonstration's finger, which measures what it can.
+/// The demonstration's finger, which measures all that a study needs.
 Result<FingerPtr> simulated_finger(const StudyCommandOptions& options,
                                    const Path& folder,
                                    Console& console) {
@@ -122,10 +122,10 @@ Status run_calibrating_study(const StudyCommandOptions& options, Console& consol
     const auto study = study_calibrating(*finger, how, console.job());
     if (!study) return study.error();
     console.say(study->about.english());
-    if (const Status told = tell_study(
+    if (const Status published = publish_study(
             *study, svg_of(*study), folder.filename().string() + "_calibrating", options, console);
-        !told)
-      return told;
+        !published)
+      return published;
   }
   return {};
 }
@@ -137,7 +137,7 @@ Status run_simulating_study(const StudyCommandOptions& options, Console& console
   console.answer()["studies"] = Console::Json::array();
   const auto scene = scene_file(options.fingers);
   if (!scene) return scene.error();
-  const auto passing = PassingFolder::make(en::say("a folder for the study cannot be made"));
+  const auto passing = TemporaryFolder::make(en::say("a folder for the study cannot be made"));
   if (!passing) return passing.error();
   const auto finger = simulated_finger(options, passing->path(), console);
   if (!finger) return finger.error();
@@ -147,7 +147,7 @@ Status run_simulating_study(const StudyCommandOptions& options, Console& console
   const auto study = study_simulating(*scene, *finger, how, console.job());
   if (!study) return study.error();
   console.say(fmt::format("{}, {} pictures (simulated)", study->scene, study->rows.front().frames));
-  return tell_study(*study, svg_of(*study), study->scene + "_simulating", options, console);
+  return publish_study(*study, svg_of(*study), study->scene + "_simulating", options, console);
 }
 
 Status run_scaling_study(const StudyCommandOptions& options, Console& console) {
@@ -160,10 +160,10 @@ Status run_scaling_study(const StudyCommandOptions& options, Console& console) {
   const auto study_one = [&](const FingerPtr& finger, const std::string& name) -> Status {
     const auto study = study_scaling(finger, how, console.job());
     if (!study) return study.error();
-    return tell_study(*study, {}, name + "_scaling", options, console);
+    return publish_study(*study, {}, name + "_scaling", options, console);
   };
   if (options.fingers.empty()) {
-    const auto passing = PassingFolder::make(en::say("a folder for the study cannot be made"));
+    const auto passing = TemporaryFolder::make(en::say("a folder for the study cannot be made"));
     if (!passing) return passing.error();
     const auto finger = simulated_finger(options, passing->path(), console);
     return finger ? study_one(*finger, "simulated") : Status(finger.error());
@@ -171,7 +171,8 @@ Status run_scaling_study(const StudyCommandOptions& options, Console& console) {
   for (const Path& folder : options.fingers) {
     const auto finger = open_finger(folder, console);
     if (!finger) return finger.error();
-    if (Status told = study_one(*finger, folder.filename().string()); !told) return told;
+    if (Status published = study_one(*finger, folder.filename().string()); !published)
+      return published;
   }
   return {};
 }

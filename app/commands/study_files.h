@@ -1,4 +1,4 @@
-// What every study writes and says of itself.
+// Output files of every study.
 #pragma once
 
 #include "app/commands/commands.h"
@@ -19,9 +19,9 @@ struct StudyFiles {
   std::string csv, svg;  ///< svg: empty where there is no figure
 };
 
-/// Writes study.json (with `provenance`), study.csv, study.svg, and study.png and study.pdf where
-/// this computer has what draws them, into the folder, and says so. Error: a file cannot be
-/// written.
+/// Writes study.json (with `provenance`), study.csv and study.svg into the folder, and prints it.
+/// Also study.png and study.pdf where this computer has the library that draws. Error: a file
+/// cannot be written.
 [[nodiscard]] Status write_study(const StudyFiles& files,
                                  const Console::Json& provenance,
                                  const Path& folder,

@@ -34,14 +34,14 @@ Status use(const Path& finger,
   return {};
 }
 
-/// The row that fits a limit, with what was asked for in words.
+/// The row within a limit, with the request as text.
 Result<std::pair<std::size_t, std::string>> row_within(const StudyCommandOptions& options,
                                                        const AccuracyStudy& study) {
   const bool is_time = options.use == kWithin;
-  const auto row = is_time ? as_good_as_fits(study, *options.within_ms, options.place_mm)
-                           : as_fast_as_keeps(study, *options.keep_mm, options.place_mm);
-  const std::string name = is_time ? fmt::format("within {} ms", *options.within_ms)
-                                   : fmt::format("95 % within {} mm", *options.keep_mm);
+  const auto row = is_time ? most_accurate_within(study, *options.max_time_ms, options.position_mm)
+                           : fastest_within(study, *options.max_error_mm, options.position_mm);
+  const std::string name = is_time ? fmt::format("within {} ms", *options.max_time_ms)
+                                   : fmt::format("95 % within {} mm", *options.max_error_mm);
   if (!row)
     return Error{en::say("no setting is {}", name),
                  "",
@@ -72,15 +72,15 @@ void check_use_flags(const StudyCommandOptions& options) {
       (options.calibrating || options.simulating || options.scaling))
     throw CLI::ValidationError(options.save ? "--save" : "--use",
                                "that study tells nothing of what frames are measured with");
-  if (options.use == kWithin && !options.within_ms) throw CLI::RequiredError("--within-ms");
-  if (options.use == kKeep && !options.keep_mm) throw CLI::RequiredError("--keep-mm");
+  if (options.use == kWithin && !options.max_time_ms) throw CLI::RequiredError("--within-ms");
+  if (options.use == kKeep && !options.max_error_mm) throw CLI::RequiredError("--keep-mm");
 }
 
-bool uses_what_is_kept(const StudyCommandOptions& options) {
+bool uses_stored_preset(const StudyCommandOptions& options) {
   return !options.save && !options.use.empty() && options.use != kWithin && options.use != kKeep;
 }
 
-Status use_what_is_kept(const Path& finger, const std::string& name, Console& console) {
+Status use_stored_preset(const Path& finger, const std::string& name, Console& console) {
   if (name == kCalibrated) {
     const auto store = FingerStore::of(finger);
     if (const auto there = store->snapshot(); !there) return there.error();
@@ -94,15 +94,15 @@ Status use_what_is_kept(const Path& finger, const std::string& name, Console& co
   return use(finger, *settings, name, console);
 }
 
-Status keep_and_use(const StudyCommandOptions& options,
+Status save_and_use(const StudyCommandOptions& options,
                     const AccuracyStudy& study,
                     const Path& finger,
                     const std::string& machine,
                     Console& console) {
   if (options.save) {
     const auto store = FingerStore::of(finger);
-    const MeasuringPresets presets = presets_to_keep(study, machine);
-    if (const Status kept = keep_presets(*store, presets); !kept) return kept;
+    const MeasuringPresets presets = presets_to_save(study, machine);
+    if (const Status saved = save_presets(*store, presets); !saved) return saved;
     std::vector<std::string> names;
     for (const MeasuringPreset& preset : presets.presets) names.push_back(preset.name);
     console.say(fmt::format(
@@ -114,7 +114,7 @@ Status keep_and_use(const StudyCommandOptions& options,
     if (!row) return row.error();
     return use(finger, study.rows[row->first].settings, row->second, console);
   }
-  if (options.save && !options.use.empty()) return use_what_is_kept(finger, options.use, console);
+  if (options.save && !options.use.empty()) return use_stored_preset(finger, options.use, console);
   return {};
 }
 

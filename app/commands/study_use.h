@@ -1,4 +1,4 @@
-// What becomes of what a study found: kept with the finger, and measured with from now on.
+// Stores the result of a study with the finger, and sets the settings in use.
 #pragma once
 
 #include "app/commands/commands.h"
@@ -13,21 +13,22 @@ namespace alltact {
 /// `--save` and `--use`.
 void add_use_flags(CLI::App& command, StudyCommandOptions& options);
 
-/// What is asked for makes no sense together. Throws CLI::ValidationError.
+/// Refuses options that do not go together. Throws CLI::ValidationError.
 void check_use_flags(const StudyCommandOptions& options);
 
-/// What is asked for is kept already, so that no study is needed.
-[[nodiscard]] bool uses_what_is_kept(const StudyCommandOptions& options);
+/// The requested preset is stored already, so that no study is needed.
+[[nodiscard]] bool uses_stored_preset(const StudyCommandOptions& options);
 
-/// Lets a finger measure with a preset that it keeps, or as it was calibrated. Errors: those of
+/// Makes a finger measure with one of its stored presets, or as it was calibrated. Errors: those of
 /// preset_settings() and use_settings().
-[[nodiscard]] Status use_what_is_kept(const Path& finger,
-                                      const std::string& name,
-                                      Console& console);
+[[nodiscard]] Status use_stored_preset(const Path& finger,
+                                       const std::string& name,
+                                       Console& console);
 
-/// Keeps and uses what a study of the finger found, as far as the options ask for it. Errors: the
-/// preset brings nothing on this finger; nothing is within the limit; those of keep_presets().
-[[nodiscard]] Status keep_and_use(const StudyCommandOptions& options,
+/// Stores and uses the result of a study of the finger, as far as the options request it. Errors:
+/// the preset has no advantage on this finger; nothing is within the limit; those of
+/// save_presets().
+[[nodiscard]] Status save_and_use(const StudyCommandOptions& options,
                                   const AccuracyStudy& study,
                                   const Path& finger,
                                   const std::string& machine,

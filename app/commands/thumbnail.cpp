@@ -11,14 +11,14 @@
 namespace alltact {
 
 Status run_thumbnail(const ThumbnailOptions& options, Console& console) {
-  const auto picture = thumbnail_of(options.file, options.size_px);
-  if (!picture) return picture.error();
+  const auto image = thumbnail_of(options.file, options.size_px);
+  if (!image) return image.error();
   std::vector<unsigned char> png;
-  cv::imencode(".png", *picture, png);
+  cv::imencode(".png", *image, png);
   const Status written = write_file_atomically(
       options.output, std::string_view(reinterpret_cast<const char*>(png.data()), png.size()));
   if (!written) return written;
-  console.say(fmt::format("{}: {} x {} px", options.output.string(), picture->cols, picture->rows));
+  console.say(fmt::format("{}: {} x {} px", options.output.string(), image->cols, image->rows));
   console.answer()["picture"] = options.output.string();
   return {};
 }
@@ -38,7 +38,7 @@ void add_thumbnail(CLI::App& program, Chosen& chosen) {
       ->add_option(
           "--size", options->size_px, "Of its longer side in pixels (16 to 4096; default 256)")
       ->type_name("PX")
-      ->transform(typed_whole_number(16, 4096));
+      ->transform(typed_integer(16, 4096));
   command->callback([=, &chosen] {
     chosen = [=](Console& console) { return run_thumbnail(*options, console); };
   });

@@ -1,12 +1,12 @@
 #include "app/console/completions.h"
-#include "app/console/option_words.h"
+#include "app/console/option_info.h"
 
 #include <fmt/format.h>
 
 namespace alltact {
 namespace {
 
-/// Behind a command's table: offers what fits what is typed so far.
+/// Appended to a command's table: offers the words that match the typed text.
 constexpr const char* kOffer = R"(
   case $kind in
     words)
@@ -19,8 +19,8 @@ constexpr const char* kOffer = R"(
   esac
 )";
 
-/// `kind=words words='a b'` as the shell is told.
-std::string assignments(const OptionWords& option) {
+/// `kind=words words='a b'` for the shell.
+std::string assignments(const OptionInfo& option) {
   switch (option.kind) {
     case ValueKind::kWords:
       return fmt::format("kind=words words={}{}",
@@ -36,13 +36,13 @@ std::string assignments(const OptionWords& option) {
   return "kind=none";
 }
 
-/// One command's branches: by the flag before the word, by a dash, by place.
-std::string table_of(const CLI::App& command, int first_place) {
-  std::string flags, values, places;
-  std::vector<OptionWords> by_place;
-  for (const OptionWords& option : options_of(command)) {
+/// One command's branches: by the flag before the word, by a dash, by position.
+std::string table_of(const CLI::App& command, int first_position) {
+  std::string flags, values, positions;
+  std::vector<OptionInfo> positional;
+  for (const OptionInfo& option : options_of(command)) {
     if (option.names.empty()) {
-      by_place.push_back(option);
+      positional.push_back(option);
       continue;
     }
     for (const std::string& name : option.names) flags += (flags.empty() ? "" : " ") + name;
@@ -50,21 +50,22 @@ std::string table_of(const CLI::App& command, int first_place) {
       values +=
           fmt::format("        {}) {} ;;\n", fmt::join(option.names, "|"), assignments(option));
   }
-  // What follows the last place belongs to it: pictures, presses, frames.
-  for (std::size_t i = 0; i < by_place.size(); ++i) {
-    const bool is_last = i + 1 == by_place.size();
-    places += fmt::format("          {}) {} ;;\n",
-                          is_last ? "*" : fmt::format("{}", first_place + static_cast<int>(i)),
-                          assignments(by_place[i]));
+  // Words after the last position belong to it: images, presses, frames.
+  for (std::size_t i = 0; i < positional.size(); ++i) {
+    const bool is_last = i + 1 == positional.size();
+    positions +=
+        fmt::format("          {}) {} ;;\n",
+                    is_last ? "*" : fmt::format("{}", first_position + static_cast<int>(i)),
+                    assignments(positional[i]));
   }
-  if (!places.empty())
-    places = fmt::format("        case $COMP_CWORD in\n{}        esac ;;\n", places);
+  if (!positions.empty())
+    positions = fmt::format("        case $COMP_CWORD in\n{}        esac ;;\n", positions);
   return fmt::format(
       "      case $before in\n{}        *) if [[ $word == -* ]]; then kind=words words={}; "
       "else\n{}        fi ;;\n      esac ;;\n",
       values,
       single_quoted(flags),
-      places.empty() ? "          :\n" : places.substr(0, places.size() - 4) + "\n");
+      positions.empty() ? "          :\n" : positions.substr(0, positions.size() - 4) + "\n");
 }
 
 std::string names_of(const std::vector<const CLI::App*>& commands) {
@@ -85,7 +86,7 @@ std::string bash_completions(const CLI::App& program) {
     tables += fmt::format("    {})\n{}", command->get_name(), table_of(*command, 2));
   const std::string own = commands.empty() ? table_of(program, 1) : std::string();
   std::string flags;
-  for (const OptionWords& option : options_of(program))
+  for (const OptionInfo& option : options_of(program))
     for (const std::string& flag : option.names) flags += " " + flag;
   const std::string chosen =
       commands.empty()

@@ -3,7 +3,7 @@
 namespace alltact {
 namespace {
 
-/// Gives the port that is open already, and opens the device anew from then on.
+/// Returns the port that is open already, and opens the device again from then on.
 HidButton::Opener opener(std::unique_ptr<HidPort> port, const std::string& device) {
   auto first = std::make_shared<std::unique_ptr<HidPort>>(std::move(port));
   return [first, device]() -> Result<std::unique_ptr<HidPort>> {

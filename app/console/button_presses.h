@@ -1,4 +1,4 @@
-// A foot pedal or button beside a command that runs: its presses, and what is wrong with it.
+// Presses of a foot pedal or button while a command runs, and its problems.
 #pragma once
 
 #include "app/console/console.h"
@@ -10,16 +10,16 @@
 
 namespace alltact {
 
-/// One thread asks; the presses are heard on another.
+/// One thread asks; the presses arrive on another.
 class ButtonPresses {
  public:
   /// Errors: the device is not there, or may not be used (with the udev rule to install).
   [[nodiscard]] static Result<std::unique_ptr<ButtonPresses>> listen(const LearntButton& button);
 
-  /// True when it was pressed since the last call. Warns once when the device was unplugged, and
-  /// says when it is back; it is waited for.
+  /// True when it was pressed since the last call. Warns once when the device was unplugged, waits
+  /// for it, and reports its return.
   [[nodiscard]] bool taken(Console& console);
-  /// Forgets presses that came before now.
+  /// Drops presses that came before now.
   void forget() { presses_ = 0; }
 
  private:

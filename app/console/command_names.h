@@ -1,4 +1,4 @@
-// What `alltact` can do, told before anything that does it is loaded.
+// The commands of `alltact`, listed without loading their library.
 #pragma once
 
 #include <array>
@@ -44,7 +44,7 @@ inline constexpr std::array kCommands = {
     CommandName{"thumbnail", "A small picture of depth or of a mesh, as file managers show it"},
 };
 
-/// Adds one of kCommands, to be given its options.
+/// Adds one of kCommands, still without its options.
 inline CLI::App* add_command(CLI::App& program, std::string_view name) {
   for (const CommandName& command : kCommands)
     if (name == command.name) return program.add_subcommand(command.name, command.what);
@@ -52,7 +52,7 @@ inline CLI::App* add_command(CLI::App& program, std::string_view name) {
   return nullptr;
 }
 
-/// Name, version and what stands below the help.
+/// Name, version and the text below the help.
 inline void describe(CLI::App& program) {
   program.name("alltact");
   program.description(

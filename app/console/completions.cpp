@@ -16,7 +16,7 @@ Result<std::string> completions(const CLI::App& program, std::string_view shell)
 std::string single_quoted(std::string_view text) {
   std::string quoted(1, '\'');
   for (const char letter : text) {
-    if (letter == '\'') quoted += "'\\'";  // closes and escapes one; the letter itself opens anew
+    if (letter == '\'') quoted += "'\\'";  // closes, escapes one; the letter itself opens again
     quoted += letter;
   }
   return quoted + "'";

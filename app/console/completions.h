@@ -1,5 +1,4 @@
-// What a shell needs to complete a command line, made from the tables that the command line itself
-// is read with.
+// Completion scripts for shells, made from the tables that the command line itself is read with.
 #pragma once
 
 #include "core/result.h"
@@ -14,7 +13,7 @@ namespace alltact {
 /// The script that `shell` (bash, zsh or fish) loads for `program`. Error: another shell.
 [[nodiscard]] Result<std::string> completions(const CLI::App& program, std::string_view shell);
 
-/// Of one shell each; completions() chooses.
+/// For one shell each; completions() chooses.
 [[nodiscard]] std::string bash_completions(const CLI::App& program);
 [[nodiscard]] std::string zsh_completions(const CLI::App& program);
 [[nodiscard]] std::string fish_completions(const CLI::App& program);

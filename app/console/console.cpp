@@ -50,9 +50,8 @@ void Console::say(std::string_view line) {
 
 Status Console::put(std::string_view line) {
   clear_progress();
-  const std::string whole = fmt::format("{}\n", line);
-  if (std::fwrite(whole.data(), 1, whole.size(), stdout) == whole.size() &&
-      std::fflush(stdout) == 0)
+  const std::string text = fmt::format("{}\n", line);
+  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0)
     return {};
   return Error{
       en::say("standard output could not be written"), "", en::say("looking at what reads it")};
@@ -68,7 +67,7 @@ void Console::draw(double fraction, const Message& what) {
   const std::int64_t now = now_ms();
   if (drawn_ && now - last_drawn_ms_ < 100) return;
   const std::string line = fmt::format("{:3.0f} %  {:.70}", 100 * fraction, what);
-  // Padded over the last one with blanks: works on every terminal.
+  // Overwrites the last one and pads with blanks: works on every terminal.
   fmt::print(stderr, "\r{:<{}}", line, drawn_width_);
   std::fflush(stderr);
   drawn_width_ = line.size();

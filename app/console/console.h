@@ -1,5 +1,5 @@
-// What the command line says, and where: results on standard output, errors and progress on
-// standard error, progress only when a person is watching.
+// Output of the command line: results on standard output, errors and progress on standard error,
+// progress only when a person is watching.
 #pragma once
 
 #include "core/job.h"
@@ -30,17 +30,17 @@ class Console {
 
   /// True when the answer is one JSON object.
   [[nodiscard]] bool json() const { return json_; }
-  /// A line of data on standard output, at once. Error: nobody takes it.
+  /// A line of data on standard output, at once. Error: nobody reads it.
   [[nodiscard]] Status put(std::string_view line);
 
   /// The answer for --json; filled by the command, printed by finish().
   [[nodiscard]] Json& answer() { return answer_; }
 
-  /// The work's listener: draws progress when standard error is a terminal. The first Ctrl-C asks
-  /// the work to stop, the second ends the program; so does SIGTERM.
+  /// The work's listener: draws progress when standard error is a terminal. The first Ctrl-C
+  /// requests the work to stop, the second ends the program; so does SIGTERM.
   [[nodiscard]] Job& job() { return job_; }
 
-  /// Prints what is left to say and gives the exit status: 0, or 1 with the error's sentence.
+  /// Prints the rest and returns the exit status: 0, or 1 with the error's sentence.
   [[nodiscard]] int finish(const Status& status);
 
  private:

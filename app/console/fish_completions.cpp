@@ -1,5 +1,5 @@
 #include "app/console/completions.h"
-#include "app/console/option_words.h"
+#include "app/console/option_info.h"
 
 #include <fmt/format.h>
 
@@ -14,8 +14,8 @@ function __alltact_list
 end
 )";
 
-/// What follows the name of an option, or stands for a place.
-std::string values_of(const OptionWords& option) {
+/// The values of an option, or of a positional argument.
+std::string values_of(const OptionInfo& option) {
   switch (option.kind) {
     case ValueKind::kWords:
       return option.is_list
@@ -33,7 +33,7 @@ std::string values_of(const OptionWords& option) {
 
 std::string lines_of(const CLI::App& command, const std::string& begin) {
   std::string lines;
-  for (const OptionWords& option : options_of(command)) {
+  for (const OptionInfo& option : options_of(command)) {
     std::string names;
     for (const std::string& name : option.names)
       names += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);

@@ -27,7 +27,7 @@ std::string help_of(const Setting<S>& setting) {
   return help;
 }
 
-/// Values a person gave for settings of the group S, checked when the command line is read.
+/// Given values for settings of the group S, checked when the command line is read.
 template <class S>
 class SettingFlags {
  public:
@@ -51,12 +51,12 @@ class SettingFlags {
     }
   }
 
-  /// Where a flag was given that would have no effect. Throws CLI::ValidationError.
+  /// Refuses flags that would have no effect. Throws CLI::ValidationError.
   void refuse_all(const std::string& because) const {
     if (!given_->empty()) throw CLI::ValidationError("--" + given_->begin()->first, because);
   }
 
-  /// `base` with everything that was given.
+  /// `base` with all given values.
   [[nodiscard]] S applied_to(S base) const {
     for (const auto& [name, flag] : *given_) {
       [[maybe_unused]] const Status status = flag.first->set(base, flag.second);
@@ -70,13 +70,13 @@ class SettingFlags {
   std::shared_ptr<Given> given_ = std::make_shared<Given>();
 };
 
-/// `--threads` for whatever computes in several; 1 unless said.
+/// `--threads` for commands that compute in several; default 1.
 inline void add_threads_flag(CLI::App& command, int& threads) {
   command
       .add_option(
           "--threads", threads, "The result is the same for any number (1 to 64; default 1)")
       ->type_name("N")
-      ->transform(typed_whole_number(1, 64));
+      ->transform(typed_integer(1, 64));
 }
 
 }  // namespace alltact

@@ -10,7 +10,7 @@
 namespace alltact {
 namespace {
 
-/// Other people's libraries end the program where there is not the memory for them to begin.
+/// Third-party libraries end the program where there is no memory for their start.
 [[noreturn]] void end_without_memory() {
   std::fputs("there is not enough memory. Try: close other programs.\n", stderr);
   ::_exit(1);

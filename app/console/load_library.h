@@ -5,14 +5,14 @@
 
 namespace alltact {
 
-/// A function of a part of this program, or why there is none.
+/// A function of a part of this program, or the reason why there is none.
 struct Loaded {
   void* function = nullptr;
   std::string problem;  ///< the loader's words; empty where there is a function
 };
 
-/// Loads liballtact-NAME.so, beside the program while developing, where cmake installed it once it
-/// is, and looks up `function` in it. A library stays loaded.
+/// Loads liballtact-NAME.so, from next to the program while developing and from its installation
+/// folder otherwise, and looks up `function` in it. A library stays loaded.
 [[nodiscard]] Loaded load_function(const std::string& name, const char* function);
 
 }  // namespace alltact

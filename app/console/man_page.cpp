@@ -1,6 +1,6 @@
 #include "app/console/man_page.h"
 
-#include "app/console/option_words.h"
+#include "app/console/option_info.h"
 
 #include <algorithm>
 #include <cctype>
@@ -13,7 +13,7 @@
 namespace alltact {
 namespace {
 
-/// As it is read: no letter means anything to roff.
+/// Literal text: no letter has a meaning for roff.
 std::string escaped(std::string_view text) {
   std::string result;
   if (text.starts_with('.') || text.starts_with('\'')) result = "\\&";
@@ -50,7 +50,7 @@ std::string lower_first(std::string text) {
 }
 
 /// ".TP", the option in bold with its value slanted, and what it does.
-std::string paragraph_of(const OptionWords& option) {
+std::string paragraph_of(const OptionInfo& option) {
   std::string names;
   for (const std::string& name : option.names)
     names += (names.empty() ? "" : ", ") + fmt::format("\\fB{}\\fR", escaped(name));
@@ -59,33 +59,33 @@ std::string paragraph_of(const OptionWords& option) {
   return fmt::format(".TP\n{}\n{}\n", names, escaped(option.what));
 }
 
-std::string place_of(const OptionWords& option) {
+std::string argument_name(const OptionInfo& option) {
   const std::string name =
       fmt::format("\\fI{}\\fR{}", escaped(option.value), option.is_repeated ? "..." : "");
   return option.is_required ? name : "[" + name + "]";
 }
 
-std::string synopsis_of(const std::string& called, const std::vector<OptionWords>& options) {
+std::string synopsis_of(const std::string& called, const std::vector<OptionInfo>& options) {
   std::string text = fmt::format("\\fB{}\\fR [\\fIoptions\\fR]", escaped(called));
-  for (const OptionWords& option : options)
-    if (option.names.empty()) text += " " + place_of(option);
+  for (const OptionInfo& option : options)
+    if (option.names.empty()) text += " " + argument_name(option);
   return text + "\n";
 }
 
-/// Arguments by place first, then what the help groups under one headline each.
-std::string sections_of(const std::vector<OptionWords>& options) {
-  std::string places, text;
+/// Positional arguments first, then the groups of the help under one headline each.
+std::string sections_of(const std::vector<OptionInfo>& options) {
+  std::string positional, text;
   std::vector<std::string> order;
   std::map<std::string, std::string> groups;
-  for (const OptionWords& option : options) {
+  for (const OptionInfo& option : options) {
     if (option.names.empty()) {
-      places += paragraph_of(option);
+      positional += paragraph_of(option);
       continue;
     }
     if (!groups.contains(option.group)) order.push_back(option.group);
     groups[option.group] += paragraph_of(option);
   }
-  if (!places.empty()) text += ".SH ARGUMENTS\n" + places;
+  if (!positional.empty()) text += ".SH ARGUMENTS\n" + positional;
   for (const std::string& group : order) text += ".SH " + upper(group) + "\n" + groups[group];
   return text;
 }

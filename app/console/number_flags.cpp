@@ -11,7 +11,7 @@
 namespace alltact {
 namespace {
 
-/// The refusal, empty for a number that is taken: then `text` is as CLI11 reads it.
+/// The refusal; empty for an accepted number: then `text` is as CLI11 reads it.
 std::string refusal_of(const Result<std::string>& plain, std::string& text) {
   if (!plain) return plain.error().what.english();
   text = *plain;
@@ -41,7 +41,7 @@ CLI::Validator typed_number(double low, double high) {
 CLI::Validator typed_number(const Quantity& quantity) {
   return CLI::Validator(
       [&quantity](std::string& text) {
-        const NumberWriting writing{DecimalMark::kPoint, std::string(quantity.unit)};
+        const NumberFormat writing{DecimalMark::kPoint, std::string(quantity.unit)};
         std::string refused = refusal_of(plain_number(text, writing), text);
         if (!refused.empty()) return refused;
         const double value = value_of_plain(text);
@@ -53,11 +53,11 @@ CLI::Validator typed_number(const Quantity& quantity) {
       fmt::format("NUMBER from {:g} to {:g}", quantity.possible.low, quantity.possible.high));
 }
 
-CLI::Validator typed_whole_number(std::uint64_t low, std::uint64_t high) {
+CLI::Validator typed_integer(std::uint64_t low, std::uint64_t high) {
   const bool is_bounded = high < std::numeric_limits<std::uint64_t>::max();
   return CLI::Validator(
       [low, high](std::string& text) {
-        std::string refused = refusal_of(plain_whole_number(text), text);
+        std::string refused = refusal_of(plain_integer(text), text);
         if (!refused.empty()) return refused;
         std::uint64_t value = 0;
         const auto read = std::from_chars(text.data(), text.data() + text.size(), value);

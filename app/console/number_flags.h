@@ -1,5 +1,5 @@
-// Numbers behind flags: every one is read by core/typed_number.h. Use as
-// `add_option(...)->transform(typed_number(0.1, 100))`, in place of CLI11's own checks.
+// Numbers of flags: core/typed_number.h parses every one. Use
+// `add_option(...)->transform(typed_number(0.1, 100))` instead of CLI11's own checks.
 #pragma once
 
 #include "core/finger/quantity.h"
@@ -17,10 +17,10 @@ namespace alltact {
 
 /// From `low` to `high`, for any floating-point option.
 [[nodiscard]] CLI::Validator typed_number(double low, double high);
-/// Of a possible value; one that is not plausible is added to number_warnings().
+/// A possible value; one that is not plausible is added to number_warnings().
 [[nodiscard]] CLI::Validator typed_number(const Quantity& quantity);
 /// From `low` to `high`, for any integral option.
-[[nodiscard]] CLI::Validator typed_whole_number(
+[[nodiscard]] CLI::Validator typed_integer(
     std::uint64_t low, std::uint64_t high = std::numeric_limits<std::uint64_t>::max());
 
 /// Of the numbers on the command line that was read last: "--layer-mm: ...".

@@ -1,7 +1,7 @@
-// Options of the command line that say something of single presses.
+// Command-line options that annotate single presses.
 #pragma once
 
-#include "calibration/presses/press_sayings.h"
+#include "calibration/presses/press_note_kinds.h"
 
 #include <memory>
 #include <string>
@@ -15,36 +15,36 @@ namespace alltact {
 
 class PressFlags {
  public:
-  /// All of press_sayings(), or the one of this name.
+  /// All of press_note_kinds(), or the one of this name.
   void add_to(CLI::App& command, std::string_view only = {}) {
-    for (const PressSaying& kind : press_sayings()) {
+    for (const PressNoteKind& kind : press_note_kinds()) {
       if (!only.empty() && only != kind.flag) continue;
       auto texts = std::make_shared<std::vector<std::string>>();
       std::string help = std::string(kind.help) + "; may be given again for another";
-      if (only.empty() && kind.take_back != nullptr)
-        help += std::string(". With --again NAME=") + kind.take_back + " takes it back";
+      if (only.empty() && kind.reset_word != nullptr)
+        help += std::string(". With --again NAME=") + kind.reset_word + " takes it back";
       command.add_option("--" + std::string(kind.flag), *texts, help)
           ->type_name(kind.form)
           ->allow_extra_args(false)
           ->take_all()
           ->check([&kind](const std::string& text) {
             PressSet nothing;
-            const Status said = say_of_press(kind, text, nothing);
-            return said ? std::string() : said.error().what.english();
+            const Status status = set_press_note(kind, text, nothing);
+            return status ? std::string() : status.error().what.english();
           });
-      said_.emplace_back(&kind, std::move(texts));
+      given_.emplace_back(&kind, std::move(texts));
     }
   }
 
-  /// Takes what was said into `presses`.
+  /// Applies the given annotations to `presses`.
   void say(PressSet& presses) const {
-    for (const auto& [kind, texts] : said_)
+    for (const auto& [kind, texts] : given_)
       for (const std::string& text : *texts)
-        [[maybe_unused]] const Status checked = say_of_press(*kind, text, presses);
+        [[maybe_unused]] const Status checked = set_press_note(*kind, text, presses);
   }
 
  private:
-  std::vector<std::pair<const PressSaying*, std::shared_ptr<std::vector<std::string>>>> said_;
+  std::vector<std::pair<const PressNoteKind*, std::shared_ptr<std::vector<std::string>>>> given_;
 };
 
 }  // namespace alltact

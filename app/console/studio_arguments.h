@@ -1,4 +1,4 @@
-// What `alltact-studio` is told when it is started.
+// Command-line arguments of `alltact-studio`.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 #include "app/console/completions.h"
-#include "app/console/option_words.h"
+#include "app/console/option_info.h"
 
 #include <string_view>
 
@@ -17,8 +17,8 @@ std::string escaped(std::string_view text, std::string_view letters) {
   return result;
 }
 
-/// What `_arguments` does where this value is asked for.
-std::string action(const OptionWords& option) {
+/// The action of `_arguments` for this value.
+std::string action(const OptionInfo& option) {
   switch (option.kind) {
     case ValueKind::kWords:
       return option.is_list ? fmt::format("_sequence compadd - {}", fmt::join(option.words, " "))
@@ -33,7 +33,7 @@ std::string action(const OptionWords& option) {
   return " ";
 }
 
-std::string spec_of_flag(const OptionWords& option) {
+std::string spec_of_flag(const OptionInfo& option) {
   // Of several names one is enough, unless it may be given again.
   const bool once = !option.is_repeated;
   const std::string others =
@@ -53,15 +53,15 @@ std::string spec_of_flag(const OptionWords& option) {
 
 std::string arguments_of(const CLI::App& command) {
   std::string specs;
-  int place = 0;
-  for (const OptionWords& option : options_of(command)) {
+  int position = 0;
+  for (const OptionInfo& option : options_of(command)) {
     if (!option.names.empty()) {
       specs += spec_of_flag(option);
       continue;
     }
-    ++place;
+    ++position;
     const std::string where =
-        option.is_repeated ? "*" : fmt::format("{}{}", place, option.is_required ? "" : ":");
+        option.is_repeated ? "*" : fmt::format("{}{}", position, option.is_required ? "" : ":");
     specs += "        " +
              single_quoted(
                  fmt::format("{}:{}:{}", where, escaped(option.value, ":\\"), action(option))) +
@@ -87,7 +87,7 @@ std::string zsh_completions(const CLI::App& program) {
             "\n";
     branches += fmt::format("    {})\n{}      ;;\n", command->get_name(), arguments_of(*command));
   }
-  for (const OptionWords& option : options_of(program)) own += spec_of_flag(option);
+  for (const OptionInfo& option : options_of(program)) own += spec_of_flag(option);
   return fmt::format(
       "{0}{1}() {{\n"
       "  local state line\n"

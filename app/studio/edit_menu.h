@@ -1,4 +1,4 @@
-// The menu Edit: undo and redo, each with what it would take back.
+// The menu Edit: undo and redo, each with the name of its step.
 #pragma once
 
 #include "app/studio/translated_menu.h"
@@ -8,8 +8,8 @@
 
 namespace alltact {
 
-/// A key pressed once too often must not cost a recording: while one runs no step is taken back
-/// that opens another source. Whoever wants one meanwhile chooses it.
+/// An accidental shortcut must not end a recording: while one runs, shortcuts do not undo a step
+/// that opens another source. The menu entry still does.
 class EditMenu : public TranslatedMenu {
   Q_OBJECT
  public:

@@ -1,9 +1,9 @@
 #include "app/studio/finger_menu.h"
 
+#include "widgets/shell/elided_label.h"
 #include "widgets/shell/export_dialog.h"
 #include "widgets/shell/finger_list_dialog.h"
 #include "widgets/shell/new_finger_dialog.h"
-#include "widgets/shell/one_line.h"
 
 #include <QFileDialog>
 
@@ -12,8 +12,8 @@ namespace {
 
 constexpr int kPathRoom = 420;  // px
 
-Status make_described(const NewFinger& wanted) {
-  const auto made = make_finger(wanted);
+Status make_described(const NewFinger& requested) {
+  const auto made = make_finger(requested);
   return made ? Status() : Status(made.error());
 }
 
@@ -54,7 +54,7 @@ void FingerMenu::fill() {
   for (const std::filesystem::path& folder : folders)
     for (QMenu* menu : {recent_, static_cast<QMenu*>(this)}) {
       const QString path = QString::fromStdString(folder.string());
-      QAction* entry = menu->addAction(cut_path(path, fontMetrics(), kPathRoom));
+      QAction* entry = menu->addAction(elided_path(path, fontMetrics(), kPathRoom));
       entry->setToolTip(path);
       connect(entry, &QAction::triggered, this, [this, folder] { work_.open_finger(folder); });
     }

@@ -1,5 +1,5 @@
-// Ways to a finger: the menu of those that were open last, and the dialogs that open, make and
-// export one. No dialog stops what runs.
+// The menu of recently opened fingers, and the dialogs that open, make and export one. No dialog
+// stops running work.
 #pragma once
 
 #include "app/studio/translated_menu.h"
@@ -14,14 +14,14 @@ class FingerMenu : public TranslatedMenu {
   /// `window` has the dialogs.
   FingerMenu(Workspace& work, QWidget* window);
 
-  /// The same as a part of the menu File, with keys.
+  /// The same entries in the menu File, with keys.
   void add_to(TranslatedMenu& file);
   void choose();
-  /// A new one, of which this much is known.
+  /// Makes a new one, with these known values.
   void make(const NewFinger& known = {});
-  /// All of the lab in one list.
+  /// All fingers of the lab in one list.
   void list_all();
-  /// Of the recent ones, those that can be opened: only they are offered.
+  /// The recent ones that can be opened: only they are offered.
   void offer(const std::vector<std::filesystem::path>& found);
 
  private:
@@ -32,7 +32,7 @@ class FingerMenu : public TranslatedMenu {
 
   Workspace& work_;
   QMenu* recent_;
-  std::optional<std::vector<std::filesystem::path>> found_;  // none: nobody has looked yet
+  std::optional<std::vector<std::filesystem::path>> found_;  // nullopt: they are not read yet
 };
 
 }  // namespace alltact

@@ -35,7 +35,7 @@ FingerSummary::FingerSummary(const LiveSession& session, const Workspace& work, 
       session_(session),
       work_(work),
       symbol_(new QLabel),
-      text_(new OneLine),
+      text_(new ElidedLabel),
       due_(new QPushButton) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
@@ -44,16 +44,16 @@ FingerSummary::FingerSummary(const LiveSession& session, const Workspace& work, 
   row->addWidget(due_);
   connect(&work_, &Workspace::finger_changed, this, &FingerSummary::follow);
   connect(&work_, &Workspace::finger_rewritten, this, &FingerSummary::read);
-  connect(&look_, &QTimer::timeout, this, &FingerSummary::read);
-  look_.start(kBetweenLooks_ms);
+  connect(&poll_timer_, &QTimer::timeout, this, &FingerSummary::read);
+  poll_timer_.start(kBetweenLooks_ms);
   connect(due_, &QPushButton::clicked, this, [this] {
     const bool records = card_ && (card_->due == FingerDue::kRecording ||
                                    (card_->due == FingerDue::kRepair && card_->is_recorded));
-    Q_EMIT due_wanted(records ? "record" : "calibrate");
+    Q_EMIT due_requested(records ? "record" : "calibrate");
   });
   say([this] {
     text_->setAccessibleName(tr("What is known of this finger"));
-    tell();
+    show_summary();
   });
 }
 
@@ -61,7 +61,7 @@ void FingerSummary::follow() {
   if (work_.state().finger != read_) {
     card_.reset();
     written_.clear();
-    tell();
+    show_summary();
   }
   read();
 }
@@ -71,7 +71,7 @@ void FingerSummary::read() {
   if (folder.empty()) return;
   const auto known = card_ ? card_->files : std::vector<fs::path>();
   reading_.start([this, folder, known, before = written_](const Job&) {
-    // With other files than those known the next time differs, and reads once more.
+    // With other files than before, the next call differs, and reads once more.
     const std::string written = written_in(folder, known);
     if (written == before) return std::function<void()>([] {});
     auto card = read_finger_card(folder, utc_now());
@@ -80,12 +80,12 @@ void FingerSummary::read() {
       read_ = folder;
       written_ = written;
       card_ = card;
-      tell();
+      show_summary();
     });
   });
 }
 
-void FingerSummary::tell() {
+void FingerSummary::show_summary() {
   setVisible(card_.has_value());
   if (!card_) return;
   const Meaning meaning = headline_of(*card_).meaning;
@@ -102,7 +102,7 @@ void FingerSummary::tell() {
       return due_->setText(card_->is_recorded ? tr("Go to Record") : tr("Go to Calibrate"));
     case FingerDue::kFirstCheck:
     case FingerDue::kCheck:
-    case FingerDue::kLook:
+    case FingerDue::kInspect:
     case FingerDue::kMorePresses:
       return due_->setText(tr("Go to the check"));
     default:
@@ -112,7 +112,7 @@ void FingerSummary::tell() {
 
 void FingerSummary::changeEvent(QEvent* event) {
   Translated::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange) tell();
+  if (event->type() == QEvent::PaletteChange) show_summary();
 }
 
 }  // namespace alltact

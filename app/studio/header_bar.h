@@ -1,5 +1,5 @@
-// The row above every place: which finger and which source are open, with the menus of others, and
-// what is known of the finger.
+// The row above every page: the open finger and the open source with their menus, and the finger's
+// summary.
 #pragma once
 
 #include "app/studio/finger_summary.h"

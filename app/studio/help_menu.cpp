@@ -18,8 +18,8 @@
 
 namespace alltact {
 
-HelpMenu::HelpMenu(std::function<std::string()> place, std::vector<Place*> places, QWidget* window)
-    : TranslatedMenu(window), place_(std::move(place)), places_(std::move(places)) {
+HelpMenu::HelpMenu(std::function<std::string()> page, std::vector<Page*> pages, QWidget* window)
+    : TranslatedMenu(window), page_(std::move(page)), pages_(std::move(pages)) {
   set_title([] { return tr("&Help"); });
   add(
       {QKeySequence::HelpContents},
@@ -35,15 +35,15 @@ HelpMenu::HelpMenu(std::function<std::string()> place, std::vector<Place*> place
 }
 
 void HelpMenu::show_help() {
-  show_page(QString::fromStdString(place_()));
+  show_page(QString::fromStdString(page_()));
 }
 
 void HelpMenu::show_page(const QString& name) {
-  if (!pages_) {
-    pages_ = new HelpWindow(places_, parentWidget());
-    pages_->setAttribute(Qt::WA_DeleteOnClose);
+  if (!help_window_) {
+    help_window_ = new HelpWindow(pages_, parentWidget());
+    help_window_->setAttribute(Qt::WA_DeleteOnClose);
   }
-  pages_->show_page(name);
+  help_window_->show_page(name);
 }
 
 void HelpMenu::choose_guide_file() {
@@ -59,9 +59,9 @@ void HelpMenu::choose_guide_file() {
 }
 
 void HelpMenu::write_guide(const QString& file) {
-  const auto pages = quick_guide_pdf(utc_now());
-  if (!pages) return void(Q_EMIT failed(pages.error()));
-  if (const Status written = write_file_atomically(file.toStdString(), *pages); !written)
+  const auto guide = quick_guide_pdf(utc_now());
+  if (!guide) return void(Q_EMIT failed(guide.error()));
+  if (const Status written = write_file_atomically(file.toStdString(), *guide); !written)
     return void(Q_EMIT failed(written.error()));
   QDesktopServices::openUrl(QUrl::fromLocalFile(file));
 }

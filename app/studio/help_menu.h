@@ -1,5 +1,5 @@
-// The menu Help: the page of the place that is shown, the glossary, a guide to print, and what this
-// program is.
+// The menu Help: the help of the shown page, the glossary, a printable guide, and information about
+// this program.
 #pragma once
 
 #include "app/studio/translated_menu.h"
@@ -12,14 +12,14 @@
 namespace alltact {
 
 class HelpWindow;
-class Place;
+class Page;
 
 class HelpMenu : public TranslatedMenu {
   Q_OBJECT
  public:
-  /// `place` names the place that is shown; `window` has the pages' windows.
-  HelpMenu(std::function<std::string()> place, std::vector<Place*> places, QWidget* window);
-  /// Of the place that is shown.
+  /// `page` returns the name of the shown page; `window` is the parent of the help's window.
+  HelpMenu(std::function<std::string()> page, std::vector<Page*> pages, QWidget* window);
+  /// Help of the shown page.
   void show_help();
 
  Q_SIGNALS:
@@ -31,9 +31,9 @@ class HelpMenu : public TranslatedMenu {
   void write_guide(const QString& file);
   void show_about();
 
-  std::function<std::string()> place_;
-  std::vector<Place*> places_;
-  QPointer<HelpWindow> pages_;
+  std::function<std::string()> page_;
+  std::vector<Page*> pages_;
+  QPointer<HelpWindow> help_window_;
 };
 
 }  // namespace alltact

@@ -14,7 +14,7 @@ QString language_ending() {
   return {};
 }
 
-/// Lines of one paragraph: between letters of Chinese no blank stands for a line's end.
+/// Joins the lines of one paragraph: between Chinese letters without a blank.
 void join(QString& text, const QString& line) {
   const auto is_wide = [](QChar letter) { return letter.unicode() >= 0x2e80; };
   if (!text.isEmpty() && !(is_wide(text.back()) && is_wide(line.front()))) text += QLatin1Char(' ');
@@ -34,7 +34,7 @@ QString help_text(const QString& name) {
 }
 
 HelpLead lead_of(const QString& markdown) {
-  static const QRegularExpression picture(QStringLiteral("^!\\[.*\\]\\(([^)]+)\\)$"));
+  static const QRegularExpression image(QStringLiteral("^!\\[.*\\]\\(([^)]+)\\)$"));
   static const QRegularExpression step(QStringLiteral("^[0-9]+\\. +(.*)$"));
   HelpLead lead;
   bool is_step = false;
@@ -45,16 +45,16 @@ HelpLead lead_of(const QString& markdown) {
     } else if (line.isEmpty()) {
       is_step = false;
       if (!lead.steps.isEmpty()) break;
-    } else if (const auto found = picture.match(line); found.hasMatch()) {
-      lead.picture = found.captured(1);
+    } else if (const auto found = image.match(line); found.hasMatch()) {
+      lead.image = found.captured(1);
     } else if (const auto begun = step.match(line); begun.hasMatch()) {
       lead.steps << begun.captured(1);
       is_step = true;
     } else if (is_step) {
       join(lead.steps.last(), line);
     } else if (line.startsWith(QLatin1Char('#'))) {
-      break;  // what follows is no lead any more
-    } else if (lead.picture.isEmpty()) {
+      break;  // the lead ends here
+    } else if (lead.image.isEmpty()) {
       join(lead.lead, line);
     }
   }

@@ -6,22 +6,22 @@
 
 namespace alltact {
 
-/// ":/alltact/help/NAME_LANGUAGE.md" for the window's language, the English one where there is
+/// ":/alltact/help/NAME_LANGUAGE.md" for the window's language; the English one where there is
 /// none.
 [[nodiscard]] QString help_file(const QString& name);
 /// Its text; empty where there is no such page.
 [[nodiscard]] QString help_text(const QString& name);
 
-/// What stands at the beginning of every place's page.
+/// The beginning of every page's help.
 struct HelpLead {
   QString title;
   QString lead;       ///< the first paragraph, in one line
-  QString picture;    ///< a file beside the page; empty: none
+  QString image;      ///< a file next to the page; empty: none
   QStringList steps;  ///< the numbered list, each entry in one line
 };
 [[nodiscard]] HelpLead lead_of(const QString& markdown);
 
-/// Of a paragraph in Markdown what a label shows: without its marks.
+/// The text of a Markdown paragraph for a label, without its marks.
 [[nodiscard]] QString without_marks(QString markdown);
 
 }  // namespace alltact

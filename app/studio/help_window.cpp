@@ -1,7 +1,7 @@
 #include "app/studio/help_window.h"
 
 #include "app/studio/help_pages.h"
-#include "widgets/places/place.h"
+#include "widgets/pages/page.h"
 
 #include <QHBoxLayout>
 #include <QPushButton>
@@ -15,29 +15,29 @@ const QStringList kFurther{QStringLiteral("glossary"), QStringLiteral("effects")
 
 }  // namespace
 
-HelpWindow::HelpWindow(const std::vector<Place*>& places, QWidget* parent)
+HelpWindow::HelpWindow(const std::vector<Page*>& pages, QWidget* parent)
     : Translated(parent),
-      places_(places),
-      pages_(new QListWidget),
+      pages_(pages),
+      list_(new QListWidget),
       text_(new QTextBrowser),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Close)) {
-  pages_->setFixedWidth(kListWidth);
-  pages_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  list_->setFixedWidth(kListWidth);
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   const auto add = [this](const QString& name) {
-    auto* entry = new QListWidgetItem(pages_);
+    auto* entry = new QListWidgetItem(list_);
     entry->setData(Qt::UserRole, name);
   };
-  for (const Place* place : places_) add(QString::fromStdString(place->name()));
+  for (const Page* page : pages_) add(QString::fromStdString(page->name()));
   for (const QString& name : kFurther) add(name);
   text_->setOpenExternalLinks(true);
-  text_->setSearchPaths({QStringLiteral(":/alltact/help")});  // of the pages' pictures
+  text_->setSearchPaths({QStringLiteral(":/alltact/help")});  // of the pages' images
   auto* row = new QHBoxLayout;
-  row->addWidget(pages_);
+  row->addWidget(list_);
   row->addWidget(text_, 1);
   auto* column = new QVBoxLayout(this);
   column->addLayout(row, 1);
   column->addWidget(buttons_);
-  connect(pages_, &QListWidget::currentRowChanged, this, &HelpWindow::load);
+  connect(list_, &QListWidget::currentRowChanged, this, &HelpWindow::load);
   connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
   resize(980, 720);
   say([this] { name_pages(); });
@@ -45,19 +45,19 @@ HelpWindow::HelpWindow(const std::vector<Place*>& places, QWidget* parent)
 
 void HelpWindow::name_pages() {
   setWindowTitle(tr("Help"));
-  pages_->setAccessibleName(tr("Pages"));
+  list_->setAccessibleName(tr("Pages"));
   text_->setAccessibleName(tr("Help"));
   int row = 0;
-  for (const Place* place : places_) pages_->item(row++)->setText(place->title());
+  for (const Page* page : pages_) list_->item(row++)->setText(page->title());
   for (const QString& words : {tr("Glossary"), tr("Effects of scenes")})
-    pages_->item(row++)->setText(words);
+    list_->item(row++)->setText(words);
   buttons_->button(QDialogButtonBox::Close)->setText(tr("&Close"));
   load();
 }
 
 void HelpWindow::show_page(const QString& name) {
-  for (int row = 0; row < pages_->count(); ++row)
-    if (pages_->item(row)->data(Qt::UserRole).toString() == name) pages_->setCurrentRow(row);
+  for (int row = 0; row < list_->count(); ++row)
+    if (list_->item(row)->data(Qt::UserRole).toString() == name) list_->setCurrentRow(row);
   show();
   raise();
   activateWindow();
@@ -65,9 +65,9 @@ void HelpWindow::show_page(const QString& name) {
 }
 
 void HelpWindow::load() {
-  const QListWidgetItem* page = pages_->currentItem();
-  if (page == nullptr) return;
-  text_->setMarkdown(help_text(page->data(Qt::UserRole).toString()));
+  const QListWidgetItem* item = list_->currentItem();
+  if (item == nullptr) return;
+  text_->setMarkdown(help_text(item->data(Qt::UserRole).toString()));
 }
 
 }  // namespace alltact

@@ -1,4 +1,4 @@
-// The help in a window of its own: the pages in a list, the chosen one beside it.
+// The help in a window of its own: a list of pages and the chosen page.
 #pragma once
 
 #include "widgets/translated.h"
@@ -12,21 +12,21 @@
 
 namespace alltact {
 
-class Place;
+class Page;
 
 class HelpWindow : public Translated<QDialog> {
   Q_OBJECT
  public:
-  HelpWindow(const std::vector<Place*>& places, QWidget* parent);
-  /// A place's, "effects" or "glossary".
+  HelpWindow(const std::vector<Page*>& pages, QWidget* parent);
+  /// The name of a page of the window, "effects" or "glossary".
   void show_page(const QString& name);
 
  private:
   void name_pages();
   void load();
 
-  std::vector<Place*> places_;
-  QListWidget* pages_;  // with the page's name in Qt::UserRole
+  std::vector<Page*> pages_;
+  QListWidget* list_;  // with the page's name in Qt::UserRole
   QTextBrowser* text_;
   QDialogButtonBox* buttons_;
 };

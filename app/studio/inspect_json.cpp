@@ -1,6 +1,6 @@
 #include "app/studio/inspect_json.h"
 
-#include "app/studio/kind_json.h"
+#include "app/studio/lenient_json.h"
 
 #include <cmath>
 
@@ -27,39 +27,39 @@ E enum_of(const Json& json, const char* key, const std::vector<std::string>& wor
   return word == words.end() ? otherwise : static_cast<E>(word - words.begin() + 1);
 }
 
-/// Exactly so many, all finite; else none.
+/// Exactly so many, all finite; else nullopt.
 std::optional<Numbers> numbers_of(const Json& json, const char* key, std::size_t count) {
   const auto numbers = value_or(json, key, Numbers());
-  const bool is_whole =
+  const bool is_complete =
       numbers.size() == count && std::all_of(numbers.begin(), numbers.end(), [](double number) {
         return std::isfinite(number);
       });
-  return is_whole ? std::optional(numbers) : std::nullopt;
+  return is_complete ? std::optional(numbers) : std::nullopt;
 }
 
-std::optional<FacePlace> place_of(const Json& json, const char* key) {
+std::optional<FacePosition> position_of(const Json& json, const char* key) {
   const auto at = numbers_of(json, key, 2);
-  return at ? std::optional(FacePlace{(*at)[0], (*at)[1]}) : std::nullopt;
+  return at ? std::optional(FacePosition{(*at)[0], (*at)[1]}) : std::nullopt;
 }
 
-Comparand comparand_of(const Json& json) {
-  Comparand with{OtherMethod::kPaper};
+ComparisonSpec comparand_of(const Json& json) {
+  ComparisonSpec with{OtherMethod::kPaper};
   if (!json.is_object()) return with;
   with.method = enum_of(json, "method", kComparands, with.method);
   if (with.method == OtherMethod::kNone) with.method = OtherMethod::kPaper;
   with.setting = value_or(json, "setting", std::string());
   with.value = value_or(json, "value", std::string());
   with.frame = value_or(json, "frame", std::size_t{0});
-  const bool is_whole = with.method != OtherMethod::kSetting || !with.setting.empty();
-  return is_whole ? with : Comparand{OtherMethod::kPaper};
+  const bool is_complete = with.method != OtherMethod::kSetting || !with.setting.empty();
+  return is_complete ? with : ComparisonSpec{OtherMethod::kPaper};
 }
 
-std::optional<Look> look_of(const Json& json) {
+std::optional<ViewPose> look_of(const Json& json) {
   const auto n = numbers_of(json, "look", 9);
   if (!n) return std::nullopt;
-  const Look look{
+  const ViewPose look{
       {(*n)[0], (*n)[1], (*n)[2]}, {(*n)[3], (*n)[4], (*n)[5]}, {(*n)[6], (*n)[7], (*n)[8]}};
-  // Nobody looks along "up", or at where the eye is.
+  // A view along "up", or with the target at the eye, is impossible.
   const bool is_possible = (look.at - look.eye).cross(look.up).norm() > 1e-6;
   return is_possible ? std::optional(look) : std::nullopt;
 }
@@ -74,8 +74,8 @@ SceneOptions scene_of(const Json& json) {
   if (top_mm >= 0.05 && top_mm <= 10) scene.top_mm = top_mm;
   const double difference_mm = value_or(json, "difference_top_mm", scene.difference_top_mm);
   if (difference_mm >= 0.01 && difference_mm <= 2) scene.difference_top_mm = difference_mm;
-  const double times = value_or(json, "depth_times", scene.times);
-  if (times >= 1 && times <= 50) scene.times = times;
+  const double exaggeration = value_or(json, "depth_times", scene.exaggeration);
+  if (exaggeration >= 1 && exaggeration <= 50) scene.exaggeration = exaggeration;
   return scene;
 }
 
@@ -91,8 +91,8 @@ Json inspect_to_json(const InspectState& state) {
                       {"recording", options.second->recording.string()}};
   json["shown_as"] = word_of(kShownAs, options.shown_as);
   json["comparison"] = word_of(kComparisons, options.comparison);
-  json["standpoint"] = word_of(kStandpoints, options.standpoint);
-  if (const auto& look = options.look) {
+  json["standpoint"] = word_of(kStandpoints, options.viewpoint);
+  if (const auto& look = options.view_pose) {
     Numbers numbers;
     for (const Eigen::Vector3d& part : {look->eye, look->at, look->up})
       numbers.insert(numbers.end(), part.begin(), part.end());
@@ -108,7 +108,7 @@ Json inspect_to_json(const InspectState& state) {
   json["camera"] = options.scene.camera;
   json["depth_top_mm"] = options.scene.top_mm;
   json["difference_top_mm"] = options.scene.difference_top_mm;
-  json["depth_times"] = options.scene.times;
+  json["depth_times"] = options.scene.exaggeration;
   if (options.a) json["a_mm"] = {options.a->along_mm, options.a->across_mm};
   if (options.b) json["b_mm"] = {options.b->along_mm, options.b->across_mm};
   return json;
@@ -128,12 +128,12 @@ InspectState inspect_from_json(const Json& json) {
   }
   options.shown_as = enum_of(json, "shown_as", kShownAs, options.shown_as);
   options.comparison = enum_of(json, "comparison", kComparisons, options.comparison);
-  options.standpoint = enum_of(json, "standpoint", kStandpoints, options.standpoint);
-  options.look = look_of(json);
+  options.viewpoint = enum_of(json, "standpoint", kStandpoints, options.viewpoint);
+  options.view_pose = look_of(json);
   options.scene = scene_of(json);
   options.with = comparand_of(value_or(json, "with", Json()));
-  options.a = place_of(json, "a_mm");
-  options.b = place_of(json, "b_mm");
+  options.a = position_of(json, "a_mm");
+  options.b = position_of(json, "b_mm");
   return state;
 }
 

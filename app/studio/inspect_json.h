@@ -1,4 +1,4 @@
-// What the place Inspect showed, as a part of the kept session.
+// The state of the page Inspect, as a part of the saved session.
 #pragma once
 
 #include "widgets/inspect/inspect_options.h"
@@ -7,7 +7,7 @@
 
 namespace alltact {
 
-/// What Inspect showed, and the frame of its recording.
+/// The options of Inspect, and the frame of its recording.
 struct InspectState {
   InspectOptions options;
   std::size_t frame = 0;
@@ -15,7 +15,7 @@ struct InspectState {
 };
 
 [[nodiscard]] nlohmann::ordered_json inspect_to_json(const InspectState& state);
-/// Kind: what it does not know is passed over, what is impossible becomes the default.
+/// Lenient: ignores unknown entries; impossible values become defaults.
 [[nodiscard]] InspectState inspect_from_json(const nlohmann::ordered_json& json);
 
 }  // namespace alltact

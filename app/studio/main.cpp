@@ -20,10 +20,10 @@
 
 namespace {
 
-/// Exit status when there is nothing more to do; wrong usage is told in one line.
-std::optional<int> read_arguments(int argc, char** argv, alltact::StudioArguments& wanted) {
+/// Exit status when there is nothing more to do; wrong usage is reported in one line.
+std::optional<int> read_arguments(int argc, char** argv, alltact::StudioArguments& requested) {
   CLI::App program;
-  alltact::describe_studio(program, wanted, alltact::program_version());
+  alltact::describe_studio(program, requested, alltact::program_version());
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -32,16 +32,16 @@ std::optional<int> read_arguments(int argc, char** argv, alltact::StudioArgument
   return std::nullopt;
 }
 
-/// A file that a file manager opens: finger.yaml stands for its folder, anything else for where
-/// pictures come from.
-void sort_files(alltact::StudioArguments& wanted) {
-  const std::filesystem::path named = wanted.finger;
+/// A file from a file manager: finger.yaml stands for its folder, anything else for a source of
+/// frames.
+void sort_files(alltact::StudioArguments& requested) {
+  const std::filesystem::path named = requested.finger;
   std::error_code failed;
   if (!std::filesystem::is_regular_file(named, failed)) return;
   const bool is_finger = named.filename() == alltact::Finger::kFileName;
   const auto folder = named.has_parent_path() ? named.parent_path() : std::filesystem::path(".");
-  if (!is_finger && wanted.source.empty()) wanted.source = wanted.finger;
-  wanted.finger = is_finger ? folder.string() : std::string();
+  if (!is_finger && requested.source.empty()) requested.source = requested.finger;
+  requested.finger = is_finger ? folder.string() : std::string();
 }
 
 bool has_display() {
@@ -53,15 +53,15 @@ bool has_display() {
 
 int main(int argc, char** argv) {
   using namespace alltact;
-  StudioArguments wanted;
-  if (const auto status = read_arguments(argc, argv, wanted)) return *status;
-  sort_files(wanted);
+  StudioArguments requested;
+  if (const auto status = read_arguments(argc, argv, requested)) return *status;
+  sort_files(requested);
   if (!has_display()) {
     std::cerr
         << "There is no display to open a window on. Try: the command line, alltact --help.\n";
     return 1;
   }
-  // Decoders' own messages would stand beside our sentences and say less.
+  // Decoders' own messages would mix with this program's sentences.
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   cv::setNumThreads(1);  // capture, sensing and painting have a thread each already
   VtkView::prepare_application();
@@ -71,23 +71,23 @@ int main(int argc, char** argv) {
   QCoreApplication::setApplicationName(QStringLiteral("alltact-studio"));
   QGuiApplication::setDesktopFileName(QStringLiteral("alltact-studio"));
   QApplication::setStyle(new StudioStyle);
-  Dresser dresser;
+  ProgramAppearance program_appearance;
   {
     const QSettings settings;
     const int theme = settings.value(QStringLiteral("appearance/theme"), 1).toInt();
-    dresser.wear({theme >= 1 && theme <= 4 ? static_cast<Theme>(theme) : Theme::kSystem,
-                  settings.value(QStringLiteral("appearance/language")).toString()});
+    program_appearance.apply({theme >= 1 && theme <= 4 ? static_cast<Theme>(theme) : Theme::kSystem,
+                              settings.value(QStringLiteral("appearance/language")).toString()});
   }
   StudioOptions options;
-  options.finger = wanted.finger;
-  if (!wanted.source.empty()) options.source = {wanted.source};
+  options.finger = requested.finger;
+  if (!requested.source.empty()) options.source = {requested.source};
   options.session_folder =
       QStandardPaths::writableLocation(QStandardPaths::AppDataLocation).toStdString();
   int status = 0;
   {
     const DiskWatch disks(kDiskTimeout, [](const std::filesystem::path&) {});
     options.slow_files = [&disks] { return disks.slow(); };
-    MainWindow window(options, dresser);
+    MainWindow window(options, program_appearance);
     window.show();
     status = QApplication::exec();
   }

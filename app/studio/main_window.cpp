@@ -5,21 +5,21 @@
 #include "app/studio/header_bar.h"
 #include "app/studio/help_menu.h"
 #include "app/studio/menu_keys.h"
-#include "app/studio/place_hint.h"
-#include "app/studio/problem_bar.h"
-#include "app/studio/rail.h"
+#include "app/studio/navigation_bar.h"
+#include "app/studio/notification_bar.h"
+#include "app/studio/page_hint.h"
 #include "app/studio/source_menu.h"
 #include "app/studio/status_line.h"
-#include "app/studio/try_guide.h"
+#include "app/studio/tutorial.h"
 #include "calibration/lens/measure_lens.h"
 #include "calibration/reference/new_reference.h"
 #include "calibration/reference/settings_record.h"
 #include "core/program.h"
-#include "widgets/places/accuracy_place.h"
-#include "widgets/places/calibrate_place.h"
-#include "widgets/places/inspect_place.h"
-#include "widgets/places/live_place.h"
-#include "widgets/places/record_place.h"
+#include "widgets/pages/accuracy_page.h"
+#include "widgets/pages/calibrate_page.h"
+#include "widgets/pages/inspect_page.h"
+#include "widgets/pages/live_page.h"
+#include "widgets/pages/record_page.h"
 #include "widgets/shell/icons.h"
 
 #include <QCloseEvent>
@@ -36,48 +36,49 @@ Result<ReferenceReport> install(const std::filesystem::path& folder,
                                 const std::filesystem::path& video,
                                 const ReferenceChoices& choices,
                                 const Job& job) {
-  return give_reference(folder, {video}, job, choices);
+  return set_reference(folder, {video}, job, choices);
 }
 
-Result<LensMeasured> measure(const LensWanted& wanted, const Job& job) {
-  const auto done = measure_lens({wanted.pictures}, wanted.board, wanted.settings, job);
+Result<LensResult> measure(const LensRequest& requested, const Job& job) {
+  const auto done = measure_lens({requested.images}, requested.board, requested.settings, job);
   if (!done) return done.error();
   CameraParameters camera = done->fit.lens;
-  camera.port = wanted.port;
-  const Status saved = save_camera(wanted.camera, camera, lens_record(wanted.board, *done));
+  camera.port = requested.port;
+  const Status saved = save_camera(requested.camera, camera, lens_record(requested.board, *done));
   if (!saved) return saved.error();
-  return LensMeasured{done->verdict.sentence, done->views, done->coverage.advice};
+  return LensResult{done->verdict.sentence, done->views, done->coverage.advice};
 }
 
 }  // namespace
 
-MainWindow::MainWindow(const StudioOptions& options, Dresser& dresser)
-    : dresser_(dresser),
-      keeper_(options.session_folder),
+MainWindow::MainWindow(const StudioOptions& options, ProgramAppearance& program_appearance)
+    : program_appearance_(program_appearance),
+      session_store_(options.session_folder),
       session_(options.opener),
-      work_(session_, undo_, keeper_.last()),
+      work_(session_, undo_, session_store_.last()),
       finder_(options.lister),
       pedal_(options.pedal),
-      live_(new LivePlace(session_, undo_)),
-      inspect_(new InspectPlace(session_, undo_)),
+      live_(new LivePage(session_, undo_)),
+      inspect_(new InspectPage(session_, undo_)),
       finger_menu_(new FingerMenu(work_, this)),
       source_menu_(new SourceMenu(work_, finder_, this)),
       stack_(new QStackedWidget) {
   setWindowIcon(QIcon(symbol(QStringLiteral("alltact"), Qt::black, 64, 1)));
-  make_places(options);
-  rail_ = new Rail(places_);
-  problems_ = new ProblemBar(session_, keeper_, pedal_, work_, places_, options.slow_files);
+  make_pages(options);
+  navigation_ = new NavigationBar(pages_);
+  problems_ =
+      new NotificationBar(session_, session_store_, pedal_, work_, pages_, options.slow_files);
   make_menus();
   put_together();
-  for (Place* place : places_) connect_place(*place);
+  for (Page* page : pages_) connect_page(*page);
   connect_live();
   connect_start();
   connect_pedal();
-  connect(rail_, &Rail::chosen, this, &MainWindow::go_to);
-  connect(problems_, &ProblemBar::go_on_wanted, this, &MainWindow::go_on_with_last);
+  connect(navigation_, &NavigationBar::chosen, this, &MainWindow::go_to);
+  connect(problems_, &NotificationBar::continue_requested, this, &MainWindow::go_on_with_last);
   connect(&work_, &Workspace::changed, this, &MainWindow::keep);
-  connect(source_menu_, &SourceMenu::failed, problems_, &ProblemBar::tell);
-  if (keeper_.last()) live_->set_options(keeper_.last()->view);
+  connect(source_menu_, &SourceMenu::failed, problems_, &NotificationBar::show_error);
+  if (session_store_.last()) live_->set_options(session_store_.last()->view);
   say([this] {
     setWindowTitle(tr("AllTact Studio"));
     name_last();
@@ -88,55 +89,55 @@ MainWindow::MainWindow(const StudioOptions& options, Dresser& dresser)
 }
 
 MainWindow::~MainWindow() {
-  // A field that is left tells of it: now, while those live who listen.
+  // A field that loses the focus emits its value: now, while its listeners live.
   if (QWidget* focused = focusWidget()) focused->clearFocus();
   problems_->set_problems({});
 }
 
-/// The table of places: whatever shows or lists them goes over it.
-void MainWindow::make_places(const StudioOptions& options) {
+/// The table of pages: all code that shows or lists them loops over it.
+void MainWindow::make_pages(const StudioOptions& options) {
   auto* calibrate =
-      new CalibratePlace(session_, undo_, {measure, options.session_folder, program_version()});
-  auto* accuracy = new AccuracyPlace(session_, undo_, program_version());
-  places_ = {live_, calibrate, new RecordPlace(session_, install), inspect_, accuracy};
-  guide_ = new TryGuide(session_, work_, *calibrate, options.session_folder);
-  hint_ = new PlaceHint(*guide_);
+      new CalibratePage(session_, undo_, {measure, options.session_folder, program_version()});
+  auto* accuracy = new AccuracyPage(session_, undo_, program_version());
+  pages_ = {live_, calibrate, new RecordPage(session_, install), inspect_, accuracy};
+  guide_ = new Tutorial(session_, work_, *calibrate, options.session_folder);
+  hint_ = new PageHint(*guide_);
 }
 
 void MainWindow::put_together() {
-  for (Place* place : places_) stack_->addWidget(place);
+  for (Page* page : pages_) stack_->addWidget(page);
   auto* content = new QWidget;
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(10, 8, 10, 4);
   auto* header = new HeaderBar(session_, work_, *finger_menu_, *source_menu_);
-  connect(&header->summary(), &FingerSummary::due_wanted, this, &MainWindow::lead_to);
+  connect(&header->summary(), &FingerSummary::due_requested, this, &MainWindow::lead_to);
   column->addWidget(header);
   column->addWidget(problems_);
   column->addWidget(guide_);
   column->addWidget(hint_);
   column->addWidget(stack_, 1);
-  auto* whole = new QWidget;
-  auto* row = new QHBoxLayout(whole);
+  auto* centre = new QWidget;
+  auto* row = new QHBoxLayout(centre);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
-  row->addWidget(rail_);
-  row->addWidget(content, 1);
-  setCentralWidget(whole);
+  row->addWidget(navigation_);
+  row->addWidget(centre, 1);
+  setCentralWidget(centre);
   setStatusBar(new StatusLine(session_));
 }
 
-void MainWindow::connect_place(Place& place) {
-  connect(&place, &Place::changed, this, &MainWindow::keep);
-  connect(&place, &Place::place_wanted, this, &MainWindow::go_to);
-  connect(&place, &Place::lead_wanted, this, &MainWindow::lead_to);
-  connect(&place, &Place::open_finger_wanted, finger_menu_, &FingerMenu::choose);
-  connect(&place, &Place::new_finger_wanted, finger_menu_, &FingerMenu::make);
-  connect(&work_, &Workspace::finger_rewritten, &place, &Place::reload);
+void MainWindow::connect_page(Page& page) {
+  connect(&page, &Page::changed, this, &MainWindow::keep);
+  connect(&page, &Page::page_requested, this, &MainWindow::go_to);
+  connect(&page, &Page::lead_requested, this, &MainWindow::lead_to);
+  connect(&page, &Page::open_finger_requested, finger_menu_, &FingerMenu::choose);
+  connect(&page, &Page::new_finger_requested, finger_menu_, &FingerMenu::make);
+  connect(&work_, &Workspace::finger_rewritten, &page, &Page::reload);
 }
 
 void MainWindow::connect_live() {
-  connect(live_, &LivePlace::control_set, &work_, &Workspace::keep_control);
-  connect(live_, &LivePlace::lock_set, &work_, &Workspace::keep_lock);
+  connect(live_, &LivePage::control_set, &work_, &Workspace::store_control);
+  connect(live_, &LivePage::lock_set, &work_, &Workspace::store_lock);
   connect(&work_, &Workspace::source_changed, live_, [this] {
     live_->show_start(work_.state().source.empty());
     show_hint();
@@ -148,25 +149,25 @@ void MainWindow::connect_start() {
   connect(&finder_, &CameraFinder::cameras_changed, live_, [this] {
     live_->set_cameras(finder_.cameras());
   });
-  connect(start, &StartPanel::last_wanted, this, &MainWindow::go_on_with_last);
-  connect(start, &StartPanel::camera_wanted, this, [this](const QString& name) {
+  connect(start, &StartPanel::last_requested, this, &MainWindow::go_on_with_last);
+  connect(start, &StartPanel::camera_requested, this, [this](const QString& name) {
     open_source({name.toStdString()});
   });
-  connect(start, &StartPanel::simulated_wanted, source_menu_, &SourceMenu::open_simulated);
-  connect(start, &StartPanel::all_fingers_wanted, finger_menu_, &FingerMenu::list_all);
-  connect(start, &StartPanel::try_wanted, this, [this] {
+  connect(start, &StartPanel::simulation_requested, source_menu_, &SourceMenu::open_simulated);
+  connect(start, &StartPanel::all_fingers_requested, finger_menu_, &FingerMenu::list_all);
+  connect(start, &StartPanel::tutorial_requested, this, [this] {
     if (!work_.state().finger.empty()) work_.open_finger({});
     source_menu_->open_simulated_day();
     guide_->begin();
   });
-  connect(start, &StartPanel::video_wanted, source_menu_, &SourceMenu::choose_video);
-  connect(start, &StartPanel::folder_wanted, source_menu_, &SourceMenu::choose_folder);
-  connect(guide_, &TryGuide::place_wanted, this, &MainWindow::lead_to);
-  connect(guide_, &TryGuide::failed, problems_, &ProblemBar::tell);
+  connect(start, &StartPanel::video_requested, source_menu_, &SourceMenu::choose_video);
+  connect(start, &StartPanel::folder_requested, source_menu_, &SourceMenu::choose_folder);
+  connect(guide_, &Tutorial::page_requested, this, &MainWindow::lead_to);
+  connect(guide_, &Tutorial::failed, problems_, &NotificationBar::show_error);
   FingerCards* cards = &start->cards();
   connect(cards, &FingerCards::found, finger_menu_, &FingerMenu::offer);
   connect(cards, &FingerCards::finger_chosen, this, [this](const QString& folder) {
-    const auto& last = keeper_.last();
+    const auto& last = session_store_.last();
     if (last && last->finger == folder.toStdString() && !last->source.empty())
       go_on_with_last();  // its source is known too
     else
@@ -179,9 +180,9 @@ void MainWindow::connect_start() {
 
 void MainWindow::connect_pedal() {
   static const QString key = QStringLiteral("pedal/button");
-  connect(&pedal_, &Pedal::pressed, this, [this] { shown_place().press_pedal(); });
-  if (const auto kept = LearntButton::parse(QSettings().value(key).toString().toStdString()))
-    pedal_.listen(*kept);
+  connect(&pedal_, &Pedal::pressed, this, [this] { shown_page().press_pedal(); });
+  if (const auto stored = LearntButton::parse(QSettings().value(key).toString().toStdString()))
+    pedal_.listen(*stored);
   connect(&pedal_, &Pedal::changed, this, [this] {
     const auto& button = pedal_.button();
     if (!pedal_.is_learning())
@@ -193,9 +194,9 @@ void MainWindow::make_menus() {
   make_file_menu();
   menuBar()->addMenu(new EditMenu(undo_, session_, this));
   make_view_menu();
-  auto* help = new HelpMenu([this] { return shown_place().name(); }, places_, this);
-  connect(hint_, &PlaceHint::help_wanted, help, &HelpMenu::show_help);
-  connect(help, &HelpMenu::failed, problems_, &ProblemBar::tell);
+  auto* help = new HelpMenu([this] { return shown_page().name(); }, pages_, this);
+  connect(hint_, &PageHint::help_requested, help, &HelpMenu::show_help);
+  connect(help, &HelpMenu::failed, problems_, &NotificationBar::show_error);
   menuBar()->addMenu(help);
   new MenuKeys(*menuBar(), *this);
 }
@@ -217,13 +218,13 @@ void MainWindow::make_file_menu() {
 void MainWindow::make_view_menu() {
   auto* menu = new TranslatedMenu(this);
   menu->set_title([] { return tr("&View"); });
-  for (std::size_t i = 0; i < places_.size(); ++i) {
-    const Place* place = places_[i];
+  for (std::size_t i = 0; i < pages_.size(); ++i) {
+    const Page* page = pages_[i];
     const auto key = static_cast<Qt::Key>(Qt::Key_1 + static_cast<int>(i));
     menu->add(
         {Qt::CTRL | key},
-        [place] { return place->menu_text(); },
-        [this, place] { go_to(place->name()); });
+        [page] { return page->menu_text(); },
+        [this, page] { go_to(page->name()); });
   }
   menu->addSeparator();
   menu->add(
@@ -234,10 +235,10 @@ void MainWindow::make_view_menu() {
 }
 
 void MainWindow::show_settings() {
-  auto* dialog = new SettingsDialog(dresser_.appearance(), &pedal_, this);
+  auto* dialog = new SettingsDialog(program_appearance_.appearance(), &pedal_, this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &SettingsDialog::appearance_chosen, this, [this](const Appearance& chosen) {
-    dresser_.wear(chosen);
+    program_appearance_.apply(chosen);
     QSettings settings;
     settings.setValue(QStringLiteral("appearance/theme"), static_cast<int>(chosen.theme));
     settings.setValue(QStringLiteral("appearance/language"), chosen.language);
@@ -245,38 +246,38 @@ void MainWindow::show_settings() {
   dialog->show();
 }
 
-Place& MainWindow::shown_place() const {
-  return *places_[static_cast<std::size_t>(stack_->currentIndex())];
+Page& MainWindow::shown_page() const {
+  return *pages_[static_cast<std::size_t>(stack_->currentIndex())];
 }
 
 void MainWindow::go_to(const std::string& name) {
   const auto found = std::find_if(
-      places_.begin(), places_.end(), [&](const Place* place) { return place->name() == name; });
-  const auto index = found == places_.end() ? 0 : found - places_.begin();
+      pages_.begin(), pages_.end(), [&](const Page* page) { return page->name() == name; });
+  const auto index = found == pages_.end() ? 0 : found - pages_.begin();
   stack_->setCurrentIndex(static_cast<int>(index));
-  rail_->mark(static_cast<std::size_t>(index));
-  guide_->set_place(shown_place().name());
+  navigation_->mark(static_cast<std::size_t>(index));
+  guide_->set_page(shown_page().name());
   show_hint();
   problems_->follow();
   keep();
 }
 
-void MainWindow::lead_to(const std::string& place) {
-  go_to(place);
-  shown_place().begin_with_next();
+void MainWindow::lead_to(const std::string& page) {
+  go_to(page);
+  shown_page().begin_next_step();
 }
 
 void MainWindow::show_hint() {
-  const bool is_first_page = &shown_place() == live_ && work_.state().source.empty();
-  hint_->show_for(is_first_page ? std::string() : shown_place().name());
+  const bool is_first_page = &shown_page() == live_ && work_.state().source.empty();
+  hint_->show_for(is_first_page ? std::string() : shown_page().name());
 }
 
 void MainWindow::keep() {
   SessionState state = work_.state();
-  state.place = shown_place().name();
+  state.page = shown_page().name();
   state.view = live_->options();
   state.inspect = {inspect_->options(), inspect_->frame_number()};
-  keeper_.keep(state);
+  session_store_.keep(state);
 }
 
 void MainWindow::restore(const SessionState& state) {
@@ -289,16 +290,16 @@ void MainWindow::restore(const SessionState& state) {
     inspect_->restore(state.inspect.options, state.inspect.frame);
     undo_.endMacro();
   }
-  go_to(state.place);
+  go_to(state.page);
 }
 
 void MainWindow::go_on_with_last() {
   problems_->forget_crash();
-  if (keeper_.last()) restore(*keeper_.last());
+  if (session_store_.last()) restore(*session_store_.last());
 }
 
 void MainWindow::name_last() {
-  const auto& last = keeper_.last();
+  const auto& last = session_store_.last();
   QStringList what;
   if (last && !last->finger.empty()) what << tr("finger %1").arg(short_name(last->finger));
   if (last && !last->source.empty()) what << tr("source %1").arg(short_name(last->source.front()));

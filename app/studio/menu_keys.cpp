@@ -25,7 +25,7 @@ bool MenuKeys::eventFilter(QObject* watched, QEvent* event) {
   if (widget == nullptr || widget->window() != &window_) return false;
   QAction* menu = menu_of(static_cast<const QKeyEvent&>(*event));
   if (menu == nullptr) return false;
-  // Taken as a key, it is offered to no shortcut any more.
+  // An accepted key reaches no shortcut any more.
   event->accept();
   if (event->type() == QEvent::KeyPress) menus_.setActiveAction(menu);
   return true;

@@ -1,5 +1,5 @@
-// Alt and a menu's letter opens that menu wherever one is. A place may have a button or a label
-// with the same letter, in any language; Qt would then only move the focus from one to the other.
+// Alt and a menu's letter opens that menu everywhere. A page may have a button or a label with the
+// same letter, in any language; Qt would then only move the focus from one to the other.
 #pragma once
 
 #include <QMenuBar>

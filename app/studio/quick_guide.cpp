@@ -23,13 +23,13 @@ namespace {
 const char* const kGuided[] = {"live", "record", "calibrate", "inspect", "accuracy"};
 constexpr int kColumns = 2, kPages = 2;
 constexpr double kLargest_pt = 12, kSmallest_pt = 6.5, kStep_pt = 0.25;
-constexpr double kMm = 1 / 25.4 * 96;  // px: the document is laid out at 96 to the inch
+constexpr double kMm = 1 / 25.4 * 96;  // px: the document has 96 to the inch
 constexpr double kMargin = 12 * kMm, kBetween = 7 * kMm, kHead = 14 * kMm, kFoot = 8 * kMm;
 const QSizeF kPaper(210 * kMm, 297 * kMm);
 const QSizeF kColumn((kPaper.width() - 2 * kMargin - kBetween) / kColumns,
                      kPaper.height() - 2 * kMargin - kHead - kFoot);
 
-/// Paper leads nowhere: links become plain words.
+/// Paper has no links: they become plain words.
 QString html_of(QString markdown) {
   static const QRegularExpression link(QStringLiteral("\\[([^\\]]*)\\]\\([^)]*\\)"));
   QTextDocument document;
@@ -40,7 +40,7 @@ QString html_of(QString markdown) {
   return begin < 0 || end < begin ? QString() : html.mid(begin, end - begin);
 }
 
-/// Without the lengths and letters that toHtml() wrote down.
+/// Without the lengths and fonts that toHtml() wrote.
 QString plain_html(const QString& markdown) {
   QString html = html_of(markdown);
   html.remove(
@@ -51,13 +51,13 @@ QString plain_html(const QString& markdown) {
 
 QString body_of_guide() {
   QString body;
-  for (const char* place : kGuided) {
-    const HelpLead lead = lead_of(help_text(QLatin1String(place)));
+  for (const char* page_name : kGuided) {
+    const HelpLead lead = lead_of(help_text(QLatin1String(page_name)));
     body += QStringLiteral("<h2>%1</h2><p>%2</p>")
                 .arg(lead.title.toHtmlEscaped(), plain_html(lead.lead));
-    if (!lead.picture.isEmpty())
+    if (!lead.image.isEmpty())
       body += QStringLiteral("<p class=\"figure\"><img src=\"%1\" width=\"%2\"/></p>")
-                  .arg(lead.picture)
+                  .arg(lead.image)
                   .arg(static_cast<int>(kColumn.width()));
     body += QLatin1String("<ol>");
     for (const QString& step : lead.steps)
@@ -67,8 +67,8 @@ QString body_of_guide() {
   return body;
 }
 
-/// In letters of that size; how many columns it takes.
-int lay_out(QTextDocument& document, const QString& body, double size_pt) {
+/// In letters of that size; returns the number of columns.
+int layout_columns(QTextDocument& document, const QString& body, double size_pt) {
   document.setDefaultStyleSheet(
       QStringLiteral(
           "body { font-family: 'DejaVu Sans', sans-serif; font-size: %1pt; color: #16191d; }"
@@ -85,9 +85,9 @@ int lay_out(QTextDocument& document, const QString& body, double size_pt) {
   return document.pageCount();
 }
 
-void add_pictures(QTextDocument& document) {
-  for (const char* place : kGuided) {
-    const QString name = lead_of(help_text(QLatin1String(place))).picture;
+void add_images(QTextDocument& document) {
+  for (const char* page_name : kGuided) {
+    const QString name = lead_of(help_text(QLatin1String(page_name))).image;
     document.addResource(QTextDocument::ImageResource,
                          QUrl(name),
                          QImage(QStringLiteral(":/alltact/help/%1").arg(name)));
@@ -131,9 +131,9 @@ void draw_page(QPainter& painter, QTextDocument& document, int page) {
 Result<std::string> quick_guide_pdf(const std::string& date) {
   const QString body = body_of_guide();
   QTextDocument document;
-  add_pictures(document);
+  add_images(document);
   double size_pt = kLargest_pt;
-  while (lay_out(document, body, size_pt) > kColumns * kPages && size_pt > kSmallest_pt)
+  while (layout_columns(document, body, size_pt) > kColumns * kPages && size_pt > kSmallest_pt)
     size_pt -= kStep_pt;
   if (document.pageCount() > kColumns * kPages)
     return Error{en::say("the quick guide's texts do not fit on {} pages", kPages),
@@ -142,7 +142,7 @@ Result<std::string> quick_guide_pdf(const std::string& date) {
   QByteArray bytes;
   QBuffer buffer(&bytes);
   buffer.open(QIODevice::WriteOnly);
-  // Qt writes fonts in the order of a hash, which else differs from run to run.
+  // Qt writes fonts in the order of a hash, which otherwise differs from run to run.
   QHashSeed::setDeterministicGlobalSeed();
   {
     QPdfWriter writer(&buffer);

@@ -1,6 +1,6 @@
 #include "app/studio/session_file.h"
 
-#include "app/studio/kind_json.h"
+#include "app/studio/lenient_json.h"
 
 #include <algorithm>
 
@@ -53,7 +53,7 @@ std::string session_to_json(const SessionState& state) {
   json["format"] = kSessionFormat;
   json["finger"] = state.finger.string();
   json["source"] = texts_of(state.source);
-  json["place"] = state.place;
+  json["place"] = state.page;
   json["view"] = {{"edges", state.view.edges},
                   {"markers", state.view.markers},
                   {"direction", state.view.direction},
@@ -79,7 +79,7 @@ Result<SessionState> session_from_json(const std::string& text, const std::strin
   SessionState state;
   state.finger = value_or(json, "finger", std::string());
   state.source = paths_of(json, "source");
-  state.place = value_or(json, "place", state.place);
+  state.page = value_or(json, "place", state.page);
   state.view = view_of(value_or(json, "view", Json::object()));
   state.inspect = inspect_from_json(value_or(json, "inspect", Json::object()));
   state.is_locked = value_or(json, "locked", true);
@@ -88,8 +88,8 @@ Result<SessionState> session_from_json(const std::string& text, const std::strin
     for (const auto& [camera, values] : controls.items())
       state.controls[camera] = controls_of(values);
   state.recent_fingers = paths_of(json, "recent_fingers");
-  if (state.recent_fingers.size() > kMostRecentFingers)
-    state.recent_fingers.resize(kMostRecentFingers);
+  if (state.recent_fingers.size() > kMaxRecentFingers)
+    state.recent_fingers.resize(kMaxRecentFingers);
   return state;
 }
 

@@ -1,4 +1,4 @@
-// What was worked on, as it is kept between two days and over a crash.
+// The session as it is saved between two days and over a crash.
 #pragma once
 
 #include "app/studio/inspect_json.h"
@@ -15,23 +15,23 @@ namespace alltact {
 
 struct SessionState {
   std::filesystem::path finger;               ///< folder; empty for none
-  std::vector<std::filesystem::path> source;  ///< what opens it; empty for none
-  std::string place = "live";                 ///< its name, also one of a later version
+  std::vector<std::filesystem::path> source;  ///< paths that open it; empty for none
+  std::string page = "live";                  ///< its name, also one of a later version
   ViewOptions view;
   InspectState inspect;
   bool is_locked = true;
-  /// What was set by hand, by the camera's lasting name.
+  /// Values set by hand, by the camera's persistent name.
   std::map<std::string, std::vector<ControlValue>> controls;
-  std::vector<std::filesystem::path> recent_fingers;  ///< latest first, at most kMostRecentFingers
+  std::vector<std::filesystem::path> recent_fingers;  ///< latest first, at most kMaxRecentFingers
   bool operator==(const SessionState&) const = default;
 };
 
-inline constexpr std::size_t kMostRecentFingers = 10;
+inline constexpr std::size_t kMaxRecentFingers = 10;
 inline constexpr const char* kSessionFormat = "alltact-session/1";
 
 [[nodiscard]] std::string session_to_json(const SessionState& state);
-/// Kind: keys it does not know are passed over, values out of range become defaults. Errors: no
-/// JSON, or not a session of this format.
+/// Lenient: ignores unknown keys; values out of range become defaults. Errors: no JSON, or not a
+/// session of this format.
 [[nodiscard]] Result<SessionState> session_from_json(const std::string& text,
                                                      const std::string& origin);
 

@@ -16,7 +16,7 @@ SourceMenu::SourceMenu(Workspace& work, const CameraFinder& finder, QWidget* win
 void SourceMenu::fill() {
   clear();
   for (const FoundCamera& camera : finder_.cameras()) {
-    const std::string name = camera.identity.lasting();
+    const std::string name = camera.identity.stable_name();
     QAction* entry = addAction(tr("Camera %1").arg(QString::fromStdString(camera.identity.name)));
     entry->setToolTip(QString::fromStdString(name));
     entry->setEnabled(!camera.problem);

@@ -1,5 +1,4 @@
-// Ways to a source of pictures: the menu of cameras and other kinds, and the dialogs behind it. No
-// dialog stops what runs.
+// The menu of cameras and other sources of frames, and its dialogs. No dialog stops running work.
 #pragma once
 
 #include "app/studio/workspace.h"
@@ -18,7 +17,7 @@ class SourceMenu : public Translated<QMenu> {
   SourceMenu(Workspace& work, const CameraFinder& finder, QWidget* window);
 
   void open_simulated();
-  /// A whole day: it is bent to be recorded, then pressed and held still.
+  /// A full day: the finger is bent to be recorded, then pressed and held still.
   void open_simulated_day();
   void choose_video();
   void choose_folder();

@@ -1,4 +1,4 @@
-// The line below every place: how the pictures of the open source come.
+// The line below every page: delivered, lost and delayed frames of the open source.
 #pragma once
 
 #include "widgets/live/live_session.h"

@@ -1,4 +1,4 @@
-// A menu that says its title and its entries anew when the language changes.
+// A menu whose title and entries follow the language.
 #pragma once
 
 #include "widgets/translated.h"

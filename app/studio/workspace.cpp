@@ -10,7 +10,7 @@ namespace {
 constexpr std::chrono::seconds kBetweenLooksAtFinger{2};
 using InputsChange = ValueChange<Workspace::Inputs>;
 
-std::filesystem::path whole_path(const std::filesystem::path& folder) {
+std::filesystem::path absolute_path(const std::filesystem::path& folder) {
   std::error_code ignored;
   return folder.empty() ? folder : std::filesystem::absolute(folder, ignored);
 }
@@ -26,29 +26,29 @@ Workspace::Workspace(LiveSession& session,
                      QUndoStack& undo,
                      const std::optional<SessionState>& last)
     : session_(session), undo_(undo) {
-  connect(&look_, &QTimer::timeout, this, [this] {
+  connect(&poll_timer_, &QTimer::timeout, this, [this] {
     if (!store_) return;
-    looking_.start([store = store_](const Job&) {  // the store tells who listens
+    polling_.start([store = store_](const Job&) {  // the store notifies its listeners
       [[maybe_unused]] const auto finger = store->snapshot();
       return std::function<void()>([] {});
     });
   });
-  look_.start(kBetweenLooksAtFinger);
+  poll_timer_.start(kBetweenLooksAtFinger);
   if (!last) return;
   state_.recent_fingers = last->recent_fingers;
   state_.controls = last->controls;
 }
 
 void Workspace::open_finger(const std::filesystem::path& folder) {
-  const auto wanted = whole_path(folder);
-  if (wanted == state_.finger) return set_finger(wanted);
+  const auto requested = absolute_path(folder);
+  if (requested == state_.finger) return set_finger(requested);
   undo_.push(new ValueChange<std::filesystem::path>(
-      [wanted] {
-        return wanted.empty() ? tr("close the finger")
-                              : tr("open finger %1").arg(short_name(wanted));
+      [requested] {
+        return requested.empty() ? tr("close the finger")
+                                 : tr("open finger %1").arg(short_name(requested));
       },
       state_.finger,
-      wanted,
+      requested,
       [this](const std::filesystem::path& finger) { set_finger(finger); }));
 }
 
@@ -61,11 +61,11 @@ void Workspace::open_source(const Inputs& inputs) {
       },
       state_.source,
       inputs,
-      [this](const Inputs& wanted) { set_source(wanted); }));
+      [this](const Inputs& requested) { set_source(requested); }));
 }
 
 void Workspace::begin_with(const std::filesystem::path& finger, const Inputs& source) {
-  if (!finger.empty()) set_finger(whole_path(finger));
+  if (!finger.empty()) set_finger(absolute_path(finger));
   if (!source.empty()) set_source(source);
 }
 
@@ -77,7 +77,7 @@ void Workspace::listen_to_finger() {
   store_ = FingerStore::of(folder);
   listening_ = store_->listen([this, folder](const FingerPtr& now, const FingerPtr& before) {
     if (now->revision == before->revision && now->measuring == before->measuring)
-      return;  // something was said of presses
+      return;  // annotations of presses changed
     const auto follow = [this, folder] {
       if (folder != state_.finger) return;
       session_.open_finger(folder);
@@ -95,7 +95,7 @@ void Workspace::set_finger(const std::filesystem::path& folder) {
     auto& recent = state_.recent_fingers;
     std::erase(recent, folder);
     recent.insert(recent.begin(), folder);
-    if (recent.size() > kMostRecentFingers) recent.resize(kMostRecentFingers);
+    if (recent.size() > kMaxRecentFingers) recent.resize(kMaxRecentFingers);
   }
   Q_EMIT finger_changed();
   Q_EMIT changed();
@@ -107,25 +107,25 @@ void Workspace::set_source(const Inputs& inputs) {
     session_.close_source();
   } else {
     session_.set_lock(state_.is_locked);
-    session_.open_source(inputs, kept_controls());
+    session_.open_source(inputs, stored_controls());
   }
   Q_EMIT source_changed();
   Q_EMIT changed();
 }
 
-void Workspace::keep_control(const ControlValue& control) {
-  auto& kept = kept_controls();
-  std::erase_if(kept, [&](const ControlValue& old) { return old.id == control.id; });
-  kept.push_back(control);
+void Workspace::store_control(const ControlValue& control) {
+  auto& stored = stored_controls();
+  std::erase_if(stored, [&](const ControlValue& old) { return old.id == control.id; });
+  stored.push_back(control);
   Q_EMIT changed();
 }
 
-void Workspace::keep_lock(bool is_locked) {
+void Workspace::store_lock(bool is_locked) {
   state_.is_locked = is_locked;
   Q_EMIT changed();
 }
 
-std::vector<ControlValue>& Workspace::kept_controls() {
+std::vector<ControlValue>& Workspace::stored_controls() {
   return state_.controls[source_name().toStdString()];
 }
 

@@ -1,5 +1,4 @@
-// What is worked on: a finger and a source of pictures, which can be taken back like everything
-// else, and what was chosen for them.
+// The open finger and the open source of frames, both undoable, and the choices made for them.
 #pragma once
 
 #include "app/studio/session_file.h"
@@ -18,19 +17,19 @@ class Workspace : public QObject {
   using Inputs = std::vector<std::filesystem::path>;
 
   /// Begins with nothing open, and with the recent fingers and the cameras' controls of `last`.
-  /// `session` shows what is open; changes go through `undo`.
+  /// `session` shows the open ones; changes go through `undo`.
   Workspace(LiveSession& session, QUndoStack& undo, const std::optional<SessionState>& last);
 
-  /// Both can be undone. An empty one closes; what is open already is opened afresh.
+  /// Both can be undone. An empty one closes; one that is open already is opened again.
   void open_finger(const std::filesystem::path& folder);
   void open_source(const Inputs& inputs);
-  /// Not undoable: what the program was started with. Empty ones are passed over.
+  /// Not undoable: the program's arguments. Empty ones are ignored.
   void begin_with(const std::filesystem::path& finger, const Inputs& source);
-  /// What was set by hand of the camera that is open, to be set again whenever it is.
-  void keep_control(const ControlValue& control);
-  void keep_lock(bool is_locked);
+  /// A value set by hand for the open camera, which is set again whenever it is opened.
+  void store_control(const ControlValue& control);
+  void store_lock(bool is_locked);
 
-  /// All but `place`, `view` and `inspect`.
+  /// All but `page`, `view` and `inspect`.
   [[nodiscard]] const SessionState& state() const { return state_; }
   /// "none" in the window's language where there is none.
   [[nodiscard]] QString source_name() const;
@@ -39,17 +38,17 @@ class Workspace : public QObject {
  Q_SIGNALS:
   /// Another one is open, or none.
   void finger_changed();
-  /// What stands in the open one's folder has changed, whoever did that; the live picture follows
-  /// it.
+  /// Files in the open one's folder have changed, by this or another program; the live image
+  /// follows.
   void finger_rewritten();
   void source_changed();
-  /// Anything of state().
+  /// Any part of state().
   void changed();
 
  private:
   void set_finger(const std::filesystem::path& folder);
   void set_source(const Inputs& inputs);
-  [[nodiscard]] std::vector<ControlValue>& kept_controls();
+  [[nodiscard]] std::vector<ControlValue>& stored_controls();
   void listen_to_finger();
 
   LiveSession& session_;
@@ -57,11 +56,11 @@ class Workspace : public QObject {
   SessionState state_;
   std::shared_ptr<FingerStore> store_;
   std::shared_ptr<void> listening_;
-  QTimer look_;  // for what other programs write
-  BackgroundWork looking_;
+  QTimer poll_timer_;  // for files that other programs write
+  BackgroundWork polling_;
 };
 
-/// A file or folder as people call it: the last part of its path.
+/// The displayed name of a file or folder: the last part of its path.
 [[nodiscard]] QString short_name(const std::filesystem::path& path);
 
 }  // namespace alltact

@@ -11,7 +11,7 @@ namespace alltact {
 namespace {
 
 constexpr int kSamplesOfBall = 1500;
-constexpr std::size_t kLeastSamplesOfBall = 60;
+constexpr std::size_t kMinSamplesOfBall = 60;
 
 }  // namespace
 
@@ -30,16 +30,17 @@ Result<BallByShape> ball_by_shape(const Press& press,
                         en::say("pressing deeper, or a larger picture")};
   PressSamples samples =
       sample_around(press, face, guess->centre_mm, 1.06 * press.ball_radius_mm, kSamplesOfBall);
-  if (samples.samples.size() < kLeastSamplesOfBall) return too_small;
+  if (samples.samples.size() < kMinSamplesOfBall) return too_small;
   JointOptions options;
   options.along = mapping.parameters().along;
-  options.zone = kSureRim;
+  options.zone = kInnerRim;
   double deepest = 0;
   for (Sample& sample : samples.samples) {
-    sample.x = mapping.parameters().variation.at(sample.place_mm) * reading_mm(mapping, sample.x);
+    sample.x =
+        mapping.parameters().variation.at(sample.position_mm) * reading_mm(mapping, sample.x);
     deepest = std::max(deepest, sample.x);
   }
-  // Noise in mm, where little presses: it only weighs samples against kFloorMm.
+  // Noise in mm near zero depth: it only weighs samples against kFloorMm.
   samples.x_sd *= mapping.slope_mm(0);
   MappingCurve line({MappingKind::kPolynomial, 1}, std::max(deepest, 1e-3));
   line.set_line(1.0);
@@ -53,11 +54,11 @@ Result<BallByShape> ball_by_shape(const Press& press,
 
   BallByShape ball{fit.centres_mm[0], fit.curve.values()[0], 0, Eigen::Vector2d::Zero(), {}};
   if (const Sample* nearest = nearest_sample(samples, ball.centre_mm))
-    ball.on_face_mm = nearest->place_mm;
+    ball.on_face_mm = nearest->position_mm;
   const ContactDisc disc(samples, options.along, ball.centre_mm);
   for (const Sample& sample : samples.samples) {
     const double depth = ball_depth_mm(sample, options.along, ball.centre_mm, press.ball_radius_mm);
-    if (!std::isfinite(depth) || !(disc.place_of(sample).radius <= kSureRim)) continue;
+    if (!std::isfinite(depth) || !(disc.position_of(sample).radius <= kInnerRim)) continue;
     ball.errors_mm.push_back(sample.x - depth -
                              blur_mm(sample, samples, line, options.along, ball.centre_mm));
     ball.depth_mm = std::max(ball.depth_mm, depth);

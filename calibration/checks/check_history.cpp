@@ -53,7 +53,7 @@ bool read(const std::string& text, T& value) {
 
 std::optional<CheckEntry> entry_from(const std::string& line) {
   const auto parts = parts_of(line);
-  if (parts.size() != 10 || !seconds_of(parts[0])) return std::nullopt;
+  if (parts.size() != 10 || !unix_seconds(parts[0])) return std::nullopt;
   CheckEntry entry;
   entry.time = parts[0];
   bool is_verdict = false;
@@ -65,11 +65,11 @@ std::optional<CheckEntry> entry_from(const std::string& line) {
     entry.verdict = verdict;
     is_verdict = true;
   }
-  const bool is_whole =
+  const bool is_complete =
       is_verdict && read(parts[2], entry.error_mm) && read(parts[3], entry.drifting_above_mm) &&
       read(parts[4], entry.recalibrate_above_mm) && read(parts[5], entry.light_percent) &&
       read(parts[6], entry.presses) && read(parts[7], entry.ball_radius_mm);
-  if (!is_whole) return std::nullopt;
+  if (!is_complete) return std::nullopt;
   entry.calibration_date = parts[8];
   entry.program_version = parts[9];
   return entry;
@@ -91,7 +91,7 @@ CheckEntry entry_of(const PressCheck& check,
   entry.presses = static_cast<int>(check.presses.size());
   entry.ball_radius_mm = check.ball_radius_mm;
   const auto date = finger.provenance.find("calibration_date");
-  if (date != finger.provenance.end() && seconds_of(date->second))
+  if (date != finger.provenance.end() && unix_seconds(date->second))
     entry.calibration_date = date->second;
   entry.program_version = program_version;
   return entry;

@@ -34,20 +34,20 @@ struct CheckEntry {
 
 inline constexpr const char* kCheckFile = "checks.csv";
 
-/// Oldest first; empty where there is no file. A line that is no check is left out and named in
-/// `warnings`. Error: the file is there and cannot be read.
+/// Oldest first; empty without a file. An invalid line is left out and reported in `warnings`.
+/// Error: the file exists and cannot be read.
 [[nodiscard]] Result<std::vector<CheckEntry>> load_checks(const std::filesystem::path& folder,
                                                           std::vector<Message>* warnings);
 
-/// Its verdict by what a pass needs now: earlier versions passed with any number of presses.
+/// Its verdict by the current rule: earlier versions passed with any number of presses.
 [[nodiscard]] CheckVerdict verdict_now(const CheckEntry& entry);
 
-/// The last of them where it is of the calibration that the finger has now, else null. Where either
-/// does not tell its date, as old files do not, it is taken for one of this calibration.
+/// The last entry if it belongs to the finger's current calibration, else null. An entry or finger
+/// without a date, as in old files, counts as a match.
 [[nodiscard]] const CheckEntry* latest_check(const std::vector<CheckEntry>& history,
                                              const Finger& finger);
 
-/// Adds a line to the file, whole or not at all; whatever else stands in it stays.
+/// Appends a line to the file, atomically; other content stays.
 [[nodiscard]] Status append_check(const std::filesystem::path& folder, const CheckEntry& entry);
 
 }  // namespace alltact

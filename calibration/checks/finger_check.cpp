@@ -53,7 +53,7 @@ CheckItem check_markers(const Finger& finger) {
             CheckState::kMissing,
             en::say("no layout at rest, so touch cannot be told; run alltact reference again")};
   }
-  if (finger.reference && finger.reference->places)
+  if (finger.reference && finger.reference->positions)
     return {"markers",
             CheckState::kWeak,
             en::say("none; poses are told by the shape of the face, which cannot tell twist")};
@@ -83,7 +83,7 @@ CheckItem check_mapping(const Finger& finger, const CalibrationEvidence& evidenc
   return {"mapping", state, worth.sentence};
 }
 
-/// What was given for the calibration must be what is given now.
+/// The inputs of the calibration must equal the current ones.
 CheckItem check_numbers(const CalibrationEvidence& evidence) {
   const Verdict worth = verdict(evidence);
   for (std::size_t i = 0; i < worth.missing.size(); ++i)
@@ -119,7 +119,7 @@ CheckItem check_inputs(const fs::path& folder, const Finger& finger) {
             CheckState::kWeak,
             en::say("the calibration cannot be repeated: {}.", inputs.error().message())};
   const auto gone =
-      std::count_if(inputs->presses.begin(), inputs->presses.end(), [&](const KeptPress& press) {
+      std::count_if(inputs->presses.begin(), inputs->presses.end(), [&](const StoredPress& press) {
         std::error_code failed;
         return !fs::exists(folder / "presses" / (press.name + ".png"), failed);
       });

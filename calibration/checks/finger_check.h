@@ -1,4 +1,4 @@
-// Is a finger fit to use: what is missing, stale or weak.
+// Checks whether a finger is fit to use: what is missing, stale or weak.
 #pragma once
 
 #include "calibration/verdict/verdict.h"
@@ -14,7 +14,7 @@ namespace alltact {
 
 enum class CheckState {
   kFine = 1,
-  kWeak,     ///< works, with less than one could have
+  kWeak,     ///< works, with limits
   kStale,    ///< works, but something newer contradicts it
   kMissing,  ///< does not work without it
 };
@@ -28,12 +28,13 @@ struct CheckItem {
 
 struct FingerCheck {
   std::vector<CheckItem> items;
-  bool fit = false;                ///< nothing is missing, and the mapping is worth measuring with
-  std::optional<Verdict> verdict;  ///< absent: not calibrated, or nothing is stored of how
+  bool fit = false;  ///< nothing is missing, and the mapping can be used to measure
+  /// empty: not calibrated, or without a record of the calibration
+  std::optional<Verdict> verdict;
 };
 
-/// Looks at everything a finger needs to measure, and reads the reference recording.
-///   now: UTC, as utc_now() writes it; empty: how old things are does not count
+/// Checks everything a finger needs to measure, and reads the reference recording.
+///   now: UTC, as utc_now() writes it; empty: ages do not count
 [[nodiscard]] FingerCheck check_finger(const FingerSnapshot& snapshot,
                                        const Job& job,
                                        const std::string& now = {});

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kFactorSeen = 0.02;  // a factor nearer to 1 is as good as 1
+constexpr double kFactorSeen = 0.02;  // a factor closer to 1 counts as 1
 constexpr double kChance = 3.0;       // standard deviations
 
 Error stopped() {
@@ -50,7 +50,7 @@ Mean mean_of(const std::vector<CheckedPress>& presses, double CheckedPress::*mem
   return mean_of(std::move(values));
 }
 
-/// The ball of one press by the shape of its contact: centre and factor free.
+/// Fits the ball of one press to the shape of its contact: centre and factor are free.
 Result<CheckedPress> measure(const Press& press,
                              double light_change,
                              const Face& face,
@@ -73,7 +73,7 @@ Result<CheckedPress> measure(const Press& press,
   return result;
 }
 
-/// The step of a punch, as the mapping reads it.
+/// Measures the step of a punch with the mapping.
 Result<CheckedPress> measure_step(const Press& press,
                                   double light_change,
                                   const Face& face,
@@ -82,7 +82,8 @@ Result<CheckedPress> measure_step(const Press& press,
   if (!step) return step.error();
   StepSamples read = *step;
   for (Sample& sample : read.samples.samples)
-    sample.x = mapping.parameters().variation.at(sample.place_mm) * reading_mm(mapping, sample.x);
+    sample.x =
+        mapping.parameters().variation.at(sample.position_mm) * reading_mm(mapping, sample.x);
   MappingCurve line({MappingKind::kPolynomial, 1}, 1.0);
   line.set_line(1.0);
   const double height_mm =
@@ -96,14 +97,14 @@ Result<CheckedPress> measure_step(const Press& press,
   result.spot.face_length_mm = face_length_mm(press.shape);
   const auto count = static_cast<double>(read.samples.samples.size());
   for (const Sample& sample : read.samples.samples) {
-    result.spot.along_mm += sample.place_mm.x() / count;
-    result.spot.across_mm += sample.place_mm.y() / count;
+    result.spot.along_mm += sample.position_mm.x() / count;
+    result.spot.across_mm += sample.position_mm.y() / count;
   }
   return result;
 }
 
 struct Measured {
-  std::set<std::string> names;  ///< of all that were read
+  std::set<std::string> names;  ///< of all presses that were read
   std::vector<CheckedPress> presses;
   std::vector<Message> left_out;            ///< sentences, those with a full stop as "{}."
   std::vector<std::string> left_out_names;  ///< in name order
@@ -114,11 +115,11 @@ Message without_full_stop(const Message& sentence) {
   return sentence.words() == "{}." ? sentence.parts().front() : sentence;
 }
 
-/// Why a picture shows no press, which may end in a full stop or not.
+/// Why an image shows no press; the reason may end in a full stop.
 Message refused(const std::string& name, const Message& reason) {
   const Message phrase = without_full_stop(reason);
-  const Message told = en::say("{}: {}", name, phrase);
-  return phrase == reason ? told : en::say("{}.", told);
+  const Message labelled = en::say("{}: {}", name, phrase);
+  return phrase == reason ? labelled : en::say("{}.", labelled);
 }
 
 Message in_a_row(const std::vector<Message>& sentences) {
@@ -131,7 +132,7 @@ Message in_a_row(const std::vector<Message>& sentences) {
 Result<Measured> measure_all(const PressInput& presses,
                              Pipeline& pipeline,
                              const Mapping& mapping,
-                             const PressSet& said,
+                             const PressSet& press_notes,
                              const Job& job) {
   auto source = open_presses(presses);
   if (!source) return source.error();
@@ -142,7 +143,7 @@ Result<Measured> measure_all(const PressInput& presses,
     if (!frame) return frame.error();
     if (!*frame) break;
     all.names.insert((*frame)->name);
-    pipeline.forget();  // no press knows of another
+    pipeline.forget();  // presses are independent
     auto result = pipeline(*frame);
     if (!result) return result.error();
     if (!result->difference || !result->shape || result->reference->by_shape) {
@@ -157,9 +158,9 @@ Result<Measured> measure_all(const PressInput& presses,
     Press press{(*frame)->name,
                 std::move(*result->difference),
                 std::move(*result->shape),
-                said.radius_of((*frame)->name)};
+                press_notes.radius_of((*frame)->name)};
     const Face& face = pipeline.finger().face;
-    press.step_mm = said.of(press.name).step_mm;
+    press.step_mm = press_notes.of(press.name).step_mm;
     auto measured = press.step_mm ? measure_step(press, light, face, mapping)
                                   : measure(press, light, face, mapping, job);
     if (measured) {
@@ -189,7 +190,7 @@ double known_radius_mm(const Finger& finger) {
   return is_number && radius > 0 && radius <= kLargestBallMm ? radius : 0;
 }
 
-/// The calibration's own presses, measured as the new ones are; empty where they are not kept.
+/// The presses of the calibration, measured like the new ones; empty where they are not saved.
 std::vector<CheckedPress> own_presses(const fs::path& folder,
                                       Pipeline& pipeline,
                                       const Mapping& mapping,
@@ -198,13 +199,13 @@ std::vector<CheckedPress> own_presses(const fs::path& folder,
   if (!inputs) return {};
   PressInput presses;
   std::error_code failed;
-  for (const KeptPress& press : inputs->presses) {
+  for (const StoredPress& press : inputs->presses) {
     const fs::path file = folder / kPressFolder / (press.name + ".png");
-    if (inputs->said.of(press.name).excluded || !fs::exists(file, failed)) continue;
+    if (inputs->press_set.of(press.name).excluded || !fs::exists(file, failed)) continue;
     presses.files.push_back(file);
   }
   if (presses.files.empty()) return {};
-  auto measured = measure_all(presses, pipeline, mapping, inputs->said, job);
+  auto measured = measure_all(presses, pipeline, mapping, inputs->press_set, job);
   return measured ? std::move(measured->presses) : std::vector<CheckedPress>{};
 }
 
@@ -218,7 +219,7 @@ void judge(const std::vector<CheckedPress>& own, double held_out_mm, PressCheck&
   check.error_mm = mean_of(check.presses, &CheckedPress::error_mm).mean;
   check.factor = mean_of(check.presses, &CheckedPress::factor).mean;
   check.light_change = mean_of(check.presses, &CheckedPress::light_change).mean - light.mean;
-  check.drifting_above_mm = std::max(kLeastErrorMm, error.mean + kChance * error.sd / std::sqrt(n));
+  check.drifting_above_mm = std::max(kMinErrorMm, error.mean + kChance * error.sd / std::sqrt(n));
   check.recalibrate_above_mm = std::max(2 * check.drifting_above_mm, kGoodErrorMm);
   check.light_limit = std::max(kLightLimit, kChance * light.sd / std::sqrt(n));
   std::vector<ContactSpot> spots;
@@ -254,7 +255,7 @@ Message why_light_is_off(const PressCheck& check) {
                  how);
 }
 
-/// How many presses a check lacks, and where.
+/// Number and position of the presses that a check lacks.
 Message press_again(const PressCheck& check) {
   std::vector<Message> empty;
   const bool is_known =
@@ -312,26 +313,26 @@ Result<PressCheck> check_with_presses(const FingerSnapshot& snapshot,
     return Error{en::say("the finger is not calibrated, so there is nothing to check"),
                  snapshot.folder,
                  en::say("alltact calibrate")};
-  PressSet said = of_presses;
-  if (!(said.ball_radius_mm > 0)) said.ball_radius_mm = known_radius_mm(finger);
-  if (!(said.ball_radius_mm > 0))
+  PressSet press_notes = of_presses;
+  if (!(press_notes.ball_radius_mm > 0)) press_notes.ball_radius_mm = known_radius_mm(finger);
+  if (!(press_notes.ball_radius_mm > 0))
     return Error{en::say("the finger does not tell the ball it was calibrated with"),
                  snapshot.folder,
                  en::say("--ball-radius-mm with the radius of the ball that was pressed")};
   PressCheck check;
-  check.ball_radius_mm = said.ball_radius_mm;
+  check.ball_radius_mm = press_notes.ball_radius_mm;
   check.is_flat = finger.face.kind == FaceKind::kFlat;
-  // Up to the brightness difference.
+  // Stops before the mapping: up to the brightness difference.
   auto pipeline = Pipeline::create(
-      snapshot.without_mapping(), for_presses(measuring_settings(snapshot.folder)), job);
+      snapshot.without_mapping(), settings_for_presses(measuring_settings(snapshot.folder)), job);
   if (!pipeline) return pipeline.error();
   job.report(0.3, en::say("measuring the presses"));
-  auto measured = measure_all(presses, *pipeline, *snapshot.mapping, said, job);
+  auto measured = measure_all(presses, *pipeline, *snapshot.mapping, press_notes, job);
   if (!measured) return measured.error();
   check.presses = std::move(measured->presses);
   check.left_out = std::move(measured->left_out);
   check.left_out_names = std::move(measured->left_out_names);
-  for (const auto& [name, note] : said.notes)
+  for (const auto& [name, note] : press_notes.notes)
     if (!measured->names.contains(name))
       return Error{en::say("no press is called '{}'", name),
                    "",

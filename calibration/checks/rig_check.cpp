@@ -10,12 +10,12 @@ namespace {
 
 constexpr int kReach_px = 10;  // to either side of an edge
 constexpr std::size_t kFewestEdges = 6;
-constexpr double kNewShare = 0.2;  // of a frame in what is shown
-constexpr double kMoved_px = 1.5;  // of the finger, that ends a watch
-constexpr int kStride = 4;         // px: brightness needs no more
+constexpr double kNewShare = 0.2;  // weight of a frame in the smoothed figures
+constexpr double kMoved_px = 1.5;  // motion of the finger that ends a watch
+constexpr int kStride = 4;         // px: sampling step for brightness
 constexpr int kSaturated = 250;
 
-/// Across one edge, down a column: contrast over the steepest slope.
+/// Width of one edge, down a column: contrast over the steepest slope.
 std::optional<double> width_at(const cv::Mat& grey, double u, double v) {
   const int column = static_cast<int>(std::lround(u)), row = static_cast<int>(std::lround(v));
   if (column < 0 || column >= grey.cols || row - kReach_px < 1 || row + kReach_px >= grey.rows - 1)
@@ -29,8 +29,8 @@ std::optional<double> width_at(const cv::Mat& grey, double u, double v) {
     high = std::max(high, at(y));
     steepest = std::max(steepest, 0.5 * std::abs(at(y + 1) - at(y - 1)));
   }
-  constexpr double kLeastContrast = 10;
-  if (high - low < kLeastContrast) return std::nullopt;
+  constexpr double kMinContrast = 10;
+  if (high - low < kMinContrast) return std::nullopt;
   return (high - low) / steepest;
 }
 
@@ -43,7 +43,7 @@ void smooth(std::optional<double>& shown, const std::optional<double>& next) {
 
 struct Brightness {
   double mean = 0;
-  double saturated = 0;  ///< part of the pixels
+  double saturated = 0;  ///< fraction of the pixels
   double bright = 0;     ///< mean of the brightest tenth
 };
 
@@ -69,15 +69,15 @@ std::optional<Brightness> face_brightness(const FrameResult& result) {
                     mean_from(values.size() - values.size() / 10)};
 }
 
-/// Median way of the markers seen in both; 0 where none is.
-double way_px(const Markers& a, const Markers& b) {
-  std::vector<double> ways;
+/// Median displacement of the markers seen in both; 0 where none is.
+double shift_px(const Markers& a, const Markers& b) {
+  std::vector<double> shifts;
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
-    if (a[i].seen && b[i].seen) ways.push_back(std::hypot(a[i].u - b[i].u, a[i].v - b[i].v));
-  return ways.empty() ? 0 : upper_median(ways);
+    if (a[i].seen && b[i].seen) shifts.push_back(std::hypot(a[i].u - b[i].u, a[i].v - b[i].v));
+  return shifts.empty() ? 0 : upper_median(shifts);
 }
 
-/// Where the picture shows the tip's end of the face.
+/// The pixel of the face's end at the tip.
 Eigen::Vector2d end_of(const FaceShape& shape) {
   const int u = shape.base_at_low_u() ? shape.width_px() - 1 : 0;
   const auto middle = shape.middle_at(u);
@@ -130,7 +130,7 @@ void RigCheck::watch_lamp(const FrameResult& result, double time_s) {
   bright_ = light->bright;
   const Markers markers = result.markers.value_or(Markers());
   const Eigen::Vector2d end = end_of(*result.shape);
-  const bool has_moved = way_px(markers, last_markers_) > kMoved_px ||
+  const bool has_moved = shift_px(markers, last_markers_) > kMoved_px ||
                          (last_end_ && (end - *last_end_).norm() > 2 * kMoved_px);
   if (lights_.empty() || has_moved) {
     lights_.clear();
@@ -143,7 +143,7 @@ void RigCheck::watch_lamp(const FrameResult& result, double time_s) {
 
 double RigCheck::lamp_part() const {
   if (lights_.empty()) return 0;
-  // Frames are a little apart, so that the last one of the time is never quite as old.
+  // Frames are a little apart, so that the oldest one is never quite kLamp_s old.
   constexpr double kNearly = 0.98;
   return std::min(1.0, (lights_.back().time_s - lights_.front().time_s) / (kNearly * kLamp_s));
 }
@@ -208,11 +208,11 @@ RigFinding RigCheck::lamp() const {
                                : en::say("no face is seen");
     return found;
   }
-  const auto [least, most] =
+  const auto [darkest, brightest] =
       std::minmax_element(lights_.begin(), lights_.end(), [](const Light& a, const Light& b) {
         return a.mean < b.mean;
       });
-  const double change = (most->mean - least->mean) / most->mean;
+  const double change = (brightest->mean - darkest->mean) / brightest->mean;
   found.sentence = en::say("brightness changes by {:.1f} % in {:.0f} s", 100 * change, kLamp_s);
   found.state = change <= kSteady     ? RigState::kFine
                 : change <= kUnsteady ? RigState::kDoubtful

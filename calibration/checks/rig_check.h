@@ -1,5 +1,5 @@
-// Before anything is recorded: is the picture worth recording? Focus at base and tip, light that is
-// neither too bright nor unsteady, dots that are found, each with what to do.
+// Checks the rig before a recording: focus at base and tip, brightness and steadiness of the light,
+// dots that are found, each with advice.
 #pragma once
 
 #include "core/message.h"
@@ -13,40 +13,40 @@ namespace alltact {
 
 enum class RigItem { kFocusBase = 1, kFocusTip, kBrightness, kLamp, kDots };
 enum class RigState {
-  kWaiting = 1,  ///< not known yet
+  kWaiting = 1,  ///< unknown so far
   kFine,
-  kDoubtful,  ///< works, with less than one could have
+  kDoubtful,  ///< works, with limits
   kBad,
 };
 struct RigFinding {
   RigItem item = RigItem::kDots;
   RigState state = RigState::kWaiting;
   Message sentence;  ///< the figure, without a full stop
-  Message advice;    ///< an imperative; empty: nothing is to be done
+  Message advice;    ///< an imperative; empty: no action needed
 };
 
 /// Width of the face's edges, px: the contrast across over the steepest slope, median over the
 /// third of the finger at its base, or at its tip. nullopt: too few edges are seen there. A sharp
-/// picture has about 1.5 to 2.5.
+/// image has about 1.5 to 2.5.
 [[nodiscard]] std::optional<double> edge_sharpness_px(const FrameResult& result, bool at_tip);
 
-/// Fed with the frames of a live source. One thread.
+/// Receives the frames of a live source. Not thread-safe.
 class RigCheck {
  public:
-  static constexpr double kLamp_s = 10;  ///< for so long the lamp is watched
+  static constexpr double kLamp_s = 10;  ///< duration of the watch over the lamp
   static constexpr double kSharp_px = 3.5, kBlurred_px = 6;
-  /// Of the face's pixels: as bright as the camera can tell.
+  /// Fractions of the face's pixels that are saturated.
   static constexpr double kFewSaturated = 0.001, kManySaturated = 0.02;
   static constexpr double kDark = 60, kTooDark = 35;  ///< mean grey of the face's brightest tenth
-  /// Change of the skin's mean brightness over kLamp_s, as a part of it.
+  /// Relative change of the skin's mean brightness over kLamp_s.
   static constexpr double kSteady = 0.01, kUnsteady = 0.03;
 
   void begin() { *this = RigCheck(); }
-  /// time_s: of any clock. A finger that moves begins the watch over the lamp anew.
+  /// time_s: of any clock. Motion of the finger restarts the watch over the lamp.
   void add(const FrameResult& result, double time_s);
-  /// In the order of RigItem. `expected_dots`: how many the finger has; 0: none, or not known.
+  /// In the order of RigItem. `expected_dots`: the finger's number of dots; 0: none, or unknown.
   [[nodiscard]] std::vector<RigFinding> findings(int expected_dots) const;
-  /// Part of the watch over the lamp, [0, 1].
+  /// Completed fraction of the watch over the lamp, [0, 1].
   [[nodiscard]] double lamp_part() const;
 
  private:
@@ -65,7 +65,7 @@ class RigCheck {
   int seen_dots_ = 0;
   std::deque<Light> lights_;
   Markers last_markers_;
-  std::optional<Eigen::Vector2d> last_end_;  // where the face ends, where there are no markers
+  std::optional<Eigen::Vector2d> last_end_;  // end of the face, where there are no markers
 };
 
 }  // namespace alltact

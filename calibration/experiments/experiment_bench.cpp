@@ -1,12 +1,12 @@
 #include "calibration/experiments/experiment_bench.h"
 
-#include "calibration/experiments/kept_finger.h"
+#include "calibration/experiments/finger_cache.h"
 #include "calibration/experiments/push_experiments.h"
 #include "calibration/finger/calibrate_finger.h"
-#include "calibration/force/new_force.h"
+#include "calibration/force/finger_force_model.h"
 #include "calibration/reference/reference_recording.h"
 #include "core/io/atomic_file.h"
-#include "core/numerics/parts.h"
+#include "core/numerics/parallel.h"
 #include "core/program.h"
 #include "core/simulation/scene.h"
 #include "core/sources/source.h"
@@ -23,7 +23,7 @@ namespace {
 
 constexpr const char* kBenchRecording = "demo_reference";
 constexpr const char* kBenchPresses = "demo_presses";
-constexpr int kAtATime = 16;  // pictures that are rendered side by side and held in memory
+constexpr int kBatchFrames = 16;  // images that are rendered in parallel and held in memory
 
 struct SceneText {
   std::filesystem::path file;
@@ -38,10 +38,10 @@ Result<SceneText> text_of_scene(const std::string& name) {
   return SceneText{*file, std::move(text).value()};
 }
 
-/// finger: absent: as the file has it
+/// finger: nullopt: that of the file
 Result<Plan> plan_of_scene(const std::string& name,
                            std::uint64_t seed,
-                           const std::optional<DrawnFinger>& finger) {
+                           const std::optional<FingerVariant>& finger) {
   const auto written = text_of_scene(name);
   if (!written) return written.error();
   const auto& [file, text] = *written;
@@ -63,22 +63,22 @@ FramePtr frame_of_plan(const Plan& plan, int number) {
   return frame;
 }
 
-/// A range of every n-th of a plan's frames.
+/// Every n-th frame of a plan within a range.
 std::vector<FramePtr> frames_of_plan(const Plan& plan,
                                      const cv::Range& range,
                                      int every,
                                      int threads) {
   std::vector<FramePtr> frames(static_cast<std::size_t>(range.size()));
-  over_parts(range.size(), threads, [&](int first, int last) {
+  parallel_for(range.size(), threads, [&](int first, int last) {
     for (int i = first; i < last; ++i)
       frames[static_cast<std::size_t>(i)] = frame_of_plan(plan, every * (range.start + i));
   });
   return frames;
 }
 
-/// A frame and what is true of it.
+/// A frame and its ground truth.
 struct Shot {
-  FramePtr picture;
+  FramePtr image;
   Truth truth;
 };
 
@@ -87,7 +87,7 @@ std::vector<Shot> shots_of_plan(const Plan& plan,
                                 TruthDetail detail,
                                 int threads) {
   std::vector<Shot> shots(static_cast<std::size_t>(range.size()));
-  over_parts(range.size(), threads, [&](int first, int last) {
+  parallel_for(range.size(), threads, [&](int first, int last) {
     for (int i = first; i < last; ++i) {
       const int number = range.start + i;
       shots[static_cast<std::size_t>(i)] = {frame_of_plan(plan, number),
@@ -111,10 +111,10 @@ class PlannedFrames : public Source {
   Result<FramePtr> next() override {
     if (job_.stop_requested()) return stopped_in_experiment();
     if (position_ == frame_count()) return FramePtr();
-    const auto at = static_cast<std::size_t>(position_ % kAtATime);
+    const auto at = static_cast<std::size_t>(position_ % kBatchFrames);
     if (at == 0)
       ready_ = frames_of_plan(
-          plan_, {position_, std::min(frame_count(), position_ + kAtATime)}, every_, threads_);
+          plan_, {position_, std::min(frame_count(), position_ + kBatchFrames)}, every_, threads_);
     ++position_;
     return std::move(ready_[at]);
   }
@@ -142,7 +142,7 @@ Result<ExperimentBench::Recorded> ExperimentBench::record(const Plan& recording,
                                                           const Job& job) {
   Recorded made{recording.finger(), options.folder / folder, {}};
   made.finger.name = folder;
-  std::error_code failed;  // made by earlier experiments, below a folder that is theirs
+  std::error_code failed;  // made by earlier experiments, below a folder of their own
   std::filesystem::remove_all(made.folder, failed);
   if (const Status status = make_folder(made.folder); !status) return status.error();
   PlannedFrames source(recording, options.recording_every, options.threads, job);
@@ -150,7 +150,7 @@ Result<ExperimentBench::Recorded> ExperimentBench::record(const Plan& recording,
   if (!report) return report.error();
   if (const Status saved = made.finger.save(made.folder); !saved) return saved.error();
   made.rest_frame = options.recording_every * report->rest_frame;
-  made.truth_at_rest = recording.truth(made.rest_frame, TruthDetail::kWithoutPictures);
+  made.truth_at_rest = recording.truth(made.rest_frame, TruthDetail::kWithoutImages);
   return made;
 }
 
@@ -171,8 +171,8 @@ Status ExperimentBench::make_finger(const Plan& recording) {
   FingerCalibrationInput input;
   input.folder = recorded->folder;
   input.program_version = program_version();
-  input.said.ball_radius_mm =
-      presses->truth(0, TruthDetail::kWithoutPictures).ball.value().radius_mm;
+  input.press_set.ball_radius_mm =
+      presses->truth(0, TruthDetail::kWithoutImages).ball.value().radius_mm;
   input.presses.frames = frames(*presses, 0, presses->frame_count());
   const auto calibrated = calibrate_finger(input, job());
   if (!calibrated) return calibrated.error();
@@ -182,8 +182,8 @@ Status ExperimentBench::make_finger(const Plan& recording) {
   return {};
 }
 
-/// All that the finger is made of: the scenes as they are with it, and what is drawn at random.
-Result<std::string> ExperimentBench::name_to_keep_by() const {
+/// Everything that the finger depends on: the scenes with its description, and the seed.
+Result<std::string> ExperimentBench::cache_name() const {
   std::vector<std::string> made_by{
       options_.name, std::to_string(options_.seed), std::to_string(options_.recording_every)};
   for (const char* scene : {kBenchRecording, kBenchPresses}) {
@@ -193,14 +193,14 @@ Result<std::string> ExperimentBench::name_to_keep_by() const {
     if (!text) return text.error();
     made_by.push_back(std::move(text).value());
   }
-  return kept_finger_name({made_by.begin(), made_by.end()});
+  return cached_finger_name({made_by.begin(), made_by.end()});
 }
 
-bool ExperimentBench::take_finger(const Plan& recording, const std::string& name) {
+bool ExperimentBench::restore_finger(const Plan& recording, const std::string& name) {
   const std::filesystem::path folder = options_.folder / options_.name;
   std::error_code failed;  // as in record()
   std::filesystem::remove_all(folder, failed);
-  const auto note = take_kept_finger(*options_.cache, name, folder);
+  const auto note = load_cached_finger(*options_.cache, name, folder);
   if (!note) return false;
   const int rest_frame = std::atoi(note->c_str());
   auto finger = open_finger(folder);
@@ -210,7 +210,7 @@ bool ExperimentBench::take_finger(const Plan& recording, const std::string& name
   finger_ = std::move(*finger);
   library_ = std::move(*library);
   rest_frame_ = rest_frame;
-  truth_at_rest_ = recording.truth(rest_frame, TruthDetail::kWithoutPictures);
+  truth_at_rest_ = recording.truth(rest_frame, TruthDetail::kWithoutImages);
   return true;
 }
 
@@ -223,47 +223,47 @@ Result<ExperimentBench> ExperimentBench::make(const BenchOptions& options, const
     const Status made = bench.make_finger(*recording);
     return made ? Result<ExperimentBench>(std::move(bench)) : made.error();
   }
-  const auto name = bench.name_to_keep_by();
+  const auto name = bench.cache_name();
   if (!name) return name.error();
-  bench.finger_was_kept_ = bench.take_finger(*recording, *name);
-  if (bench.finger_was_kept_) return bench;
+  bench.finger_was_cached_ = bench.restore_finger(*recording, *name);
+  if (bench.finger_was_cached_) return bench;
   if (const Status made = bench.make_finger(*recording); !made) return made.error();
-  const Status kept =
-      keep_finger(*options.cache, *name, bench.finger_->folder, std::to_string(bench.rest_frame_));
-  if (!kept) bench.not_kept_ = kept.error();
+  const Status cached =
+      cache_finger(*options.cache, *name, bench.finger_->folder, std::to_string(bench.rest_frame_));
+  if (!cached) bench.cache_problem_ = cached.error();
   return bench;
 }
 
-Result<const ExperimentBench*> ExperimentBench::drawn_untaught(int number) const {
-  auto& kept = untaught_[number];
-  if (kept) return kept.get();
+Result<const ExperimentBench*> ExperimentBench::untrained_variant(int number) const {
+  auto& cached = untrained_variants_[number];
+  if (cached) return cached.get();
   BenchOptions options = options_;
-  options.finger = DrawnFinger::draw(options.seed, number);
+  options.finger = FingerVariant::draw(options.seed, number);
   options.name = fmt::format("{}_{}", options_.name, number);
   auto bench = make(options, job());
   if (!bench) return bench.error();
-  kept = std::make_shared<const ExperimentBench>(std::move(*bench));
-  return kept.get();
+  cached = std::make_shared<const ExperimentBench>(std::move(*bench));
+  return cached.get();
 }
 
-Result<const ExperimentBench::Drawn*> ExperimentBench::drawn(int number) const {
-  auto& kept = drawn_[number];
-  if (kept) return kept.get();
-  const auto untaught = drawn_untaught(number);
+Result<const ExperimentBench::TrainedVariant*> ExperimentBench::variant(int number) const {
+  auto& cached = variants_[number];
+  if (cached) return cached.get();
+  const auto untaught = untrained_variant(number);
   if (!untaught) return untaught.error();
   ExperimentBench bench = **untaught;
-  auto table = table_of_pushes(bench, kForceScene, kForcePlaces);
+  auto table = table_of_pushes(bench, kForceScene, kForcePositions);
   if (!table) return table.error();
   auto trained = bench.learn_force(*table, training_of_experiments());
   if (!trained) return trained.error();
-  kept = std::make_shared<const Drawn>(
-      Drawn{std::move(bench), std::move(*table), std::move(*trained)});
-  return kept.get();
+  cached = std::make_shared<const TrainedVariant>(
+      TrainedVariant{std::move(bench), std::move(*table), std::move(*trained)});
+  return cached.get();
 }
 
 Result<TrainedForce> ExperimentBench::learn_force(const ForceTable& table,
                                                   const ForceTraining& training) {
-  auto trained = give_force(finger_->folder, table, training, job());
+  auto trained = train_finger_force(finger_->folder, table, training, job());
   if (!trained) return trained.error();
   auto finger = open_finger(finger_->folder);
   if (!finger) return finger.error();
@@ -287,7 +287,7 @@ Result<int> ExperimentBench::measure(const std::string& scene,
                                      const Measuring& measuring,
                                      const Take& take) const {
   assert(!measuring.settings.empty());
-  DrawnFinger lit = options_.finger;
+  FingerVariant lit = options_.finger;
   lit.room_level = measuring.room_level;
   const auto scene_plan = plan_of_scene(scene, options_.seed, lit);
   if (!scene_plan) return scene_plan.error();
@@ -303,16 +303,16 @@ Result<int> ExperimentBench::measure(const std::string& scene,
     if (job().stop_requested()) return stopped_in_experiment();
     job().report(static_cast<double>(number) / count,
                  en::say("{}: frame {} of {}", scene, number + 1, count));
-    const auto at = static_cast<std::size_t>(number % kAtATime);
+    const auto at = static_cast<std::size_t>(number % kBatchFrames);
     if (at == 0)
       shots = shots_of_plan(*scene_plan,
-                            {number, std::min(count, number + kAtATime)},
+                            {number, std::min(count, number + kBatchFrames)},
                             measuring.truth,
                             options_.threads);
     const Shot shot = std::move(shots[at]);
     for (std::size_t which = 0; which < pipelines.size(); ++which) {
       pipelines[which].forget();
-      const auto result = pipelines[which](shot.picture);
+      const auto result = pipelines[which](shot.image);
       if (!result) return result.error();
       take(which, shot.truth, *result);
     }

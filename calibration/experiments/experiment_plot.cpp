@@ -5,10 +5,10 @@
 namespace alltact {
 namespace {
 
-ExperimentSeries bars(const Message& name, ExperimentSeries::Look look, std::vector<double> y) {
+ExperimentSeries bars(const Message& name, ExperimentSeries::Style style, std::vector<double> y) {
   std::vector<double> x(y.size());
   std::iota(x.begin(), x.end(), 0.0);
-  return {name, look, std::move(x), std::move(y)};
+  return {name, style, std::move(x), std::move(y)};
 }
 
 }  // namespace
@@ -16,19 +16,19 @@ ExperimentSeries bars(const Message& name, ExperimentSeries::Look look, std::vec
 ExperimentPlot compared_bars(const Message& caption,
                              const Message& y_axis,
                              std::vector<Message> categories,
-                             std::vector<double> ours,
+                             std::vector<double> simulated,
                              std::vector<double> paper) {
-  using Look = ExperimentSeries::Look;
+  using Style = ExperimentSeries::Style;
   ExperimentPlot plot{caption, "", y_axis, {}, std::move(categories)};
-  plot.series.push_back(bars(en::say("ours, simulated"), Look::kBars, std::move(ours)));
+  plot.series.push_back(bars(en::say("ours, simulated"), Style::kBars, std::move(simulated)));
   if (!paper.empty())
-    plot.series.push_back(bars(en::say("paper, measured"), Look::kPaper, std::move(paper)));
+    plot.series.push_back(bars(en::say("paper, measured"), Style::kPaper, std::move(paper)));
   return plot;
 }
 
 ExperimentSeries level_line(
-    const Message& name, ExperimentSeries::Look look, double y, double from_x, double to_x) {
-  return {name, look, {from_x, to_x}, {y, y}};
+    const Message& name, ExperimentSeries::Style style, double y, double from_x, double to_x) {
+  return {name, style, {from_x, to_x}, {y, y}};
 }
 
 }  // namespace alltact

@@ -1,4 +1,4 @@
-// The experiments one by one; the table of them is in experiments.cpp.
+// The single experiments; their table is in experiments.cpp.
 #pragma once
 
 #include "calibration/experiments/experiments.h"
@@ -10,8 +10,8 @@ namespace alltact {
 [[nodiscard]] Result<ExperimentOutcome> run_localisation(const ExperimentBench& bench);
 [[nodiscard]] Result<ExperimentOutcome> run_pose(const ExperimentBench& bench);
 [[nodiscard]] Result<ExperimentOutcome> run_direction(const ExperimentBench& bench);
-[[nodiscard]] Result<ExperimentOutcome> run_least_touch(const ExperimentBench& bench);
-[[nodiscard]] Result<ExperimentOutcome> run_least_force(const ExperimentBench& bench);
+[[nodiscard]] Result<ExperimentOutcome> run_min_contact(const ExperimentBench& bench);
+[[nodiscard]] Result<ExperimentOutcome> run_min_force(const ExperimentBench& bench);
 [[nodiscard]] Result<ExperimentOutcome> run_force(const ExperimentBench& bench);
 [[nodiscard]] Result<ExperimentOutcome> run_references(const ExperimentBench& bench);
 [[nodiscard]] Result<ExperimentOutcome> run_room_light(const ExperimentBench& bench);
@@ -20,8 +20,8 @@ namespace alltact {
 [[nodiscard]] Result<ExperimentOutcome> run_markers(const ExperimentBench& bench);
 [[nodiscard]] Result<ExperimentOutcome> run_time(const ExperimentBench& bench);
 
-/// On so many fingers drawn at random force and light of the room are measured.
-inline constexpr int kDrawnFingers = 2;
+/// Number of random fingers on which force and light of the room are measured.
+inline constexpr int kFingerVariants = 2;
 
 /// Errors of many frames.
 struct ErrorSamples {
@@ -39,17 +39,18 @@ struct ErrorSamples {
   return count > 0 ? 100.0 * part / count : 0.0;
 }
 
-/// Distance along the face of a region's place from the deepest point of what truly touches, both
-/// on the pressed face, p_CF = p_LUF - (0, 0, d); what lies along the normal is depth, not place.
-[[nodiscard]] inline double place_error_mm(const ContactRegion& region,
-                                           const ContactTruth& contact) {
+/// Distance along the face between a region's position and the deepest point of the true contact.
+/// Both are on the pressed face, p_CF = p_LUF - (0, 0, d). The component along the normal is depth,
+/// not position.
+[[nodiscard]] inline double position_error_mm(const ContactRegion& region,
+                                              const ContactTruth& contact) {
   const Eigen::Vector3d deepest_mm = contact.point_mm - Eigen::Vector3d(0, 0, contact.depth_mm);
-  const Eigen::Vector3d off = region.place_mm - deepest_mm;
+  const Eigen::Vector3d off = region.position_mm - deepest_mm;
   return (off - off.dot(contact.direction) * contact.direction).norm();
 }
 
-/// No frame tells a figure.
-[[nodiscard]] inline Error untold(const std::string& scene) {
+/// Error: no frame gives a value for the figure.
+[[nodiscard]] inline Error no_result(const std::string& scene) {
   return {en::say("no frame tells what the experiment asks for"), scene, ""};
 }
 

@@ -17,11 +17,11 @@ const std::vector<Experiment>& experiments() {
       {"least-touch",
        en::say("the least depth of a ball that is felt"),
        {"experiment_least_touch"},
-       run_least_touch},
+       run_min_contact},
       {"least-force",
        en::say("the least force that is felt, on every face"),
        {"experiment_least_force"},
-       run_least_force},
+       run_min_force},
       {"direction",
        en::say("from which of 8 sides the finger is pushed"),
        {"experiment_direction", "experiment_references"},
@@ -64,7 +64,7 @@ const std::vector<Experiment>& experiments() {
   return all;
 }
 
-Message ours_and_theirs() {
+Message simulated_and_real() {
   return en::say(
       "Ours are simulated, with the truth known; the paper's were measured on a real finger.");
 }

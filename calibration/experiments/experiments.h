@@ -1,11 +1,11 @@
-// The source paper's experiments, each as a scene and a measurement against its truth, beside the
-// figure that the paper measured on a real finger.
+// The source paper's experiments, each as a scene and a measurement against its ground truth,
+// compared with the paper's figure from a real finger.
 //
-// OURS AND THEIRS
-// Ours are simulated: the truth is known, there is no robot, no gauge and no silicone that ages,
-// and noise is that of the scene alone. Theirs were measured on a real finger with all of that in
-// them. That ours are less says what the method adds to the error, not that a real finger would do
-// so.
+// SIMULATED AND REAL
+// Figures of this program are simulated: the truth is known, without robot, gauge or ageing
+// silicone, and with the scene's noise only. The paper's figures were measured on a real finger
+// with all of these. A smaller simulated figure shows the method's share of the error, not that of
+// a real finger.
 #pragma once
 
 #include "calibration/experiments/experiment_bench.h"
@@ -23,30 +23,30 @@ namespace alltact {
 struct ExperimentFigure {
   Message what;
   std::string unit;  ///< "mm", "degrees", "%", "N", "ms"
-  double ours = 0;
-  std::optional<double> paper;  ///< absent: the paper tells none, or shows a picture
-  std::optional<double> aim;    ///< what ours should reach; absent: none was set
+  double simulated = 0;
+  std::optional<double> paper;  ///< empty: the paper has none, or shows an image only
+  std::optional<double> aim;    ///< limit for the simulated value; empty: none
   bool more_is_better = false;
 
   /// Of those with an aim.
   [[nodiscard]] bool reaches_aim() const {
-    return !aim || (more_is_better ? ours >= *aim : ours <= *aim);
+    return !aim || (more_is_better ? simulated >= *aim : simulated <= *aim);
   }
 };
 
 struct ExperimentOutcome {
   std::vector<ExperimentFigure> figures;
   int frames = 0;                ///< that were measured
-  std::vector<Message> remarks;  ///< what a figure does not say of itself
+  std::vector<Message> remarks;  ///< explanations that a figure does not contain
   std::vector<ExperimentPlot> plots;
   std::vector<ExperimentMaps> maps;
 };
 
 struct Experiment {
-  std::string name;                 ///< as it is asked for: "localisation"
+  std::string name;                 ///< as it is requested: "localisation"
   Message measures;                 ///< a phrase
   std::vector<std::string> scenes;  ///< files of resources/scenes, without the ending
-  /// Errors: those of the bench; a figure that no frame tells.
+  /// Errors: those of the bench; no frame gives a value for a figure.
   Result<ExperimentOutcome> (*run)(const ExperimentBench& bench);
 };
 
@@ -60,7 +60,7 @@ struct ExperimentDone {
   double seconds = 0;
 };
 
-/// All that a report of them tells.
+/// The content of a report.
 struct ExperimentReport {
   std::vector<ExperimentDone> done;
   std::uint64_t seed = 1;
@@ -68,11 +68,11 @@ struct ExperimentReport {
   std::string program_version;
 };
 
-/// How a report begins.
-[[nodiscard]] Message ours_and_theirs();
+/// Introduction of a report.
+[[nodiscard]] Message simulated_and_real();
 
-/// By their names; none: all. Each once, in the order of experiments(). Error: there is no such
-/// experiment, with the name that is nearest.
+/// Experiments by name, each once, in the order of experiments(); all for an empty list. Error: an
+/// unknown name, with the most similar known one.
 [[nodiscard]] Result<std::vector<const Experiment*>> experiments_named(
     const std::vector<std::string>& names);
 

@@ -1,4 +1,4 @@
-// How little is felt: depth on the contact face, and force on every face.
+// Detection limits: depth on the contact face, and force on every face.
 #include "calibration/experiments/experiment_runs.h"
 
 #include <cmath>
@@ -9,22 +9,22 @@
 namespace alltact {
 namespace {
 
-constexpr double kPaperLeast_N = 2.0;
-constexpr double kBase_mm = 20;  // the paper's figure is of what lies beyond
+constexpr double kPaperMin_N = 2.0;
+constexpr double kBase_mm = 20;  // the paper's figure is for positions beyond
 
-/// One touch: how strong, and whether it was felt.
-struct FeltTouch {
+/// One trial: its strength, and whether it was detected.
+struct ContactTrial {
   double strength;
-  bool felt;
+  bool detected;
 };
 
-/// The least strength from which on all that were tried were felt; nullopt: not even the greatest.
-std::optional<double> least_felt(const std::vector<FeltTouch>& touches) {
+/// The least strength from which on all trials were detected; nullopt: not even the greatest.
+std::optional<double> min_detected(const std::vector<ContactTrial>& trials) {
   double greatest_missed = -1;
-  for (const FeltTouch& touch : touches)
-    if (!touch.felt) greatest_missed = std::max(greatest_missed, touch.strength);
+  for (const ContactTrial& touch : trials)
+    if (!touch.detected) greatest_missed = std::max(greatest_missed, touch.strength);
   std::optional<double> least;
-  for (const FeltTouch& touch : touches)
+  for (const ContactTrial& touch : trials)
     if (touch.strength > greatest_missed && (!least || touch.strength < *least))
       least = touch.strength;
   return least;
@@ -59,9 +59,9 @@ struct PushedFrame {
 
 }  // namespace
 
-Result<ExperimentOutcome> run_least_touch(const ExperimentBench& bench) {
+Result<ExperimentOutcome> run_min_contact(const ExperimentBench& bench) {
   static constexpr const char* kScene = "experiment_least_touch";
-  std::map<double, std::vector<FeltTouch>> by_height;
+  std::map<double, std::vector<ContactTrial>> by_height;
   const auto frames =
       bench.measure(kScene, {}, [&](std::size_t, const Truth& truth, const FrameResult& result) {
         const ContactTruth& contact = truth.contacts.front();
@@ -70,20 +70,20 @@ Result<ExperimentOutcome> run_least_touch(const ExperimentBench& bench) {
   if (!frames) return frames.error();
   ExperimentOutcome outcome;
   outcome.frames = *frames;
-  for (const auto& [along_mm, touches] : by_height) {
-    const auto least = least_felt(touches);
-    if (!least) return untold(kScene);
+  for (const auto& [along_mm, trials] : by_height) {
+    const auto least = min_detected(trials);
+    if (!least) return no_result(kScene);
     outcome.figures.push_back(
         {en::say("least depth felt, {:.0f} mm from the base", along_mm), "mm", *least, {}, {}});
   }
   ExperimentPlot plot{en::say("least depth of a ball that is felt, ours alone"),
                       en::say("place along the finger (mm)"),
                       en::say("least depth felt (mm)"),
-                      {{en::say("ours, simulated"), ExperimentSeries::Look::kLine, {}, {}}},
+                      {{en::say("ours, simulated"), ExperimentSeries::Style::kLine, {}, {}}},
                       {}};
-  for (const auto& [along_mm, touches] : by_height) {
+  for (const auto& [along_mm, trials] : by_height) {
     plot.series[0].x.push_back(along_mm);
-    plot.series[0].y.push_back(least_felt(touches).value_or(0));
+    plot.series[0].y.push_back(min_detected(trials).value_or(0));
   }
   outcome.plots.push_back(std::move(plot));
   outcome.remarks = {
@@ -92,7 +92,7 @@ Result<ExperimentOutcome> run_least_touch(const ExperimentBench& bench) {
   return outcome;
 }
 
-Result<ExperimentOutcome> run_least_force(const ExperimentBench& bench) {
+Result<ExperimentOutcome> run_min_force(const ExperimentBench& bench) {
   static constexpr const char* kScene = "experiment_least_force";
   std::vector<PushedFrame> pushes;
   const auto frames =
@@ -105,21 +105,21 @@ Result<ExperimentOutcome> run_least_force(const ExperimentBench& bench) {
         pushes.push_back(std::move(frame));
       });
   if (!frames) return frames.error();
-  // Where the dots rest is taken from the frame in which nothing pushes: the recording's own rest
-  // is one of its poses, bent a little.
+  // The dots' rest positions come from the frame in which nothing pushes. The recording's rest
+  // frame is one of its poses, slightly bent.
   const auto free = std::find_if(
       pushes.begin(), pushes.end(), [](const PushedFrame& frame) { return !frame.contact; });
-  if (free == pushes.end() || !free->markers) return untold(kScene);
+  if (free == pushes.end() || !free->markers) return no_result(kScene);
   ContactSettings rested = bench.finger().finger.contact.value_or(ContactSettings{});
   rested.rest_markers.clear();
   for (const Marker& marker : *free->markers) rested.rest_markers.emplace_back(marker.u, marker.v);
 
-  std::map<PushedFace, std::map<int, std::vector<FeltTouch>>> touches;
+  std::map<PushedFace, std::map<int, std::vector<ContactTrial>>> trials;
   for (const PushedFrame& frame : pushes) {
     if (!frame.contact || frame.contact->along_mm < kBase_mm) continue;
     const bool pushed =
         frame.markers && push_of(*frame.markers, rested, frame.base_at_low_u).pushed;
-    touches[frame.contact->face][height_of_mm(*frame.contact)].push_back(
+    trials[frame.contact->face][height_of_mm(*frame.contact)].push_back(
         {frame.contact->force_N.value().norm(), pushed || frame.has_region});
   }
   ExperimentOutcome outcome;
@@ -130,26 +130,26 @@ Result<ExperimentOutcome> run_least_force(const ExperimentBench& bench) {
                       {},
                       {},
                       true};
-  for (const auto& [face, by_height] : touches) {
+  for (const auto& [face, by_height] : trials) {
     double most_N = 0;
     ExperimentSeries felt_on{
-        Message::typed(std::string(to_string(face))), ExperimentSeries::Look::kBars, {}, {}};
+        Message::typed(std::string(to_string(face))), ExperimentSeries::Style::kBars, {}, {}};
     if (plot.categories.empty())
-      for (const auto& [along_mm, felt] : by_height)
+      for (const auto& [along_mm, detected] : by_height)
         plot.categories.push_back(Message::typed(std::to_string(along_mm)));
-    for (const auto& [along_mm, felt] : by_height) {
-      const auto least = least_felt(felt);
-      if (!least) return untold(kScene);
+    for (const auto& [along_mm, detected] : by_height) {
+      const auto least = min_detected(detected);
+      if (!least) return no_result(kScene);
       most_N = std::max(most_N, *least);
       felt_on.x.push_back(static_cast<double>(felt_on.x.size()));
       felt_on.y.push_back(*least);
     }
     plot.series.push_back(std::move(felt_on));
-    outcome.figures.push_back({face_phrase(face), "N", most_N, kPaperLeast_N, kPaperLeast_N});
+    outcome.figures.push_back({face_phrase(face), "N", most_N, kPaperMin_N, kPaperMin_N});
   }
   plot.series.push_back(level_line(en::say("paper, at most, measured"),
-                                   ExperimentSeries::Look::kAim,
-                                   kPaperLeast_N,
+                                   ExperimentSeries::Style::kAim,
+                                   kPaperMin_N,
                                    -0.6,
                                    static_cast<double>(plot.categories.size()) - 0.4));
   outcome.plots.push_back(std::move(plot));

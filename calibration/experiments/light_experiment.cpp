@@ -1,4 +1,4 @@
-// Whether the light of the room changes what is told.
+// Influence of the room's light on the measurements.
 #include "calibration/experiments/experiment_runs.h"
 #include "calibration/experiments/push_experiments.h"
 #include "calibration/study/evaluate.h"
@@ -17,11 +17,11 @@ constexpr double kAimChange_percent = 10;
 
 /// In one room, of all fingers.
 struct RoomErrors {
-  ErrorSamples place_mm, force_N;
+  ErrorSamples position_mm, force_N;
 };
 using ErrorsOfRooms = std::array<RoomErrors, kRooms>;
 
-/// The greatest change between rooms against the least, %.
+/// The greatest change between rooms relative to the least, %.
 template <class Of>
 double change_percent(const ErrorsOfRooms& rooms, Of of) {
   double least = of(rooms[0]), most = least;
@@ -32,8 +32,8 @@ double change_percent(const ErrorsOfRooms& rooms, Of of) {
   return 100 * (most - least) / least;
 }
 
-double place_of_room(const RoomErrors& room) {
-  return room.place_mm.mean();
+double position_of_room(const RoomErrors& room) {
+  return room.position_mm.mean();
 }
 double force_of_room(const RoomErrors& room) {
   return room.force_N.mean();
@@ -49,14 +49,15 @@ Result<int> measure_rooms(const ExperimentBench& bench, ErrorsOfRooms& rooms) {
   for (std::size_t i = 0; i < kRooms; ++i) {
     ExperimentBench::Measuring room;
     room.room_level = level_of_room(i);
-    const auto touched = bench.measure(
-        "experiment_room_light",
-        room,
-        [&](std::size_t, const Truth& truth, const FrameResult& result) {
-          if (!result.regions.empty())
-            rooms[i].place_mm.add(place_error_mm(result.regions.front(), truth.contacts.front()));
-        });
-    if (!touched) return touched.error();
+    const auto contact_frames =
+        bench.measure("experiment_room_light",
+                      room,
+                      [&](std::size_t, const Truth& truth, const FrameResult& result) {
+                        if (!result.regions.empty())
+                          rooms[i].position_mm.add(
+                              position_error_mm(result.regions.front(), truth.contacts.front()));
+                      });
+    if (!contact_frames) return contact_frames.error();
     const auto pushed = bench.measure(
         "experiment_room_force",
         room,
@@ -67,7 +68,7 @@ Result<int> measure_rooms(const ExperimentBench& bench, ErrorsOfRooms& rooms) {
             rooms[i].force_N.add(std::abs(result.force->force_N[axis] - truly_N[axis]));
         });
     if (!pushed) return pushed.error();
-    frames += *touched + *pushed;
+    frames += *contact_frames + *pushed;
   }
   return frames;
 }
@@ -90,16 +91,16 @@ Result<double> depth_error_mm(const ExperimentBench& bench, LightChange light) {
                     });
   if (!frames) return frames.error();
   const auto mean = errors.evaluation().contact_depth_mm;
-  if (!mean) return untold("experiment_room_light");
+  if (!mean) return no_result("experiment_room_light");
   return *mean;
 }
 
 std::vector<ExperimentPlot> light_plots(const ErrorsOfRooms& rooms) {
   std::vector<Message> names;
-  std::vector<double> place_mm, force_N;
+  std::vector<double> position_mm, force_N;
   for (std::size_t i = 0; i < kRooms; ++i) {
     names.push_back(en::say("{} lux", kRooms_lux[i]));
-    place_mm.push_back(place_of_room(rooms[i]));
+    position_mm.push_back(position_of_room(rooms[i]));
     force_N.push_back(force_of_room(rooms[i]));
   }
   return {
@@ -107,7 +108,7 @@ std::vector<ExperimentPlot> light_plots(const ErrorsOfRooms& rooms) {
                             "figure by room"),
                     en::say("mean error of the place (mm)"),
                     names,
-                    place_mm,
+                    position_mm,
                     {}),
       compared_bars(en::say("error of the force in rooms of different light, by a model that "
                             "learnt in the dark"),
@@ -122,19 +123,19 @@ std::vector<ExperimentPlot> light_plots(const ErrorsOfRooms& rooms) {
 Result<ExperimentOutcome> run_room_light(const ExperimentBench& bench) {
   ErrorsOfRooms rooms;
   ExperimentOutcome outcome;
-  for (int number = 1; number <= kDrawnFingers; ++number) {
-    const auto drawn = bench.drawn(number);
-    if (!drawn) return drawn.error();
-    const auto frames = measure_rooms((*drawn)->bench, rooms);
+  for (int number = 1; number <= kFingerVariants; ++number) {
+    const auto variant = bench.variant(number);
+    if (!variant) return variant.error();
+    const auto frames = measure_rooms((*variant)->bench, rooms);
     if (!frames) return frames.error();
     outcome.frames += *frames;
   }
   for (std::size_t i = 0; i < kRooms; ++i) {
-    if (rooms[i].place_mm.count == 0 || rooms[i].force_N.count == 0)
-      return untold("experiment_room_light");
+    if (rooms[i].position_mm.count == 0 || rooms[i].force_N.count == 0)
+      return no_result("experiment_room_light");
     outcome.figures.push_back({en::say("place, mean error at {} lux", kRooms_lux[i]),
                                "mm",
-                               place_of_room(rooms[i]),
+                               position_of_room(rooms[i]),
                                {},
                                {}});
     outcome.figures.push_back({en::say("force, mean error at {} lux", kRooms_lux[i]),
@@ -149,7 +150,7 @@ Result<ExperimentOutcome> run_room_light(const ExperimentBench& bench) {
   if (!ignored) return ignored.error();
   outcome.figures.push_back({en::say("place, greatest change between rooms"),
                              "%",
-                             change_percent(rooms, place_of_room),
+                             change_percent(rooms, position_of_room),
                              {},
                              kAimChange_percent});
   outcome.figures.push_back({en::say("force, greatest change between rooms"),

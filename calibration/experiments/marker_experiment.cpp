@@ -1,4 +1,4 @@
-// What the ways of finding markers cost and gain, on the same pictures.
+// Cost and accuracy of the marker methods, on the same images.
 #include "calibration/experiments/experiment_runs.h"
 #include "core/numerics/median.h"
 
@@ -9,20 +9,21 @@
 namespace alltact {
 namespace {
 
-constexpr double kFound_px = 3;  // a marker that is farther from its place is another, or none
+// a marker farther from its true position counts as wrong, or missing
+constexpr double kFound_px = 3;
 
-struct Way {
+struct NamedMethod {
   MarkerMethod method;
   Message name;
 };
 
-/// Pictures of one difficulty.
+/// Images of one difficulty.
 struct Difficulty {
   Message name;
   std::vector<const char*> scenes;
 };
 
-std::vector<Way> ways() {
+std::vector<NamedMethod> methods() {
   return {{MarkerMethod::kBlobs, en::say("blobs, the default")},
           {MarkerMethod::kPaper, en::say("the paper's rows")},
           {MarkerMethod::kNetwork, en::say("network")}};
@@ -37,11 +38,12 @@ std::vector<Difficulty> difficulties() {
           {en::say("dirty"), {"hard_dirty_skin"}}};
 }
 
-/// How one way does.
+/// Result of one method.
 struct MarkerTally {
-  int in_sight = 0, found = 0;  ///< markers that the camera sees, and those of them that are told
-  int told = 0, wrong = 0;      ///< told as seen, and those of them that are elsewhere
-  int hidden = 0;               ///< told as estimated
+  /// markers visible to the camera, and those of them that are reported
+  int in_sight = 0, found = 0;
+  int reported = 0, wrong = 0;  ///< reported as seen, and those of them at a wrong position
+  int hidden = 0;               ///< reported as estimated
   double square_px2 = 0, hidden_square_px2 = 0;  ///< of those found, of those estimated
   std::vector<double> ms;
 
@@ -56,7 +58,7 @@ struct MarkerTally {
         ++hidden, hidden_square_px2 += off_px * off_px;
         continue;
       }
-      ++told;
+      ++reported;
       wrong += off_px > kFound_px;
       if (!truth[m].visible || off_px > kFound_px) continue;
       ++found, square_px2 += off_px * off_px;
@@ -69,18 +71,19 @@ double rms_of(double squares, int count) {
   return std::sqrt(squares / std::max(1, count));
 }
 
-/// One way over all difficulties.
-struct WayTally {
+/// One method over all difficulties.
+struct MethodTally {
   MarkerTally all;
   std::vector<MarkerTally> by_difficulty{difficulties().size()};
 };
 
-using WayTallies = std::vector<WayTally>;
+using MethodTallies = std::vector<MethodTally>;
 
-Result<int> measure_ways(const ExperimentBench& bench, WayTallies& tallies) {
+Result<int> measure_methods(const ExperimentBench& bench, MethodTallies& tallies) {
   ExperimentBench::Measuring measuring;
   measuring.settings.clear();
-  for (const Way& way : ways()) measuring.settings.emplace_back().marker_method = way.method;
+  for (const NamedMethod& named : methods())
+    measuring.settings.emplace_back().marker_method = named.method;
   const auto all = difficulties();
   int frames = 0;
   for (std::size_t i = 0; i < all.size(); ++i)
@@ -96,7 +99,7 @@ Result<int> measure_ways(const ExperimentBench& bench, WayTallies& tallies) {
   return frames;
 }
 
-void tell_way(const Message& name, MarkerTally& tally, std::vector<ExperimentFigure>& figures) {
+void add_figures(const Message& name, MarkerTally& tally, std::vector<ExperimentFigure>& figures) {
   figures.push_back({en::say("{}: markers in sight that are found", name),
                      "%",
                      tally.found_percent(),
@@ -105,7 +108,7 @@ void tell_way(const Message& name, MarkerTally& tally, std::vector<ExperimentFig
                      true});
   figures.push_back({en::say("{}: told as seen, and elsewhere", name),
                      "%",
-                     percent_of(tally.wrong, tally.told),
+                     percent_of(tally.wrong, tally.reported),
                      {},
                      {}});
   figures.push_back({en::say("{}: those found, root mean square", name),
@@ -124,14 +127,14 @@ void tell_way(const Message& name, MarkerTally& tally, std::vector<ExperimentFig
 
 ExperimentPlot bars_of(const Message& caption,
                        const Message& y_axis,
-                       const WayTallies& tallies,
+                       const MethodTallies& tallies,
                        std::optional<double> (*figure)(const MarkerTally& tally)) {
   ExperimentPlot plot{caption, en::say("what is difficult"), y_axis, {}, {}};
   for (const Difficulty& difficulty : difficulties()) plot.categories.push_back(difficulty.name);
-  const auto all = ways();
-  for (std::size_t way = 0; way < all.size(); ++way) {
-    ExperimentSeries bars{all[way].name, ExperimentSeries::Look::kBars, {}, {}};
-    const auto& by_difficulty = tallies[way].by_difficulty;
+  const auto all = methods();
+  for (std::size_t index = 0; index < all.size(); ++index) {
+    ExperimentSeries bars{all[index].name, ExperimentSeries::Style::kBars, {}, {}};
+    const auto& by_difficulty = tallies[index].by_difficulty;
     for (std::size_t i = 0; i < by_difficulty.size(); ++i)
       if (const auto height = figure(by_difficulty[i])) {
         bars.x.push_back(static_cast<double>(i));
@@ -145,22 +148,22 @@ ExperimentPlot bars_of(const Message& caption,
 }  // namespace
 
 Result<ExperimentOutcome> run_markers(const ExperimentBench& bench) {
-  WayTallies tallies(ways().size());
+  MethodTallies tallies(methods().size());
   ExperimentOutcome outcome;
   std::vector<const ExperimentBench*> fingers{&bench};
-  for (int number = 1; number <= kDrawnFingers; ++number) {
-    const auto drawn = bench.drawn_untaught(number);
-    if (!drawn) return drawn.error();
-    fingers.push_back(*drawn);
+  for (int number = 1; number <= kFingerVariants; ++number) {
+    const auto variant = bench.untrained_variant(number);
+    if (!variant) return variant.error();
+    fingers.push_back(*variant);
   }
   for (const ExperimentBench* finger : fingers) {
-    const auto frames = measure_ways(*finger, tallies);
+    const auto frames = measure_methods(*finger, tallies);
     if (!frames) return frames.error();
     outcome.frames += *frames;
   }
-  const auto all = ways();
-  for (std::size_t way = 0; way < all.size(); ++way)
-    tell_way(all[way].name, tallies[way].all, outcome.figures);
+  const auto all = methods();
+  for (std::size_t index = 0; index < all.size(); ++index)
+    add_figures(all[index].name, tallies[index].all, outcome.figures);
   outcome.plots = {
       bars_of(en::say("markers in sight that are found, each frame by itself"),
               en::say("found (%)"),
@@ -179,7 +182,7 @@ Result<ExperimentOutcome> run_markers(const ExperimentBench& bench) {
               "trained on. Blobs and network are numbered by the recording, the paper's rows from "
               "left to right with hidden ones between their neighbours; each frame is looked at "
               "anew, as if none had come before. The paper tells no figure of its markers",
-              kDrawnFingers)};
+              kFingerVariants)};
   return outcome;
 }
 

@@ -1,5 +1,4 @@
-// What the dots tell: from where the finger is pushed, and which untouched picture a pose is
-// compared with.
+// Results from the dots: direction of a push, and choice of the reference for a pose.
 #include "calibration/experiments/experiment_runs.h"
 #include "calibration/study/evaluate.h"
 
@@ -12,13 +11,13 @@ namespace {
 
 constexpr int kRegions = 8;
 
-/// Number of the eighth of the circle that a direction lies in, the first one around +u.
+/// Number of the eighth of the circle that contains a direction, the first one around +u.
 int region_of(const Eigen::Vector2d& direction) {
   const double eighths = std::atan2(direction.y(), direction.x()) * kRegions / 2 / std::numbers::pi;
   return (static_cast<int>(std::lround(eighths)) + kRegions) % kRegions;
 }
 
-/// Sum of the dots' ways from where they rest, px.
+/// Sum of the dots' displacements from rest, px.
 Eigen::Vector2d true_offset_px(const Truth& now, const Truth& rest) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   for (std::size_t i = 0; i < now.markers.size(); ++i)
@@ -27,10 +26,10 @@ Eigen::Vector2d true_offset_px(const Truth& now, const Truth& rest) {
   return sum;
 }
 
-/// Which part of the frames is nearer than a distance.
+/// Fraction of the frames within a distance.
 ExperimentSeries frames_within(const Message& name, std::vector<double> distances_px) {
   std::sort(distances_px.begin(), distances_px.end());
-  ExperimentSeries series{name, ExperimentSeries::Look::kLine, {}, {}};
+  ExperimentSeries series{name, ExperimentSeries::Style::kLine, {}, {}};
   for (std::size_t i = 0; i < distances_px.size(); ++i) {
     series.x.push_back(distances_px[i]);
     series.y.push_back(100.0 * static_cast<double>(i + 1) /
@@ -46,11 +45,11 @@ int dots_seen(const Markers& markers) {
       std::count_if(markers.begin(), markers.end(), [](const Marker& m) { return m.seen; }));
 }
 
-/// How near the reference of each frame is, and what is said where it is not.
+/// Distance of each frame's reference, and the result where it is far.
 struct NearReferences {
   static constexpr double kNear_px = 10;
-  int frames = 0, mean = 0, sum = 0, combined_sum = 0;  ///< nearer than that
-  int combined_or_told = 0;
+  int frames = 0, mean = 0, sum = 0, combined_sum = 0;  ///< within that distance
+  int combined_or_estimated = 0;
   std::vector<double> combined_px;  ///< summed over the dots
 
   void add(const ReferenceLibrary& library, const FrameResult& result) {
@@ -63,7 +62,7 @@ struct NearReferences {
     mean += mean_px < kNear_px || !result.reference->known_pose;
     sum += dots * mean_px < kNear_px;
     combined_sum += together_px < kNear_px;
-    combined_or_told +=
+    combined_or_estimated +=
         together_px < kNear_px || !result.reference->known_pose || result.reference->is_sparse();
   }
 };
@@ -79,24 +78,24 @@ Result<ExperimentOutcome> run_direction(const ExperimentBench& bench) {
   ExperimentOutcome outcome;
   ErrorSamples angles;
   int pushed = 0, right = 0;
-  ExperimentSeries by_direction{en::say("ours, simulated"), ExperimentSeries::Look::kDots, {}, {}};
+  ExperimentSeries by_direction{en::say("ours, simulated"), ExperimentSeries::Style::kDots, {}, {}};
   for (const char* scene : {"experiment_direction", "experiment_references"}) {
     const auto frames =
         bench.measure(scene, {}, [&](std::size_t, const Truth& truth, const FrameResult& result) {
           const Eigen::Vector2d truly = true_offset_px(truth, bench.truth_at_rest());
-          if (truly.norm() <= least_px) return;  // pushed less than can be told
+          if (truly.norm() <= least_px) return;  // pushed less than the detection limit
           ++pushed;
           if (!result.push || !result.push->direction) return;
-          const Eigen::Vector2d told = result.push->direction->head<2>();
-          right += region_of(told) == region_of(truly);
-          angles.add(angle_between_deg(told, truly));
+          const Eigen::Vector2d estimated = result.push->direction->head<2>();
+          right += region_of(estimated) == region_of(truly);
+          angles.add(angle_between_deg(estimated, truly));
           by_direction.x.push_back(std::atan2(truly.y(), truly.x()) * 180 / std::numbers::pi);
-          by_direction.y.push_back(angle_between_deg(told, truly));
+          by_direction.y.push_back(angle_between_deg(estimated, truly));
         });
     if (!frames) return frames.error();
     outcome.frames += *frames;
   }
-  if (angles.count == 0) return untold("experiment_direction");
+  if (angles.count == 0) return no_result("experiment_direction");
   outcome.figures = {
       {en::say("pushes whose side of 8 is told right"),
        "%",
@@ -131,7 +130,7 @@ Result<ExperimentOutcome> run_direction(const ExperimentBench& bench) {
 }
 
 Result<ExperimentOutcome> run_references(const ExperimentBench& bench) {
-  static constexpr double kClose_px = 40;  // summed over the dots, as the paper has it
+  static constexpr double kClose_px = 40;  // summed over the dots, as in the paper
   static constexpr std::array kMethods{
       ReferenceMethod::kSingle, ReferenceMethod::kNearest, ReferenceMethod::kLocal};
   ExperimentBench::Measuring measuring;
@@ -159,19 +158,19 @@ Result<ExperimentOutcome> run_references(const ExperimentBench& bench) {
                           result.markers.value_or(Markers{}));
       });
   if (!frames) return frames.error();
-  for (int number = 1; number <= kDrawnFingers; ++number) {
-    const auto drawn = bench.drawn_untaught(number);
-    if (!drawn) return drawn.error();
-    const auto more = (*drawn)->measure(
+  for (int number = 1; number <= kFingerVariants; ++number) {
+    const auto variant = bench.untrained_variant(number);
+    if (!variant) return variant.error();
+    const auto more = (*variant)->measure(
         kReferencesScene, {}, [&](std::size_t, const Truth&, const FrameResult& result) {
-          near.add((*drawn)->library(), result);
+          near.add((*variant)->library(), result);
         });
     if (!more) return more.error();
   }
   std::array<double, kMethods.size()> false_depth_mm{};
   for (std::size_t i = 0; i < kMethods.size(); ++i) {
     const auto mean = errors[i].evaluation().false_depth_mm;
-    if (!mean) return untold("experiment_references");
+    if (!mean) return no_result("experiment_references");
     false_depth_mm[i] = *mean;
   }
   ExperimentOutcome outcome;
@@ -216,7 +215,7 @@ Result<ExperimentOutcome> run_references(const ExperimentBench& bench) {
        true},
       {en::say("the same, or told that the pose or its surroundings were not recorded"),
        "%",
-       percent_of(near.combined_or_told, near.frames),
+       percent_of(near.combined_or_estimated, near.frames),
        {},
        99.5,
        true},
@@ -228,8 +227,8 @@ Result<ExperimentOutcome> run_references(const ExperimentBench& bench) {
        {frames_within(en::say("nearest of a recording, ours"), distances_px[1]),
         frames_within(en::say("one reference, ours"), distances_px[0]),
         frames_within(en::say("as the reference combines them, ours"), near.combined_px),
-        {en::say("nearest, paper, measured"), ExperimentSeries::Look::kPaper, {kClose_px}, {91.0}},
-        {en::say("one, paper, measured"), ExperimentSeries::Look::kPaper, {kClose_px}, {40.6}}},
+        {en::say("nearest, paper, measured"), ExperimentSeries::Style::kPaper, {kClose_px}, {91.0}},
+        {en::say("one, paper, measured"), ExperimentSeries::Style::kPaper, {kClose_px}, {40.6}}},
        {}});
   outcome.remarks = {
       en::say("How many frames a single reference is near to depends on how far the finger moves, "
@@ -237,7 +236,7 @@ Result<ExperimentOutcome> run_references(const ExperimentBench& bench) {
       en::say(
           "The paper sums the distance over its dots, and under 40 px is told so here; under 10 "
           "px is told over this finger and {} drawn at random, for a dot and summed",
-          kDrawnFingers)};
+          kFingerVariants)};
   return outcome;
 }
 

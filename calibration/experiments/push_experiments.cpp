@@ -1,4 +1,4 @@
-// Forces from the markers, held out by whole groups.
+// Forces from the markers, cross-validated by entire groups.
 #include "calibration/experiments/push_experiments.h"
 
 #include "calibration/experiments/experiment_runs.h"
@@ -17,9 +17,9 @@ namespace {
 struct HeldOutForces {
   std::array<ErrorSamples, 2> error_N;
   std::array<double, 2> worst_N{};  ///< mean error of the worst finger
-  std::array<ExperimentSeries, 2> told_by_true;
-  std::array<std::map<std::string, ErrorSamples>, 2> by_place;
-  std::map<std::string, ErrorSamples> place_mm;
+  std::array<ExperimentSeries, 2> estimated_by_true;
+  std::array<std::map<std::string, ErrorSamples>, 2> by_position;
+  std::map<std::string, ErrorSamples> position_mm;
   double covered = 0;  ///< within their intervals of 95 %
   int rows = 0;
 
@@ -28,28 +28,28 @@ struct HeldOutForces {
       const auto axis = static_cast<Eigen::Index>(a);
       ErrorSamples here;
       for (Eigen::Index row = 0; row < table.rows(); ++row) {
-        const double truly = table.force_N(row, axis), told = trained.held_out_N(row, axis);
-        here.add(std::abs(told - truly));
-        error_N[a].add(std::abs(told - truly));
-        by_place[a][table.block[static_cast<std::size_t>(row)]].add(std::abs(told - truly));
-        told_by_true[a].x.push_back(truly);
-        told_by_true[a].y.push_back(told);
+        const double truly = table.force_N(row, axis), estimated = trained.held_out_N(row, axis);
+        here.add(std::abs(estimated - truly));
+        error_N[a].add(std::abs(estimated - truly));
+        by_position[a][table.block[static_cast<std::size_t>(row)]].add(std::abs(estimated - truly));
+        estimated_by_true[a].x.push_back(truly);
+        estimated_by_true[a].y.push_back(estimated);
       }
       worst_N[a] = std::max(worst_N[a], here.mean());
       covered += trained.covered_95[axis] * static_cast<double>(table.rows()) / 2;
     }
     for (Eigen::Index row = 0; row < table.rows(); ++row)
-      if (table.has_place() && std::isfinite(table.place_mm(row, 0)))
-        place_mm[table.block[static_cast<std::size_t>(row)]].add(table.place_mm(row, 0));
+      if (table.has_position() && std::isfinite(table.position_mm(row, 0)))
+        position_mm[table.block[static_cast<std::size_t>(row)]].add(table.position_mm(row, 0));
     rows += static_cast<int>(table.rows());
   }
 
   [[nodiscard]] ExperimentSeries errors_along(const Message& name, std::size_t axis) const {
     std::map<double, double> ordered;
-    for (const auto& [place, errors] : by_place[axis])
-      if (const auto where = place_mm.find(place); where != place_mm.end())
+    for (const auto& [position, errors] : by_position[axis])
+      if (const auto where = position_mm.find(position); where != position_mm.end())
         ordered[where->second.mean()] = errors.mean();
-    ExperimentSeries series{name, ExperimentSeries::Look::kLine, {}, {}};
+    ExperimentSeries series{name, ExperimentSeries::Style::kLine, {}, {}};
     for (const auto& [along_mm, error] : ordered)
       series.x.push_back(along_mm), series.y.push_back(error);
     return series;
@@ -58,23 +58,24 @@ struct HeldOutForces {
 
 constexpr double kPaperFx_N = 0.244, kPaperFy_N = 0.162, kAimForce_N = 0.1;
 
-ExperimentPlot told_against_true(const Message& caption, ExperimentSeries told) {
-  using Look = ExperimentSeries::Look;
-  const auto [least, most] = std::minmax_element(told.x.begin(), told.x.end());
-  const ExperimentSeries exact{en::say("no error"), Look::kExact, {*least, *most}, {*least, *most}};
-  told.name = en::say("held out, ours, simulated");
-  return {caption, en::say("true force (N)"), en::say("told force (N)"), {exact, told}, {}};
+ExperimentPlot estimated_against_true(const Message& caption, ExperimentSeries estimated) {
+  using Style = ExperimentSeries::Style;
+  const auto [least, most] = std::minmax_element(estimated.x.begin(), estimated.x.end());
+  const ExperimentSeries exact{
+      en::say("no error"), Style::kExact, {*least, *most}, {*least, *most}};
+  estimated.name = en::say("held out, ours, simulated");
+  return {caption, en::say("true force (N)"), en::say("told force (N)"), {exact, estimated}, {}};
 }
 
 std::vector<ExperimentPlot> force_plots(const HeldOutForces& forces) {
-  using Look = ExperimentSeries::Look;
+  using Style = ExperimentSeries::Style;
   ExperimentPlot bars =
       compared_bars(en::say("mean error of the force, ours simulated and the paper's measured"),
                     en::say("mean error (N)"),
                     {en::say("Fx"), en::say("Fy")},
                     {forces.error_N[0].mean(), forces.error_N[1].mean()},
                     {kPaperFx_N, kPaperFy_N});
-  bars.series.push_back(level_line(en::say("aim"), Look::kAim, kAimForce_N, -0.5, 1.5));
+  bars.series.push_back(level_line(en::say("aim"), Style::kAim, kAimForce_N, -0.5, 1.5));
   ExperimentPlot along{
       en::say("where along the finger the error is: the base moves the markers least"),
       en::say("place along the finger (mm)"),
@@ -84,15 +85,16 @@ std::vector<ExperimentPlot> force_plots(const HeldOutForces& forces) {
   if (!along.series[0].x.empty()) {
     const double from = along.series[0].x.front(), to = along.series[0].x.back();
     along.series.push_back(
-        level_line(en::say("Fx, paper, over all places"), Look::kPaper, kPaperFx_N, from, to));
+        level_line(en::say("Fx, paper, over all places"), Style::kPaper, kPaperFx_N, from, to));
     along.series.push_back(
-        level_line(en::say("Fy, paper, over all places"), Look::kPaper, kPaperFy_N, from, to));
+        level_line(en::say("Fy, paper, over all places"), Style::kPaper, kPaperFy_N, from, to));
   }
-  return {
-      bars,
-      told_against_true(en::say("Fx told of places that were held out"), forces.told_by_true[0]),
-      told_against_true(en::say("Fy told of places that were held out"), forces.told_by_true[1]),
-      along};
+  return {bars,
+          estimated_against_true(en::say("Fx told of places that were held out"),
+                                 forces.estimated_by_true[0]),
+          estimated_against_true(en::say("Fy told of places that were held out"),
+                                 forces.estimated_by_true[1]),
+          along};
 }
 
 }  // namespace
@@ -105,22 +107,22 @@ ForceTraining training_of_experiments() {
 
 Result<ForceTable> table_of_pushes(const ExperimentBench& bench,
                                    const std::string& scene,
-                                   int places) {
+                                   int positions) {
   std::vector<MarkerFrame> frames;
   ForceGauge gauge;
   gauge.has_block = true;
   int number = 0;
   const auto measured =
       bench.measure(scene, {}, [&](std::size_t, const Truth& truth, const FrameResult& result) {
-        const int place = number++ % places;
+        const int position = number++ % positions;
         if (!result.markers || truth.contacts.empty()) return;
-        std::optional<Eigen::Vector2d> place_mm;
-        if (!result.regions.empty()) place_mm = result.regions.front().place_on_face_mm;
-        frames.push_back({result.frame->name, std::nullopt, *result.markers, place_mm});
+        std::optional<Eigen::Vector2d> position_mm;
+        if (!result.regions.empty()) position_mm = result.regions.front().position_on_face_mm;
+        frames.push_back({result.frame->name, std::nullopt, *result.markers, position_mm});
         GaugeReading reading;
         reading.frame = result.frame->name;
         reading.force_N = truth.contacts.front().force_N.value();
-        reading.block = fmt::format("place {}", place);
+        reading.block = fmt::format("place {}", position);
         gauge.readings.push_back(std::move(reading));
       });
   if (!measured) return measured.error();
@@ -131,10 +133,10 @@ Result<ForceTable> table_of_pushes(const ExperimentBench& bench,
 
 Result<ExperimentOutcome> run_force(const ExperimentBench& bench) {
   HeldOutForces held_out;
-  for (int number = 1; number <= kDrawnFingers; ++number) {
-    const auto drawn = bench.drawn(number);
-    if (!drawn) return drawn.error();
-    held_out.add((*drawn)->table, (*drawn)->trained);
+  for (int number = 1; number <= kFingerVariants; ++number) {
+    const auto variant = bench.variant(number);
+    if (!variant) return variant.error();
+    held_out.add((*variant)->table, (*variant)->trained);
   }
   const auto& error_N = held_out.error_N;
   const double covered = 100 * held_out.covered / held_out.rows;
@@ -160,8 +162,8 @@ Result<ExperimentOutcome> run_force(const ExperimentBench& bench) {
       en::say("{} fingers drawn at random, 484 pushes each at {} places, of which whole ones are "
               "held out; {} pushes are measured, in the others too few markers are found. Forces "
               "are those on the finger in the camera's axes and have no error of a gauge",
-              kDrawnFingers,
-              kForcePlaces,
+              kFingerVariants,
+              kForcePositions,
               held_out.rows),
       en::say("Nothing drags along the finger: that hardly moves a marker, and is told by none")};
   outcome.plots = force_plots(held_out);

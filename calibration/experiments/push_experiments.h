@@ -1,4 +1,4 @@
-// Pushes of known force on a bench's finger: what force models are taught with and tried on.
+// Pushes of known force on a bench's finger, to train and test force models.
 #pragma once
 
 #include "calibration/experiments/experiment_bench.h"
@@ -7,24 +7,24 @@
 
 namespace alltact {
 
-/// The scene that forces are learnt from, and after how many frames a place comes again.
+/// The scene for force training, and the number of frames after which a position repeats.
 inline constexpr const char* kForceScene = "experiment_force";
-inline constexpr int kForcePlaces = 22;
+inline constexpr int kForcePositions = 22;
 
-struct ExperimentBench::Drawn {
+struct ExperimentBench::TrainedVariant {
   ExperimentBench bench;
   ForceTable table;
   TrainedForce trained;
 };
 
-/// Measures a scene's pushes frame by frame. Rows are of one block where the scene repeats their
-/// place along the finger, `places` of them in turn. Errors: those of the bench; frames too few
-/// whose markers are found.
+/// Measures a scene's pushes frame by frame. Rows at the same position along the finger, which
+/// repeats after `positions` frames, form one block. Errors: those of the bench; too few frames
+/// with markers.
 [[nodiscard]] Result<ForceTable> table_of_pushes(const ExperimentBench& bench,
                                                  const std::string& scene,
-                                                 int places);
+                                                 int positions);
 
-/// What the experiments train with.
+/// Training settings of the experiments.
 [[nodiscard]] ForceTraining training_of_experiments();
 
 }  // namespace alltact

@@ -1,4 +1,4 @@
-// Reliefs of things with edges, by our reference and by a single one.
+// Reliefs of sharp-edged objects, with the local reference and with a single one.
 #include "calibration/experiments/experiment_runs.h"
 #include "calibration/study/evaluate.h"
 
@@ -12,7 +12,7 @@
 namespace alltact {
 namespace {
 
-/// Straight as in the reference picture, or bent.
+/// Straight as in the reference image, or bent.
 bool is_bent(const Truth& truth) {
   return std::any_of(truth.pose.begin(), truth.pose.end(), [](const auto& freedom) {
     return std::abs(freedom.second) > 1e-9;
@@ -21,19 +21,19 @@ bool is_bent(const Truth& truth) {
 
 constexpr double kCell_mm = 0.05, kAlong_mm = 20, kAcross_mm = 17;  // of a map
 
-/// Middle of what is pressed in, mm along and across the face.
+/// Middle of the pressed area, mm along and across the face.
 Eigen::Vector2d middle_of(const cv::Mat_<float>& depth_mm, const FaceShape& shape) {
-  Eigen::Vector2d least = Eigen::Vector2d::Constant(1e9), most = -least;
+  Eigen::Vector2d min = Eigen::Vector2d::Constant(1e9), max = -min;
   for (int v = 0; v < depth_mm.rows; v += 2)
     for (int u = 0; u < depth_mm.cols; u += 2)
       if (depth_mm(v, u) > 0.05F) {
-        const Eigen::Vector2d place = shape.place_mm(u, v);
-        least = least.cwiseMin(place), most = most.cwiseMax(place);
+        const Eigen::Vector2d position = shape.position_mm(u, v);
+        min = min.cwiseMin(position), max = max.cwiseMax(position);
       }
-  return 0.5 * (least + most);
+  return 0.5 * (min + max);
 }
 
-/// Where in the picture the cells of a map are seen; outside of it where the face is not.
+/// Pixels of a map's cells in the image; outside of it where there is no face.
 cv::Mat_<cv::Vec2f> pixels_of_map(const FaceShape& shape, const Eigen::Vector2d& middle_mm) {
   const cv::Size size(static_cast<int>(kAlong_mm / kCell_mm),
                       static_cast<int>(kAcross_mm / kCell_mm));
@@ -71,7 +71,7 @@ cv::Mat_<float> map_of(const cv::Mat& depth_mm, const cv::Mat_<cv::Vec2f>& pixel
   return map;
 }
 
-/// What of the differences lies below, mm, in steps that are written well.
+/// 98 % bound of the differences, mm, rounded up to a plain number.
 double top_of(const std::vector<ExperimentMap>& differences) {
   double top_mm = 0;
   for (const ExperimentMap& difference : differences) {
@@ -86,7 +86,7 @@ double top_of(const std::vector<ExperimentMap>& differences) {
   return 0.04 * std::max(1.0, std::ceil(top_mm / 0.04));
 }
 
-/// Of a frame: the truth, then what each method tells.
+/// Of a frame: the ground truth, then the result of each method.
 class ReliefMaps {
  public:
   ReliefMaps(const Message& caption, const Truth& truth, const FaceShape& shape)
@@ -99,9 +99,9 @@ class ReliefMaps {
     maps_.top_mm = 0.2 * std::ceil(deepest_mm / 0.2);
   }
   void add(const Message& method, const Message& difference, const cv::Mat& depth_mm) {
-    const cv::Mat_<float> told = map_of(depth_mm, pixels_);
-    maps_.differences.push_back({difference, told - maps_.depths.front().mm});
-    maps_.depths.push_back({method, told});
+    const cv::Mat_<float> estimated = map_of(depth_mm, pixels_);
+    maps_.differences.push_back({difference, estimated - maps_.depths.front().mm});
+    maps_.depths.push_back({method, estimated});
     maps_.difference_top_mm = top_of(maps_.differences);
   }
   [[nodiscard]] const ExperimentMaps& maps() const { return maps_; }
@@ -170,21 +170,23 @@ Result<ExperimentOutcome> relief_of(const ExperimentBench& bench, const std::str
   outcome.frames = *frames;
   for (std::size_t i = 0; i < errors.size(); ++i) {
     const auto mean = errors[i].evaluation().contact_depth_mm;
-    if (!mean) return untold(scene);
+    if (!mean) return no_result(scene);
     outcome.figures.push_back({what[i], "mm", *mean, {}, {}});
   }
-  using Look = ExperimentSeries::Look;
+  using Style = ExperimentSeries::Style;
   const auto& figures = outcome.figures;
-  outcome.plots.push_back(
-      {en::say("error of the relief, ours alone: the paper shows pictures"),
-       "",
-       en::say("mean depth error (mm)"),
-       {{en::say("recording of all poses"),
-         Look::kBars,
-         {0, 1},
-         {figures[0].ours, figures[1].ours}},
-        {en::say("single reference"), Look::kBars, {0, 1}, {figures[2].ours, figures[3].ours}}},
-       {en::say("straight"), en::say("bent")}});
+  outcome.plots.push_back({en::say("error of the relief, ours alone: the paper shows pictures"),
+                           "",
+                           en::say("mean depth error (mm)"),
+                           {{en::say("recording of all poses"),
+                             Style::kBars,
+                             {0, 1},
+                             {figures[0].simulated, figures[1].simulated}},
+                            {en::say("single reference"),
+                             Style::kBars,
+                             {0, 1},
+                             {figures[2].simulated, figures[3].simulated}}},
+                           {en::say("straight"), en::say("bent")}});
   for (const auto& maps : shown)
     if (maps) outcome.maps.push_back(maps->maps());
   outcome.remarks = {

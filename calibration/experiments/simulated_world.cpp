@@ -10,7 +10,7 @@ namespace {
 
 constexpr const char* kStudyScene = "study_presses";
 constexpr const char* kStudyBars = "experiment_pose";
-constexpr int kFramesOfBar = 4;  // for so many presses one bar is looked at
+constexpr int kFramesOfBar = 4;  // one bar is analysed for so many presses
 
 Status add_bars(const ExperimentBench& bench, int frames, StudyWorld& world) {
   const auto plan = bench.plan(kStudyBars);
@@ -20,7 +20,7 @@ Status add_bars(const ExperimentBench& bench, int frames, StudyWorld& world) {
     const int number = i * plan->frame_count() / count;
     const Truth truth = plan->truth(number);
     StudyFrame frame;
-    frame.picture = bench.frames(*plan, number, number + 1).front();
+    frame.image = bench.frames(*plan, number, number + 1).front();
     frame.depth_mm = truth.depth_mm;
     frame.angle_deg = truth.contacts.front().angle_deg.value();
     world.bars.push_back(std::move(frame));
@@ -51,22 +51,23 @@ Result<StudyWorld> simulated_world(const std::filesystem::path& folder,
                    std::move(library).value(),
                    {},
                    0};
-  world.library_for = [whole = world.finger](const PipelineSettings& settings, const Job& doing) {
-    return ReferenceLibrary::load(finger_as_measured(*whole, settings), doing);
+  world.library_for = [full_finger = world.finger](const PipelineSettings& settings,
+                                                   const Job& doing) {
+    return ReferenceLibrary::load(finger_as_measured(*full_finger, settings), doing);
   };
   const int count = std::min(options.frames, plan->frame_count());
-  const std::vector<FramePtr> pictures = bench->frames(*plan, 0, count);
+  const std::vector<FramePtr> images = bench->frames(*plan, 0, count);
   for (int number = 0; number < count; ++number) {
     if (job.stop_requested()) return Error{en::say("stopped before the study was over"), "", ""};
     Truth truth = plan->truth(number);
     const auto zone = zone_of_press(truth.depth_mm, truth.view_z_mm);
     if (!zone) continue;
     StudyFrame frame;
-    frame.picture = pictures[static_cast<std::size_t>(number)];
+    frame.image = images[static_cast<std::size_t>(number)];
     frame.depth_mm = std::move(truth.depth_mm);
     frame.zone = *zone;
     if (truth.contacts.size() == 1)
-      frame.place_mm.emplace(truth.contacts.front().along_mm, truth.contacts.front().across_mm);
+      frame.position_mm.emplace(truth.contacts.front().along_mm, truth.contacts.front().across_mm);
     world.frames.push_back(std::move(frame));
   }
   if (const Status added = add_bars(*bench, options.frames, world); !added) return added.error();

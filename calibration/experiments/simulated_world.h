@@ -1,4 +1,4 @@
-// Simulated pictures to measure settings by.
+// Simulated images to compare settings on.
 #pragma once
 
 #include "calibration/study/study_world.h"
@@ -9,9 +9,9 @@
 
 namespace alltact {
 
-/// The scene study_presses (the demonstration's finger, pressed by a ball in random places and
-/// poses), measured by a finger that is recorded and calibrated by scenes as well.
-///   folder: for that finger; what an earlier study left there goes
+/// The scene study_presses (the demonstration's finger, pressed by a ball at random positions and
+/// poses), measured by a finger that is recorded and calibrated from scenes as well.
+///   folder: for that finger; those of earlier studies are removed
 /// Errors: those of ExperimentBench; stopped.
 [[nodiscard]] Result<StudyWorld> simulated_world(const std::filesystem::path& folder,
                                                  const StudyWorldOptions& options,

@@ -4,7 +4,7 @@
 #include "calibration/study/study_clock.h"
 #include "calibration/study/study_plot.h"
 #include "calibration/study/study_world.h"
-#include "calibration/study/truly_pressed.h"
+#include "calibration/study/truth_limits.h"
 #include "core/io/atomic_file.h"
 #include "core/sensing/pipeline.h"
 #include "core/simulation/plan.h"
@@ -22,17 +22,17 @@
 namespace alltact {
 namespace {
 
-/// The text of a scene without one of its effects, and what the file calls each.
+/// The text of a scene without one of its effects, and the effects' names in the file.
 class EditedScene {
  public:
   static Result<EditedScene> read(const std::filesystem::path& file) {
     auto text = read_file(file);
     if (!text) return text.error();
     EditedScene scene{file, std::move(*text), {}};
-    const auto whole = scene.blocks();
-    if (!whole) return whole.error();
+    const auto full = scene.blocks();
+    if (!full) return full.error();
     std::map<std::string, int> seen;
-    for (const YamlValue& effect : effects_in(*whole))
+    for (const YamlValue& effect : effects_in(*full))
       for (const auto& [key, value] : effect.entries) {
         if (key != "use") continue;
         const int number = ++seen[value.text];
@@ -64,7 +64,7 @@ class EditedScene {
       : file_(std::move(file)), text_(std::move(text)), names_(std::move(names)) {}
 
   [[nodiscard]] Result<Blocks> blocks() const {
-    YamlFile file(file_, YamlFile::Unknown::kKept);
+    YamlFile file(file_, YamlFile::Unknown::kRetained);
     const Status read = file.read(text_, [](YamlSection&) {});
     if (!read) return read.error();
     return Blocks(file.unknown()[""].begin(), file.unknown()[""].end());
@@ -106,8 +106,8 @@ double middle_of(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-/// A frame of the whole scene, with what is compared with it.
-struct WholeFrame {
+/// A frame of the full scene, and its comparison data.
+struct FullFrame {
   int number = 0;
   cv::Mat grey, truth_mm;
   cv::Mat depth_mm;  // as the finger measures it; may be empty
@@ -116,24 +116,24 @@ struct WholeFrame {
 class SimulatingRun {
  public:
   SimulatingRun(const EditedScene& scene,
-                const Plan& whole,
+                const Plan& full,
                 std::optional<Pipeline> pipeline,
                 const SimulatingOptions& options)
-      : scene_(scene), whole_(whole), pipeline_(std::move(pipeline)), options_(options) {}
+      : scene_(scene), full_(full), pipeline_(std::move(pipeline)), options_(options) {}
 
-  /// The whole scene; first of all.
-  [[nodiscard]] Result<SimulatingRow> look_at_whole() {
-    const int count = std::min(options_.frames, whole_.frame_count());
+  /// The full scene; called first.
+  [[nodiscard]] Result<SimulatingRow> measure_full() {
+    const int count = std::min(options_.frames, full_.frame_count());
     SimulatingRow row;
     std::vector<float> errors;
     std::vector<double> times;
     for (int i = 0; i < count; ++i) {
-      WholeFrame frame;
-      frame.number = i * whole_.frame_count() / count;
-      const RenderedFrame rendered = render_timed(whole_, frame.number);
+      FullFrame frame;
+      frame.number = i * full_.frame_count() / count;
+      const RenderedFrame rendered = render_timed(full_, frame.number);
       frame.grey = rendered.grey;
       times.push_back(rendered.milliseconds);
-      frame.truth_mm = whole_.truth(frame.number).depth_mm;
+      frame.truth_mm = full_.truth(frame.number).depth_mm;
       const auto depth = measured(frame.grey);
       if (!depth) return depth.error();
       frame.depth_mm = *depth;
@@ -146,7 +146,7 @@ class SimulatingRun {
     return row;
   }
 
-  [[nodiscard]] Result<SimulatingRow> look_without(std::size_t effect) {
+  [[nodiscard]] Result<SimulatingRow> measure_without(std::size_t effect) {
     SimulatingRow row;
     row.effect = scene_.names()[effect];
     const auto plan = scene_.plan(effect, options_.seed);
@@ -161,14 +161,14 @@ class SimulatingRun {
     std::vector<float> errors, changes;
     std::vector<double> times, ratios;
     double square = 0;
-    for (const WholeFrame& frame : frames_) {
-      // Turn by turn, so that both meet the same computer.
-      const double whole_ms = render_timed(whole_, frame.number).milliseconds;
+    for (const FullFrame& frame : frames_) {
+      // In turn, so that both see the same load.
+      const double full_ms = render_timed(full_, frame.number).milliseconds;
       const RenderedFrame rendered = render_timed(*plan, frame.number);
       if (rendered.grey.size() != frame.grey.size()) continue;
       ++row.frames;
       times.push_back(rendered.milliseconds);
-      ratios.push_back(rendered.milliseconds / whole_ms);
+      ratios.push_back(rendered.milliseconds / full_ms);
       square += grey_square_of(rendered.grey, frame.grey);
       const auto depth = measured(rendered.grey);
       if (!depth) return depth.error();
@@ -176,7 +176,7 @@ class SimulatingRun {
       add_changes(*depth, frame, changes);
     }
     if (row.frames > 0) row.grey_rms = std::sqrt(square / row.frames);
-    if (const auto change = spread_of_errors(changes)) row.answer_mm = change->median_mm;
+    if (const auto change = spread_of_errors(changes)) row.depth_change_mm = change->median_mm;
     row.depth = spread_of_errors(errors);
     row.render_ms = middle_of(times);
     row.time_ratio = middle_of(ratios);
@@ -185,19 +185,19 @@ class SimulatingRun {
 
   [[nodiscard]] std::uint64_t checksum() const {
     std::vector<StudyFrame> frames;
-    for (const WholeFrame& whole : frames_) {
+    for (const FullFrame& full : frames_) {
       StudyFrame frame;
-      auto picture = std::make_shared<Frame>();
-      picture->grey = whole.grey;
-      frame.picture = std::move(picture);
-      frame.depth_mm = whole.truth_mm;
+      auto image = std::make_shared<Frame>();
+      image->grey = full.grey;
+      frame.image = std::move(image);
+      frame.depth_mm = full.truth_mm;
       frames.push_back(std::move(frame));
     }
     return checksum_of(frames);
   }
 
  private:
-  /// Empty: nobody measures, or the picture shows no depth.
+  /// Empty: there is no finger, or the image shows no depth.
   [[nodiscard]] Result<cv::Mat> measured(const cv::Mat& grey) {
     if (!pipeline_) return cv::Mat();
     auto frame = std::make_shared<Frame>();
@@ -218,35 +218,35 @@ class SimulatingRun {
   }
 
   static void add_changes(const cv::Mat& depth,
-                          const WholeFrame& whole,
+                          const FullFrame& full,
                           std::vector<float>& changes) {
-    if (depth.empty() || whole.depth_mm.empty()) return;
+    if (depth.empty() || full.depth_mm.empty()) return;
     for (int v = 0; v < depth.rows; ++v)
       for (int u = 0; u < depth.cols; ++u) {
-        if (!(whole.truth_mm.at<float>(v, u) > kPressedMm)) continue;
-        const float change = depth.at<float>(v, u) - whole.depth_mm.at<float>(v, u);
+        if (!(full.truth_mm.at<float>(v, u) > kPressedMm)) continue;
+        const float change = depth.at<float>(v, u) - full.depth_mm.at<float>(v, u);
         if (std::isfinite(change)) changes.push_back(std::abs(change));
       }
   }
 
   const EditedScene& scene_;
-  const Plan& whole_;
+  const Plan& full_;
   std::optional<Pipeline> pipeline_;
   SimulatingOptions options_;
-  std::vector<WholeFrame> frames_;
+  std::vector<FullFrame> frames_;
 };
 
-/// Why the finger cannot measure what the scene shows.
-Message not_of(const FingerPtr& finger, const Finger& shown) {
+/// Why the finger cannot measure the scene's images.
+Message mismatch_of(const FingerPtr& finger, const Finger& shown) {
   if (!finger) return en::say("no finger was given that measures these pictures");
-  const Finger& ours = finger->finger;
-  const bool same = ours.camera.width_px == shown.camera.width_px &&
-                    ours.camera.height_px == shown.camera.height_px &&
-                    ours.camera.fx_px == shown.camera.fx_px && ours.face.kind == shown.face.kind &&
-                    ours.face.width_mm == shown.face.width_mm &&
-                    ours.face.layer_mm == shown.face.layer_mm;
-  if (!same) return en::say("the scene shows another finger than {}", ours.name);
-  if (!finger->mapping) return en::say("{} is not calibrated", ours.name);
+  const Finger& own = finger->finger;
+  const bool same = own.camera.width_px == shown.camera.width_px &&
+                    own.camera.height_px == shown.camera.height_px &&
+                    own.camera.fx_px == shown.camera.fx_px && own.face.kind == shown.face.kind &&
+                    own.face.width_mm == shown.face.width_mm &&
+                    own.face.layer_mm == shown.face.layer_mm;
+  if (!same) return en::say("the scene shows another finger than {}", own.name);
+  if (!finger->mapping) return en::say("{} is not calibrated", own.name);
   return {};
 }
 
@@ -262,20 +262,20 @@ Result<SimulatingStudy> study_simulating(const std::filesystem::path& file,
                                          const Job& job) {
   const auto scene = EditedScene::read(file);
   if (!scene) return scene.error();
-  const auto whole = scene->plan({}, options.seed);
-  if (!whole) return whole.error();
-  if (const Status grey = whole->check_grey_levels(file.string()); !grey) return grey.error();
+  const auto full = scene->plan({}, options.seed);
+  if (!full) return full.error();
+  if (const Status grey = full->check_grey_levels(file.string()); !grey) return grey.error();
   SimulatingStudy study;
   study.scene = file.stem().string();
-  study.no_answer = not_of(finger, whole->finger());
+  study.no_depth_reason = mismatch_of(finger, full->finger());
   std::optional<Pipeline> pipeline;
-  if (study.no_answer.empty()) {
+  if (study.no_depth_reason.empty()) {
     auto library = ReferenceLibrary::load(*finger, job);
     if (!library) return library.error();
-    pipeline = Pipeline::over(std::move(*library), *finger, PipelineSettings{});
+    pipeline = Pipeline::with_library(std::move(*library), *finger, PipelineSettings{});
   }
-  SimulatingRun run(*scene, *whole, std::move(pipeline), options);
-  auto first = run.look_at_whole();
+  SimulatingRun run(*scene, *full, std::move(pipeline), options);
+  auto first = run.measure_full();
   if (!first) return first.error();
   study.rows.push_back(std::move(*first));
   study.world_checksum = run.checksum();
@@ -285,7 +285,7 @@ Result<SimulatingStudy> study_simulating(const std::filesystem::path& file,
     clock.report(job,
                  static_cast<double>(i) / static_cast<double>(scene->names().size()),
                  en::say("leaving out {}", scene->names()[i]));
-    auto row = run.look_without(i);
+    auto row = run.measure_without(i);
     if (!row) return row.error();
     study.rows.push_back(std::move(*row));
   }
@@ -313,11 +313,12 @@ std::string text_of(const SimulatingStudy& study) {
         row.render_ms,
         row.time_ratio,
         row.grey_rms ? fmt::format("{:.2f}", *row.grey_rms) : "-",
-        micrometres_or_dash(row.answer_mm),
+        micrometres_or_dash(row.depth_change_mm),
         micrometres_or_dash(row.depth ? std::optional(row.depth->median_mm) : std::nullopt),
         micrometres_or_dash(row.depth ? std::optional(row.depth->p95_mm) : std::nullopt));
   }
-  if (!study.no_answer.empty()) text += fmt::format("No depth is measured: {}.\n", study.no_answer);
+  if (!study.no_depth_reason.empty())
+    text += fmt::format("No depth is measured: {}.\n", study.no_depth_reason);
   return text;
 }
 
@@ -326,22 +327,23 @@ std::string svg_of(const SimulatingStudy& study) {
   plot.title = "What each effect of a scene costs and changes";
   plot.subtitle = study.scene + " (simulated), one effect left out at a time";
   plot.x_label = "time that leaving it out saves of a frame on this computer, ms";
-  plot.y_label = study.no_answer.empty() ? "change of the measured depth, micrometres"
-                                         : "change of the picture, grey levels (rms)";
+  plot.y_label = study.no_depth_reason.empty() ? "change of the measured depth, micrometres"
+                                               : "change of the picture, grey levels (rms)";
   plot.has_staircase = false;
-  const double whole_ms = study.rows.front().render_ms;
+  const double full_ms = study.rows.front().render_ms;
   for (const SimulatingRow& row : study.rows) {
-    const auto change = study.no_answer.empty() ? row.answer_mm : row.grey_rms;
+    const auto change = study.no_depth_reason.empty() ? row.depth_change_mm : row.grey_rms;
     if (!row.needed.empty() || !change) continue;
     PlotDot dot;
-    dot.x = std::max(0.0, whole_ms * (1 - row.time_ratio));
-    dot.y = study.no_answer.empty() ? 1000 * *change : *change;
+    dot.x = std::max(0.0, full_ms * (1 - row.time_ratio));
+    dot.y = study.no_depth_reason.empty() ? 1000 * *change : *change;
     dot.is_on_front = true;
     dot.words = fmt::format("without {}: {:.2f} ms less, grey levels change by {:.1f}",
                             row.effect,
                             dot.x,
                             row.grey_rms.value_or(0));
-    if (row.answer_mm) dot.words += fmt::format(", depth by {:.1f} \u00b5m", 1000 * *row.answer_mm);
+    if (row.depth_change_mm)
+      dot.words += fmt::format(", depth by {:.1f} \u00b5m", 1000 * *row.depth_change_mm);
     plot.dots.push_back(std::move(dot));
   }
   for (std::size_t i = 0; i < plot.dots.size(); ++i) plot.named.push_back(i);
@@ -366,7 +368,7 @@ std::string csv_of(const SimulatingStudy& study) {
                        row.render_ms,
                        row.time_ratio,
                        number(row.grey_rms),
-                       number(row.answer_mm),
+                       number(row.depth_change_mm),
                        number(row.depth ? std::optional(row.depth->median_mm) : std::nullopt),
                        number(row.depth ? std::optional(row.depth->p95_mm) : std::nullopt));
   return csv;
@@ -376,7 +378,7 @@ nlohmann::json json_of(const SimulatingStudy& study) {
   nlohmann::json json{{"scene", study.scene},
                       {"truth", "simulated"},
                       {"world", fmt::format("{:016x}", study.world_checksum)}};
-  if (!study.no_answer.empty()) json["no_answer"] = study.no_answer.english();
+  if (!study.no_depth_reason.empty()) json["no_answer"] = study.no_depth_reason.english();
   nlohmann::json& rows = json["rows"] = nlohmann::json::array();
   for (const SimulatingRow& row : study.rows) {
     nlohmann::json entry{{"without", row.effect}};
@@ -387,7 +389,7 @@ nlohmann::json json_of(const SimulatingStudy& study) {
     }
     nlohmann::json errors{{"frames", row.frames}};
     if (row.grey_rms) errors["grey_rms"] = *row.grey_rms;
-    if (row.answer_mm) errors["answer_mm"] = *row.answer_mm;
+    if (row.depth_change_mm) errors["answer_mm"] = *row.depth_change_mm;
     if (row.depth)
       errors["depth"] = {{"median_mm", row.depth->median_mm}, {"p95_mm", row.depth->p95_mm}};
     entry["errors"] = std::move(errors);

@@ -1,5 +1,4 @@
-// What each effect of a scene costs to simulate, and what leaving it out changes: in the picture,
-// and in what a finger measures in it.
+// Cost of each effect of a scene in simulation, and the change in image and measurement without it.
 #pragma once
 
 #include "calibration/study/accuracy_study.h"
@@ -21,22 +20,22 @@ namespace alltact {
 
 /// The scene without one effect.
 struct SimulatingRow {
-  std::string effect;  ///< as Plan::effects() names it; empty: the whole scene
-  Message needed;      ///< why it cannot be left out; nothing else is known then
+  std::string effect;  ///< as in Plan::effects(); empty: the full scene
+  Message needed;      ///< why it cannot be left out; the other fields are then empty
   int frames = 0;
-  std::optional<double> grey_rms;   ///< change of the picture, grey levels
-  std::optional<double> answer_mm;  ///< change of depth where the whole scene presses, median
+  std::optional<double> grey_rms;         ///< change of the image, grey levels
+  std::optional<double> depth_change_mm;  ///< median change of depth where the full scene presses
   /// Error of depth against the scene's own truth, of pixels truly pressed deeper than 0.05 mm.
   std::optional<ErrorSpread> depth;
-  double render_ms = 0;   ///< of a frame, on one thread of this computer, then
-  double time_ratio = 1;  ///< to the whole scene, median
+  double render_ms = 0;   ///< of a frame, on one thread of this computer, at that time
+  double time_ratio = 1;  ///< to the full scene, median
 };
 
 struct SimulatingStudy {
   std::string scene;
-  std::uint64_t world_checksum = 0;  ///< of the whole scene's pictures
-  Message no_answer;                 ///< why no finger measures these pictures; empty: one does
-  std::vector<SimulatingRow> rows;   ///< the whole scene first, then as the file names its effects
+  std::uint64_t world_checksum = 0;  ///< of the full scene's images
+  Message no_depth_reason;           ///< why no finger measures these images; empty: one does
+  std::vector<SimulatingRow> rows;   ///< the full scene first, then the effects in the file's order
 };
 
 struct SimulatingOptions {
@@ -45,17 +44,17 @@ struct SimulatingOptions {
 };
 
 /// Errors: those of the scene and of Plan::compile; stopped.
-///   finger: that measures the pictures, calibrated, with its reference; null: nobody does
+///   finger: that measures the images, calibrated, with its reference; null: none
 [[nodiscard]] Result<SimulatingStudy> study_simulating(const std::filesystem::path& scene,
                                                        const FingerPtr& finger,
                                                        const SimulatingOptions& options,
                                                        const Job& job);
 
-/// A line a row, with a headline; what leaving out changes, beside what it saves.
+/// A line a row, with a header line; the change without an effect, and the time that it saves.
 [[nodiscard]] std::string text_of(const SimulatingStudy& study);
 [[nodiscard]] std::string csv_of(const SimulatingStudy& study);
 [[nodiscard]] nlohmann::json json_of(const SimulatingStudy& study);
-/// As study_plot.h: what leaving out changes over the time it saves; the seven greatest named.
+/// As study_plot.h: change without an effect over the time that it saves; the seven greatest named.
 [[nodiscard]] std::string svg_of(const SimulatingStudy& study);
 
 }  // namespace alltact

@@ -1,4 +1,4 @@
-// What a frame's steps cost in time on this computer.
+// Time of a frame's steps on this computer.
 #include "calibration/experiments/experiment_runs.h"
 #include "core/numerics/median.h"
 
@@ -19,19 +19,19 @@ Result<ExperimentOutcome> run_time(const ExperimentBench& bench) {
   auto recorded =
       ExperimentBench::record(*recording, "experiment_hd_finger", bench.options(), bench.job());
   if (!recorded) return recorded.error();
-  // A mapping is of layer and light, not of pixels.
+  // A mapping depends on layer and light, not on pixels.
   recorded->finger.mapping = bench.finger().finger.mapping;
   const auto finger = FingerSnapshot::of(recorded->folder, recorded->finger);
   if (!finger) return finger.error();
   auto pipeline = Pipeline::create(*finger, PipelineSettings{}, bench.job());
   if (!pipeline) return pipeline.error();
 
-  const std::vector<FramePtr> pictures = bench.frames(*plan, 0, plan->frame_count());
+  const std::vector<FramePtr> images = bench.frames(*plan, 0, plan->frame_count());
   std::vector<double> global_ms, reference_ms, local_ms, total_ms;
   int measured = 0;
   for (int round = 0; round < kRounds; ++round)
-    for (const FramePtr& picture : pictures) {
-      const auto result = (*pipeline)(picture);
+    for (const FramePtr& image : images) {
+      const auto result = (*pipeline)(image);
       if (!result) return result.error();
       if (round == 0 || !result->depth) continue;
       const StepTimes& ms = result->times_ms;
@@ -41,7 +41,7 @@ Result<ExperimentOutcome> run_time(const ExperimentBench& bench) {
       total_ms.push_back(ms.total);
       ++measured;
     }
-  if (measured == 0) return untold("experiment_time");
+  if (measured == 0) return no_result("experiment_time");
   ExperimentOutcome outcome;
   outcome.frames = measured;
   outcome.figures = {

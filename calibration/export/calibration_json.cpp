@@ -20,8 +20,8 @@ Json covariance_json(const Eigen::MatrixXd& covariance) {
   return rows;
 }
 
-/// Along either axis, for picture and reference alike.
-std::vector<double> whole_kernel(const Smoothing& smoothing) {
+/// Along either axis, for image and reference alike.
+std::vector<double> full_kernel(const Smoothing& smoothing) {
   std::vector<double> kernel(smoothing.weights.rbegin(), smoothing.weights.rend());
   kernel.insert(kernel.end(), smoothing.weights.begin() + 1, smoothing.weights.end());
   return kernel;
@@ -94,7 +94,7 @@ Result<std::string> calibration_json(const Finger& finger,
     if (!mapping) return mapping.error();
     json["mapping"] = mapping_json(*mapping, finger.mapping_record);
     if (worth) json["verdict"] = verdict_json(*worth);
-    json["mapping"]["smoothing"] = whole_kernel(smoothing_of(settings.smoothing_px));
+    json["mapping"]["smoothing"] = full_kernel(smoothing_of(settings.smoothing_px));
   }
   if (finger.contact) {
     Json& contact = json["contact"];
@@ -110,7 +110,7 @@ Result<std::string> calibration_json(const Finger& finger,
   }
   if (finger.reference) json["reference"] = reference_json(*finger.reference);
   json["provenance"] = finger.provenance;
-  // Names and remarks may come from anywhere.
+  // Names and remarks may contain invalid UTF-8.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

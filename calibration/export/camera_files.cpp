@@ -20,14 +20,14 @@ Status has_camera_matrix(const CameraParameters& camera, const std::string& who)
                en::say("json, or zip for the whole finger")};
 }
 
-/// Those that were not given are zero.
+/// Missing coefficients are zero.
 std::vector<double> all_coefficients(const CameraParameters& camera) {
   std::vector<double> all = camera.distortion;
   all.resize(camera.model == CameraModel::kFisheye ? 4 : 5, 0.0);
   return all;
 }
 
-/// ROS takes letters, digits and '_' only.
+/// ROS allows letters, digits and '_' only.
 std::string ros_name(const std::string& name) {
   std::string plain = name;
   for (char& letter : plain)

@@ -1,4 +1,4 @@
-// Camera and face as other programs are told of them, alike in files and streams.
+// Camera and face for other programs, alike in files and streams.
 #pragma once
 
 #include "core/finger/finger.h"

@@ -16,13 +16,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file with its whole content.
+/// A file with its complete content.
 struct Part {
   fs::path name;
   std::string content;
 };
 
-/// With what the finger's presses were read with, and what its calibration is worth now.
+/// With the settings of the finger's calibration, and its current verdict.
 Result<std::string> json_of(const Finger& finger, const fs::path& finger_folder) {
   std::optional<Verdict> worth;
   if (const auto snapshot = FingerSnapshot::of(finger_folder, finger))
@@ -31,7 +31,7 @@ Result<std::string> json_of(const Finger& finger, const fs::path& finger_folder)
 }
 
 template <Result<std::string> (*text)(const Finger&)>
-Result<std::string> alone(const Finger& finger, const fs::path&) {
+Result<std::string> from_finger(const Finger& finger, const fs::path&) {
   return text(finger);
 }
 
@@ -40,13 +40,14 @@ struct FormText {
   const char* name;
   Result<std::string> (*make)(const Finger&, const fs::path& finger_folder);
 };
-constexpr FormText kTexts[] = {{ExportForm::kOpencv, "camera.opencv.yaml", alone<opencv_camera>},
-                               {ExportForm::kRos, "camera_info.yaml", alone<ros_camera_info>},
-                               {ExportForm::kRos, "parameters.yaml", alone<ros_parameters>},
-                               {ExportForm::kJson, "calibration.json", json_of}};
+constexpr FormText kTexts[] = {
+    {ExportForm::kOpencv, "camera.opencv.yaml", from_finger<opencv_camera>},
+    {ExportForm::kRos, "camera_info.yaml", from_finger<ros_camera_info>},
+    {ExportForm::kRos, "parameters.yaml", from_finger<ros_parameters>},
+    {ExportForm::kJson, "calibration.json", json_of}};
 constexpr const char* kZipName = "finger.zip";
 
-bool wants(const std::vector<ExportForm>& forms, ExportForm form) {
+bool has_form(const std::vector<ExportForm>& forms, ExportForm form) {
   return std::find(forms.begin(), forms.end(), form) != forms.end();
 }
 
@@ -55,7 +56,7 @@ Result<std::vector<Part>> texts(const Finger& finger,
                                 const std::vector<ExportForm>& forms) {
   std::vector<Part> parts;
   for (const FormText& one : kTexts) {
-    if (!wants(forms, one.form)) continue;
+    if (!has_form(forms, one.form)) continue;
     auto content = one.make(finger, finger_folder);
     if (!content) {
       Error error = content.error();
@@ -67,7 +68,7 @@ Result<std::vector<Part>> texts(const Finger& finger,
   return parts;
 }
 
-/// "" is below everything.
+/// Every path is below "".
 bool is_below(const fs::path& inner, const fs::path& outer) {
   std::error_code ignored;
   const fs::path a = fs::weakly_canonical(inner / "", ignored),
@@ -76,8 +77,8 @@ bool is_below(const fs::path& inner, const fs::path& outer) {
   return ends.first == b.end() || ends.first->empty();
 }
 
-/// Every file of the finger's folder but those, in the order of their names. Error: something that
-/// a zip cannot hold; nothing else is left out in silence.
+/// Every file of the finger's folder but `left_out`, in the order of their names. Error: something
+/// that a zip cannot hold; nothing else is left out.
 Result<std::vector<ZipEntry>> files_below(const fs::path& finger_folder,
                                           const std::vector<fs::path>& left_out) {
   std::vector<ZipEntry> entries;
@@ -146,7 +147,7 @@ std::string export_command(const fs::path& finger_folder,
                            const fs::path& folder) {
   std::vector<std::string_view> words;
   for (const ExportFormInfo& info : export_forms())
-    if (wants(forms, info.form)) words.push_back(info.word);
+    if (has_form(forms, info.form)) words.push_back(info.word);
   return fmt::format("alltact export {} --to {} -o {}",
                      shell_quoted(finger_folder.string()),
                      fmt::join(words, ","),
@@ -178,7 +179,7 @@ Status export_finger(const FingerSnapshot& snapshot,
   const auto parts = texts(finger, finger_folder, forms);
   if (!parts) return parts.error();
   std::optional<std::vector<ZipEntry>> entries;
-  if (wants(forms, ExportForm::kZip)) {
+  if (has_form(forms, ExportForm::kZip)) {
     auto found = zip_entries(finger, finger_folder, folder);
     if (!found) return found.error();
     entries = std::move(found).value();

@@ -1,4 +1,4 @@
-// What each exported file says. Numbers have all their digits and never depend on the locale.
+// Content of the exported files. Numbers have all their digits and do not depend on the locale.
 #pragma once
 
 #include "calibration/verdict/verdict.h"
@@ -14,9 +14,9 @@ namespace alltact {
 /// Error: the camera has no camera matrix; `where` is empty.
 [[nodiscard]] Result<std::string> opencv_camera(const Finger& finger);
 [[nodiscard]] Result<std::string> ros_camera_info(const Finger& finger);
-/// Error: the mapping is none.
+/// Error: the mapping is invalid.
 [[nodiscard]] Result<std::string> ros_parameters(const Finger& finger);
-/// `worth`: of the calibration, as the finger's folder has it now; absent: not said.
+/// `worth`: current verdict on the calibration; empty: not written.
 [[nodiscard]] Result<std::string> calibration_json(
     const Finger& finger,
     const PipelineSettings& settings = {},

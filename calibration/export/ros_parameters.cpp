@@ -8,7 +8,7 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-/// "  face:\n    width_mm: 24.0\n", at the depth of a node's parameters.
+/// "  face:\n    width_mm: 24.0\n", indented as a node's parameters.
 std::string block(const std::string& name, const Texts& lines) {
   std::string text = fmt::format("    {}:\n", name);
   for (const std::string& line : lines) text += fmt::format("      {}\n", line);

@@ -8,7 +8,7 @@
 #include "calibration/reference/settings_record.h"
 #include "core/finger/finger_store.h"
 #include "core/io/atomic_file.h"
-#include "core/io/picture.h"
+#include "core/io/image_file.h"
 #include "core/utc_time.h"
 
 #include <algorithm>
@@ -28,89 +28,90 @@ void record(FingerCalibration& done) {
   finger.provenance["calibration_date"] = inputs.date;
   finger.provenance["calibration_inputs"] = CalibrationInputs::kFileName;
   finger.provenance["calibration_version"] = inputs.program_version;
-  if (!inputs.said.operator_name.empty()) finger.provenance["operator"] = inputs.said.operator_name;
-  finger.provenance["ball_radius_mm"] = fmt::format("{}", inputs.said.ball_radius_mm);
+  if (!inputs.press_set.operator_name.empty())
+    finger.provenance["operator"] = inputs.press_set.operator_name;
+  finger.provenance["ball_radius_mm"] = fmt::format("{}", inputs.press_set.ball_radius_mm);
 }
 
-/// What all was taken with, and which reference it was.
+/// Records the settings of all recordings, and the reference.
 Status settle_finger(const CalibrationWork& work, FingerCalibration& done) {
-  // The presses before these do not matter any more, not to a new reference either.
+  // The settings of earlier presses are obsolete, also for a new reference.
   [[maybe_unused]] const auto none =
-      record_settings(SettingsSeen(), RecordingKind::kPresses, done.finger);
+      record_settings(SettingsMonitor(), RecordingKind::kPresses, done.finger);
   if (work.untouched) {
     Frame frame;
     if (!work.untouched->controls.empty())
       frame.controls = std::make_shared<const std::string>(work.untouched->controls);
-    SettingsSeen settings;
+    SettingsMonitor settings;
     settings.add(frame);
     done.about_settings = record_settings(settings, RecordingKind::kReference, done.finger);
-    done.inputs.reference_checksum = picture_checksum(work.untouched->grey);
+    done.inputs.reference_checksum = image_checksum(work.untouched->grey);
   } else {
     auto checksum = reference_checksum(work.store->folder(), done.finger);
     if (!checksum) return checksum.error();
     done.inputs.reference_checksum = *checksum;
   }
-  SettingsSeen settings;
+  SettingsMonitor settings;
   for (const FramePtr& frame : work.frames) settings.add(*frame);
   const auto warnings = record_settings(settings, RecordingKind::kPresses, done.finger);
   done.about_settings.insert(done.about_settings.end(), warnings.begin(), warnings.end());
   return {};
 }
 
-/// Whatever a result depends on that does not stand in the inputs by itself.
+/// Checksums and version of everything else that the result depends on.
 void sign_inputs(const CalibrationWork& work, FingerCalibration& done) {
   CalibrationInputs& inputs = done.inputs;
   inputs.finger_checksum = finger_checksum(done.finger);
   inputs.presses.clear();
   for (const FramePtr& frame : work.frames)
-    inputs.presses.push_back({frame->name, picture_checksum(frame->grey)});
-  if (work.is_repetition && inputs.reference_checksum != work.kept.reference_checksum)
+    inputs.presses.push_back({frame->name, image_checksum(frame->grey)});
+  if (work.is_repetition && inputs.reference_checksum != work.stored.reference_checksum)
     done.warnings.push_back(
         en::say("The finger has another reference than it was calibrated with: this is a new "
                 "calibration."));
-  if (work.is_repetition && inputs.finger_checksum != work.kept.finger_checksum)
+  if (work.is_repetition && inputs.finger_checksum != work.stored.finger_checksum)
     done.warnings.push_back(en::say(
         "The finger's camera, face or markers are not what they were when it was calibrated: this "
         "is a new calibration."));
-  if (work.is_repetition && inputs.program_version != work.kept.program_version)
+  if (work.is_repetition && inputs.program_version != work.stored.program_version)
     done.warnings.push_back(en::say(
         "The finger was calibrated by version {}: this is a new calibration, by version {}.",
-        work.kept.program_version,
+        work.stored.program_version,
         inputs.program_version));
   const auto reference = done.finger.provenance.find("reference_date");
   const std::string now =
-      utc_now_from(reference == done.finger.provenance.end() ? "" : reference->second);
+      utc_not_before(reference == done.finger.provenance.end() ? "" : reference->second);
   if (work.is_repetition)
-    inputs.date = same_but_for_date(inputs, work.kept) ? work.kept.date : now;
+    inputs.date = same_but_for_date(inputs, work.stored) ? work.stored.date : now;
   else if (inputs.date.empty())
     inputs.date = now;
 }
 
 Status write_presses(const CalibrationWork& work, const fs::path& folder) {
   if (work.is_repetition) return {};
-  const fs::path kept = folder / kPressFolder;
-  if (const Status status = make_folder(kept); !status) return status;
+  const fs::path stored = folder / kPressFolder;
+  if (const Status status = make_folder(stored); !status) return status;
   for (const FramePtr& frame : work.frames) {
-    const Status status = write_picture(kept / (frame->name + ".png"),
-                                        frame->grey,
-                                        frame->controls ? *frame->controls : std::string());
+    const Status status = write_image(stored / (frame->name + ".png"),
+                                      frame->grey,
+                                      frame->controls ? *frame->controls : std::string());
     if (!status) return status;
   }
   return {};
 }
 
-/// All files at once: until then the finger is as before.
+/// Writes all files at once: until then the finger is unchanged.
 Status write(const CalibrationWork& work, FingerCalibration& done, const Job& job) {
   if (const Status status = settle_finger(work, done); !status) return status;
   sign_inputs(work, done);
   record(done);
   std::vector<ReportFile> files{{CalibrationInputs::kFileName, done.inputs.to_yaml()},
-                                {kReportFigures, calibration_report_json(done)}};
+                                {kReportJson, calibration_report_json(done)}};
   bool has_pages = false;
   if (work.make_report && !job.stop_requested()) {
     job.report(0.95, en::say("writing the report"));
     auto reports = work.make_report(done, job);
-    // Whoever stops wants what there is, not the pages about it; and so does whose memory is full.
+    // A stop request, or a lack of memory, must still save the calibration, without its reports.
     if (!reports && !job.stop_requested())
       done.warnings.push_back(
           en::say("There are no pages of the report: {}.", reports.error().message()));
@@ -124,16 +125,16 @@ Status write(const CalibrationWork& work, FingerCalibration& done, const Job& jo
     if (!known) return known.error();
   }
   if (const Status status = write_presses(work, change->staged()); !status) return status;
-  // Where presses are being collected that is what is said of them now; elsewhere the inputs tell.
+  // Where presses are being collected this file holds their current notes; elsewhere the inputs do.
   std::error_code absent;
   if (fs::exists(work.store->folder() / PressSet::kFileName, absent))
-    files.push_back({PressSet::kFileName, done.inputs.said.to_yaml()});
+    files.push_back({PressSet::kFileName, done.inputs.press_set.to_yaml()});
   for (const ReportFile& file : files) {
     const Status status = write_file_atomically(change->staged() / file.name, file.content);
     if (!status) return status;
   }
   if (!has_pages)  // nor those about another solution
-    for (const char* page : {kReportPage, kReportPaper}) change->remove(page);
+    for (const char* page : {kReportHtml, kReportPdf}) change->remove(page);
   auto saved = work.store->update([&](Finger& now) -> Status {
     if (finger_checksum(now) != done.inputs.finger_checksum)
       return Error{en::say("its camera, face or markers were changed while it was calibrated"),
@@ -152,8 +153,8 @@ Result<FingerCalibration> run(CalibrationWork work, CalibrationInputs inputs, co
   FingerCalibration done;
   done.inputs = std::move(inputs);
   if (const auto there = work.store->snapshot(); !there) return there.error();
-  const auto alone = work.store->hold_for_work("calibrating");
-  if (!alone) return alone.error();
+  const auto lock = work.store->lock_for_work("calibrating");
+  if (!lock) return lock.error();
   const auto finger = work.store->snapshot();
   if (!finger) return finger.error();
   done.finger = (*finger)->finger;
@@ -171,15 +172,14 @@ Result<FingerCalibration> run(CalibrationWork work, CalibrationInputs inputs, co
       !status) {
     if (job.stop_requested()) return status.error();
     Error refused = status.error();
-    const fs::path picture =
-        leave_press_problem(work.store->folder(), done, refused.what.english());
-    if (!picture.empty())
-      refused.advice = en::clauses({refused.advice, en::say("{} shows what was found", picture)});
+    const fs::path image = leave_press_problem(work.store->folder(), done, refused.what.english());
+    if (!image.empty())
+      refused.advice = en::clauses({refused.advice, en::say("{} shows what was found", image)});
     return refused;
   }
   work.references.clear();
   if (const Status status = write(work, done, job); !status) return status.error();
-  done.problem_picture = leave_press_problem(work.store->folder(), done, "");
+  done.problem_image = leave_press_problem(work.store->folder(), done, "");
   job.report(1.0, en::say("done"));
   return done;
 }
@@ -195,7 +195,7 @@ void take_calibration(const Finger& from, Finger& finger) {
                           "operator",
                           "ball_radius_mm",
                           kPressSettings})
-    take_provenance(from, key, finger);
+    copy_provenance(from, key, finger);
 }
 
 Result<FingerCalibration> calibrate_finger(const FingerCalibrationInput& input, const Job& job) {
@@ -203,7 +203,7 @@ Result<FingerCalibration> calibrate_finger(const FingerCalibrationInput& input, 
   work.store = FingerStore::of(input.folder);
   work.presses = input.presses;
   if (input.reference) {
-    auto untouched = read_untouched_picture(*input.reference);
+    auto untouched = read_untouched_image(*input.reference);
     if (!untouched) return untouched.error();
     work.untouched = std::move(untouched).value();
   }
@@ -212,7 +212,7 @@ Result<FingerCalibration> calibrate_finger(const FingerCalibrationInput& input, 
   work.on_round = input.on_round;
   CalibrationInputs inputs;
   inputs.program_version = input.program_version;
-  inputs.said = input.said;
+  inputs.press_set = input.press_set;
   inputs.calibration = input.calibration;
   inputs.pipeline = input.pipeline;
   inputs.date = input.date;
@@ -224,16 +224,16 @@ Result<FingerCalibration> calibrate_finger_again(const fs::path& folder,
                                                  const std::string& program_version,
                                                  const MakeReport& make_report,
                                                  const Job& job) {
-  auto kept = CalibrationInputs::load(folder);
-  if (!kept) return kept.error();
+  auto stored = CalibrationInputs::load(folder);
+  if (!stored) return stored.error();
   CalibrationWork work;
   work.store = FingerStore::of(folder);
   work.is_repetition = true;
   work.make_report = make_report;
   work.compare_methods = make_report != nullptr;
-  for (const KeptPress& press : kept->presses)
+  for (const StoredPress& press : stored->presses)
     work.presses.files.push_back(folder / kPressFolder / (press.name + ".png"));
-  work.kept = std::move(kept).value();
+  work.stored = std::move(stored).value();
   inputs.program_version = program_version;
   return run(std::move(work), std::move(inputs), job);
 }

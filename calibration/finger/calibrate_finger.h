@@ -1,5 +1,5 @@
-// A whole calibration: from press pictures on disk to a finger folder that carries its mapping, and
-// the same again from what that folder keeps.
+// A full calibration: from press images on disk to a finger folder with its mapping, and its
+// repetition from that folder's stored inputs.
 #pragma once
 
 #include "calibration/finger/calibration_inputs.h"
@@ -25,11 +25,11 @@
 
 namespace alltact {
 
-/// A press picture as it was used, or why not.
+/// A press image as it was used, or the reason why not.
 struct TakenPress {
   std::string name;
   cv::Mat grey;                ///< oriented
-  std::optional<Press> press;  ///< absent: nothing could be measured in it
+  std::optional<Press> press;  ///< empty: nothing could be measured in it
   Message left_out;            ///< why it is not used; empty: it is
   PressSign sign;
 };
@@ -45,15 +45,15 @@ struct FingerCalibration {
   double pixel_mm = 0;             ///< see contact_error.h
   double pixel_sd_mm = 0;          ///< standard deviation, without the mapping's share
   Halo halo;                       ///< light that scatters sideways
-  int failed_presses = 0;          ///< that no ball was found in, or that did not fit
+  int failed_presses = 0;          ///< without a detected ball, or without a fit
   bool is_complete = true;         ///< false: stopped before the solution had settled
   std::vector<Contradiction> contradictions;  ///< between numbers given and presses
   Verdict verdict;
-  std::vector<Message> fault_signs;       ///< see fault_signs.h
-  std::vector<Message> made_of;           ///< what bursts were averaged, a sentence each
-  std::filesystem::path problem_picture;  ///< of presses that were left out; empty: none
-  std::vector<Message> warnings;          ///< about files and how it was called
-  std::vector<Message> about_settings;    ///< of camera and light that do not fit together
+  std::vector<Message> fault_signs;     ///< see fault_signs.h
+  std::vector<Message> made_of;         ///< the averaged bursts, a sentence each
+  std::filesystem::path problem_image;  ///< of presses that were left out; empty: none
+  std::vector<Message> warnings;        ///< about files and options
+  std::vector<Message> about_settings;  ///< of camera and light that do not fit together
 };
 
 /// A file to be written into the finger's folder.
@@ -68,8 +68,8 @@ using MakeReport =
 struct FingerCalibrationInput {
   std::filesystem::path folder;  ///< the finger's
   PressInput presses;
-  PressSet said;                                   ///< of the presses, by their names
-  std::optional<std::filesystem::path> reference;  ///< flat sensors: the untouched picture
+  PressSet press_set;                              ///< of the presses, by their names
+  std::optional<std::filesystem::path> reference;  ///< flat sensors: the untouched image
   CalibrationSettings calibration;
   PipelineSettings pipeline;
   std::string date;             ///< for the record, as utc_now() writes it; empty: now
@@ -82,28 +82,29 @@ struct FingerCalibrationInput {
 
 /// Runs every press through the pipeline, calibrates, and writes into the finger's folder: the
 /// presses (presses/NAME.png), the flat sensor's reference, calibration_inputs.yaml,
-/// calibration_report.json, what make_report gives, and last finger.yaml. A press in which no ball
-/// is found is left out with its reason; a picture that cannot be used at all fails the whole.
-/// Errors: those of loading, of the first picture that is unreadable or has another size, two
-/// presses of one name, something said of a press that is not there, no usable
-/// press, the job was stopped. On any error before writing the folder is as it was, but for a
-/// picture of presses that could not be used (press_problem.h); and whatever ends the program while
-/// it writes, all files are those of before or all are new (FolderChange).
+/// calibration_report.json, the files of make_report, and last finger.yaml. A press without a
+/// detected ball is left out with its reason; an unusable image fails the entire calibration.
+///
+/// Errors: those of loading and of the first image that is unreadable or has another size; two
+/// presses of one name; notes on a press that does not exist; no usable press; stopped. On an error
+/// before writing the folder stays unchanged, except for an image of unusable presses
+/// (press_problem.h). If the program ends while it writes, either all files are old or all are new
+/// (FolderChange).
 [[nodiscard]] Result<FingerCalibration> calibrate_finger(const FingerCalibrationInput& input,
                                                          const Job& job);
 
-/// The same from what the finger keeps. `inputs`: as CalibrationInputs::load gave them, or with
-/// other radii, other settings or exclusions. Without a change the files are the same bytes,
-/// date included; a change, another version of the program and another reference make a new
-/// calibration, dated now. Errors: as above; a picture in presses/ that is gone or is not the one
-/// that was calibrated with.
+/// The same from the finger's stored inputs. `inputs`: as CalibrationInputs::load returns them, or
+/// with other radii, settings or exclusions. Without a change the files are the same bytes, date
+/// included. A change, another version of the program or another reference makes a new calibration,
+/// dated now. Errors: as above; an image in presses/ is missing or has changed since the
+/// calibration.
 [[nodiscard]] Result<FingerCalibration> calibrate_finger_again(const std::filesystem::path& folder,
                                                                CalibrationInputs inputs,
                                                                const std::string& program_version,
                                                                const MakeReport& make_report,
                                                                const Job& job);
 
-/// What a calibration changes of a finger: the mapping and what is known of how it came about.
+/// Copies the fields that a calibration defines: the mapping and its records.
 void take_calibration(const Finger& from, Finger& finger);
 
 }  // namespace alltact

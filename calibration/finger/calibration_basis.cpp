@@ -38,10 +38,10 @@ CalibrationBasis basis_of(const FingerCalibration& done) {
         basis.shallowest_mm > 0 ? std::min(basis.shallowest_mm, ball.depth_mm) : ball.depth_mm;
     basis.deepest_mm = std::max(basis.deepest_mm, ball.depth_mm);
   }
-  // 0 stands for what tells the scale from outside: a punch with a step, or a measured depth.
+  // 0 stands for an external measure of the scale: a punch with a step, or a measured depth.
   const bool has_measured_depth =
       std::any_of(calibration.balls.begin(), calibration.balls.end(), [](const BallFit& ball) {
-        return ball.told_depth.has_value();
+        return ball.given_depth.has_value();
       });
   if (!calibration.steps.empty() || has_measured_depth) basis.ball_radii_mm.push_back(0);
   std::sort(basis.ball_radii_mm.begin(), basis.ball_radii_mm.end());
@@ -58,7 +58,8 @@ CalibrationBasis basis_of(const FingerCalibration& done) {
   basis.scale_sd_mm = scale_sd_mm(calibration.mapping);
   basis.pixel_sd_mm = done.pixel_sd_mm;
   basis.halo_mm = done.halo.is_seen ? done.halo.excess_mm : 0.0;
-  if (calibration.radius_sense) basis.depth_per_radius = 100 * calibration.radius_sense->depth_part;
+  if (calibration.radius_sensitivity)
+    basis.depth_per_radius = 100 * calibration.radius_sensitivity->depth_part;
   basis.left_out = done.failed_presses;
   basis.is_complete = done.is_complete;
   for (const Contradiction& one : done.contradictions)

@@ -1,10 +1,10 @@
 #include "calibration/finger/calibration_inputs.h"
 
 #include "core/io/atomic_file.h"
-#include "core/io/picture.h"
+#include "core/io/image_file.h"
 #include "core/numerics/checksum.h"
 #include "core/printable.h"
-#include "core/sources/files/picture_source.h"
+#include "core/sources/files/image_source.h"
 
 #include <algorithm>
 #include <cctype>
@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A setting that the file does not name has its default; one of another version is kept.
+/// A setting that the file does not name has its default; one of another version is preserved.
 template <class S>
 S read_settings(YamlSection section, const std::vector<Setting<S>>& table) {
   S settings;
@@ -54,7 +54,7 @@ std::string read_checksum(YamlSection& top, const char* key) {
   return text;
 }
 
-/// A name that could lead out of presses/ is none.
+/// A name that could leave presses/ is rejected.
 bool is_plain_name(const std::string& name) {
   return !name.empty() && name != "." && name != ".." && name.find('/') == std::string::npos;
 }
@@ -82,12 +82,12 @@ void read_presses(YamlSection& top, CalibrationInputs& inputs) {
   }
 }
 
-/// Something may only be said of presses that are there.
+/// Notes are allowed only on existing presses.
 void refuse_unknown(const YamlSection& top, const CalibrationInputs& inputs) {
-  for (const auto& [name, note] : inputs.said.notes)
+  for (const auto& [name, note] : inputs.press_set.notes)
     if (std::none_of(inputs.presses.begin(),
                      inputs.presses.end(),
-                     [&name = name](const KeptPress& press) { return press.name == name; }))
+                     [&name = name](const StoredPress& press) { return press.name == name; }))
       top.refuse(
           "presses",
           en::say("'{}' is not among the presses, and something is said of it", printable(name)),
@@ -104,7 +104,7 @@ CalibrationInputs read_inputs(YamlSection& top) {
                        std::string(CalibrationInputs::kFormat)));
   inputs.date = top.text("date");
   inputs.program_version = top.text("program_version");
-  inputs.said = read_press_set(top, true);
+  inputs.press_set = read_press_set(top, true);
   inputs.calibration = read_settings(top.section("calibration"), calibration_settings());
   inputs.pipeline = read_settings(top.section("pipeline"), pipeline_settings());
   inputs.is_continuous = top.choice("continuous", {"false", "true"}) == 1;
@@ -156,7 +156,7 @@ std::string CalibrationInputs::to_yaml() const {
   head.add("format", kFormat);
   head.add("date", yaml_text(date));
   head.add("program_version", yaml_text(program_version));
-  add_all_presses(said, head);
+  add_all_presses(press_set, head);
   std::string text = head.on_many_lines();
   text += settings_text("calibration", calibration, calibration_settings(), unknown);
   text += settings_text("pipeline", pipeline, pipeline_settings(), unknown);
@@ -165,9 +165,9 @@ std::string CalibrationInputs::to_yaml() const {
   rest.add("continuous", is_continuous ? "true" : "false");
   rest.add("finger", '"' + finger_checksum + '"');
   rest.add("reference", '"' + reference_checksum + '"');
-  add_single_presses(said, rest);
+  add_single_presses(press_set, rest);
   std::vector<std::string> names, checksums;
-  for (const KeptPress& press : presses) {
+  for (const StoredPress& press : presses) {
     names.push_back(yaml_text(press.name));
     checksums.push_back('"' + press.checksum + '"');
   }
@@ -179,12 +179,12 @@ std::string CalibrationInputs::to_yaml() const {
   return text + last.on_many_lines();
 }
 
-Result<std::vector<fs::path>> kept_presses(const fs::path& finger_folder) {
+Result<std::vector<fs::path>> stored_presses(const fs::path& finger_folder) {
   const fs::path folder = finger_folder / kPressFolder;
   std::error_code failed;
   if (!fs::is_directory(folder, failed) || fs::is_empty(folder, failed))
     return std::vector<fs::path>();
-  return pictures_in(folder);
+  return images_in(folder);
 }
 
 bool same_but_for_date(const CalibrationInputs& a, const CalibrationInputs& b) {
@@ -193,7 +193,7 @@ bool same_but_for_date(const CalibrationInputs& a, const CalibrationInputs& b) {
   return a.to_yaml() == other.to_yaml();
 }
 
-std::string picture_checksum(const cv::Mat& grey) {
+std::string image_checksum(const cv::Mat& grey) {
   Checksum checksum;
   const std::int32_t size[] = {grey.rows, grey.cols};
   checksum.add(size, sizeof size);
@@ -203,12 +203,12 @@ std::string picture_checksum(const cv::Mat& grey) {
 }
 
 std::string finger_checksum(const Finger& finger) {
-  Finger bare;  // a value of its own, so that keys of other versions do not count
+  Finger bare;  // a copy, without keys of other versions
   bare.name = "finger";
   bare.camera = finger.camera;
   bare.face = finger.face;
   bare.markers = finger.markers;
-  // What the reference recording told of the dots belongs to the reference.
+  // The polarity that the reference recording determined belongs to the reference.
   bare.markers.polarity = Polarity::kAuto;
   bare.markers.missing.clear();
   const auto yaml = bare.to_yaml();
@@ -222,9 +222,9 @@ Result<std::string> reference_checksum(const fs::path& finger_folder, const Fing
   Checksum checksum;
   const ReferenceFiles& files = *finger.reference;
   if (!files.image.empty()) {
-    const auto grey = read_grey_picture(finger_folder / files.image);
+    const auto grey = read_grey_image(finger_folder / files.image);
     if (!grey) return grey.error();
-    return picture_checksum(*grey);
+    return image_checksum(*grey);
   }
   for (const std::string& name : {files.video, files.markers}) {
     const auto content = read_file(finger_folder / name);

@@ -1,12 +1,12 @@
-// What a calibration was made from, kept beside finger.yaml so that it can be made again.
+// Inputs of a calibration, stored next to finger.yaml so that it can be repeated.
 //
-// calibration_inputs.yaml, with the pictures in presses/ and the finger's own reference, is all
-// that a repetition needs:
+// calibration_inputs.yaml, with the images in presses/ and the finger's own reference, is all that
+// a repetition needs:
 //   format: alltact-calibration/1
 //   date: "2026-01-31T12:00:00Z"      # of the calibration, not of its repetition
 //   program_version: 0.1.0
-//   operator: Ada                     # this, the radius and what was said of single presses
-//                                     # then: as in press_notes.yaml (press_set.h)
+//   operator: Ada                     # this, the radius and the notes on single presses at that
+//                                     # time: as in press_notes.yaml (press_set.h)
 //   ball_radius_mm: 4.0
 //   calibration: {method: joint, ...} # the settings, by their names
 //   pipeline: {edge-method: crossing, ...}
@@ -14,10 +14,10 @@
 //   finger: 0123456789abcdef          # checksums: camera, face and markers; the reference's files
 //   reference: 0123456789abcdef
 //   excluded: [press_3]
-//   excluded_because: [glove in the picture]
+//   excluded_because: [glove in the image]
 //   checksums: [0123456789abcdef, ...]  # of every press' pixels
 //   presses: [press_0, ...]           # presses/NAME.png, in this order; last, in brackets, so
-//                                     # that a file that was cut off is no YAML
+//                                     # that a truncated file is no YAML
 #pragma once
 
 #include "calibration/joint/calibrate.h"
@@ -37,13 +37,13 @@
 
 namespace alltact {
 
-/// Where a finger keeps the pictures of its presses.
+/// Folder of a finger's press images.
 inline constexpr const char* kPressFolder = "presses";
 
-/// A picture in presses/.
-struct KeptPress {
-  std::string name;      ///< its file's, without the ending
-  std::string checksum;  ///< of its pixels, see picture_checksum
+/// An image in presses/.
+struct StoredPress {
+  std::string name;      ///< file name without the ending
+  std::string checksum;  ///< of its pixels, see image_checksum
 };
 
 struct CalibrationInputs {
@@ -52,15 +52,15 @@ struct CalibrationInputs {
 
   std::string date;             ///< UTC, as utc_now() writes it
   std::string program_version;  ///< that solved
-  PressSet said;                ///< of the presses, then; names none but these
+  PressSet press_set;           ///< of the presses, at that time; names none but these
   CalibrationSettings calibration;
   PipelineSettings pipeline;
   bool is_continuous = false;
   std::string finger_checksum, reference_checksum;
-  std::vector<KeptPress> presses;
+  std::vector<StoredPress> presses;
 
-  /// Strict in values, kind to unknown keys, which are kept and named in `warnings`, as
-  /// Finger::load is. Errors: no such file, another format, anything missing or impossible.
+  /// Strict in values. Unknown keys are preserved and named in `warnings`, as in Finger::load.
+  /// Errors: no such file; another format; anything missing or impossible.
   static Result<CalibrationInputs> load(const std::filesystem::path& finger_folder,
                                         std::vector<Message>* warnings = nullptr);
   static Result<CalibrationInputs> parse(const std::string& yaml,
@@ -73,21 +73,19 @@ struct CalibrationInputs {
   std::shared_ptr<const Unknown> unknown_;
 };
 
-/// The pictures in presses/ of a finger's folder, in name order; none where there is no such
-/// folder.
-[[nodiscard]] Result<std::vector<std::filesystem::path>> kept_presses(
+/// The images in presses/ of a finger's folder, in name order; empty where there is no such folder.
+[[nodiscard]] Result<std::vector<std::filesystem::path>> stored_presses(
     const std::filesystem::path& finger_folder);
 
 /// True when the same calibration comes out: everything but the date is equal.
 [[nodiscard]] bool same_but_for_date(const CalibrationInputs& a, const CalibrationInputs& b);
 
-/// Sixteen hexadecimal digits that tell pictures apart that differ by accident (FNV-1a over words
-/// of 64 bits); not a protection against intent.
-[[nodiscard]] std::string picture_checksum(const cv::Mat& grey);
-/// Of what a finger was before anything was calibrated: camera, face, markers.
+/// Sixteen hexadecimal digits that distinguish images with accidental differences (FNV-1a over
+/// words of 64 bits); no protection against intent.
+[[nodiscard]] std::string image_checksum(const cv::Mat& grey);
+/// Of a finger's fields before any calibration: camera, face, markers.
 [[nodiscard]] std::string finger_checksum(const Finger& finger);
-/// Of the files that the finger names as its reference (of a picture its pixels); empty when it
-/// names none.
+/// Of the finger's reference files (of an image its pixels); empty without a reference.
 [[nodiscard]] Result<std::string> reference_checksum(const std::filesystem::path& finger_folder,
                                                      const Finger& finger);
 

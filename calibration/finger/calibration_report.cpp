@@ -1,6 +1,6 @@
 #include "calibration/finger/calibration_report.h"
 
-#include "calibration/presses/press_sayings.h"
+#include "calibration/presses/press_note_kinds.h"
 #include "calibration/verdict/verdict_json.h"
 #include "core/io/message_json.h"
 
@@ -31,16 +31,16 @@ Json press_json(const BallFit& ball, const std::vector<PressResiduals>& residual
   if (ball.held_out_mm > 0) entry["held_out_mm"] = ball.held_out_mm;
   entry["tangent_arc_deg"] = ball.tangent_arc_deg;
   entry["cut_by_edge"] = ball.cut_by_edge;
-  entry["pressed_in_mm"] = ball.pressed_in_mm;
-  if (ball.told_depth)
-    entry["measured_depth"] = {{"mm", ball.told_depth->mm}, {"sd_mm", ball.told_depth->sd_mm}};
-  const auto place =
+  entry["pressed_in_mm"] = ball.indentation_mm;
+  if (ball.given_depth)
+    entry["measured_depth"] = {{"mm", ball.given_depth->mm}, {"sd_mm", ball.given_depth->sd_mm}};
+  const auto found =
       std::find_if(residuals.begin(), residuals.end(), [&](const PressResiduals& one) {
         return one.press == ball.press;
       });
-  if (place != residuals.end()) {
-    entry["along_mm"] = place->along_mm;
-    entry["across_mm"] = place->across_mm;
+  if (found != residuals.end()) {
+    entry["along_mm"] = found->along_mm;
+    entry["across_mm"] = found->across_mm;
   }
   return entry;
 }
@@ -63,37 +63,37 @@ Json methods_json(const std::vector<MethodRow>& methods) {
   return rows;
 }
 
-Json said_json(const std::vector<Message>& messages) {
+Json messages_json(const std::vector<Message>& messages) {
   Json all = Json::array();
   for (const Message& message : messages) all.push_back(message_json(message));
   return all;
 }
 
-/// What recall_calibration() says again in any language.
-Json said_json(const Calibration& calibration) {
-  Json said;
-  said["degree_choice"] = message_json(calibration.degree_choice);
-  said["left_out"] = said_json(calibration.left_out);
-  said["remarks"] = said_json(calibration.remarks);
+/// Sentences that recall_calibration() repeats in any language.
+Json messages_json(const Calibration& calibration) {
+  Json sentences;
+  sentences["degree_choice"] = message_json(calibration.degree_choice);
+  sentences["left_out"] = messages_json(calibration.left_out);
+  sentences["remarks"] = messages_json(calibration.remarks);
   if (const auto& next = calibration.next_press)
-    said["next_press"] = {{"enough", next->enough},
-                          {"along_mm", next->along_mm},
-                          {"across_mm", next->across_mm},
-                          {"depth_mm", next->depth_mm},
-                          {"sd_now_mm", next->sd_now_mm},
-                          {"sd_then_mm", next->sd_then_mm},
-                          {"sentence", message_json(next->sentence)}};
-  return said;
+    sentences["next_press"] = {{"enough", next->enough},
+                               {"along_mm", next->along_mm},
+                               {"across_mm", next->across_mm},
+                               {"depth_mm", next->depth_mm},
+                               {"sd_now_mm", next->sd_now_mm},
+                               {"sd_then_mm", next->sd_then_mm},
+                               {"sentence", message_json(next->sentence)}};
+  return sentences;
 }
 
-/// Those that are not as usual.
+/// Settings that differ from their defaults.
 template <class S>
 void add_settings(const S& settings,
-                  const S& usual,
+                  const S& defaults,
                   const std::vector<Setting<S>>& table,
                   std::string* command) {
   for (const Setting<S>& setting : table)
-    if (setting.get(settings) != setting.get(usual))
+    if (setting.get(settings) != setting.get(defaults))
       *command += fmt::format(" --{} {}", setting.name, shell_quoted(setting.get(settings)));
 }
 
@@ -104,7 +104,7 @@ std::string calibration_report_json(const FingerCalibration& done) {
   Json report;
   report["format"] = "alltact-calibration-report/1";
   report["program_version"] = done.inputs.program_version;
-  report["ball_radius_mm"] = done.inputs.said.ball_radius_mm;
+  report["ball_radius_mm"] = done.inputs.press_set.ball_radius_mm;
   report["verdict"] = done.verdict.sentence.english();
   report["grade"] = to_string(done.verdict.grade);
   report["evidence"] = verdict_json(done.verdict);
@@ -136,34 +136,34 @@ std::string calibration_report_json(const FingerCalibration& done) {
   for (const StepFit& step : calibration.steps)
     steps.push_back({{"press", step.press},
                      {"step_mm", step.step_mm},
-                     {"reads_mm", step.reads_mm},
+                     {"reads_mm", step.estimated_mm},
                      {"sd_mm", step.sd_mm}});
   if (!steps.empty()) report["steps"] = std::move(steps);
   Json excluded = Json::array();
-  for (const auto& [name, note] : done.inputs.said.notes)
+  for (const auto& [name, note] : done.inputs.press_set.notes)
     if (note.excluded) excluded.push_back({{"press", name}, {"because", *note.excluded}});
   report["excluded"] = std::move(excluded);
   report["left_out"] = english(calibration.left_out);
   report["fault_signs"] = english(done.fault_signs);
   report["remarks"] = english(calibration.remarks);
-  report["said"] = said_json(calibration);
+  report["said"] = messages_json(calibration);
   // A file name may be anything but UTF-8.
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::string repeat_command(const std::filesystem::path& finger_folder) {
   std::error_code failed;
-  std::filesystem::path whole = std::filesystem::weakly_canonical(finger_folder, failed);
-  if (failed) whole = finger_folder;
-  if (whole.filename().empty()) whole = whole.parent_path();  // it ended in a slash
-  return "alltact calibrate " + shell_quoted(whole.filename().string()) + " --again";
+  std::filesystem::path full_path = std::filesystem::weakly_canonical(finger_folder, failed);
+  if (failed) full_path = finger_folder;
+  if (full_path.filename().empty()) full_path = full_path.parent_path();  // it ended in a slash
+  return "alltact calibrate " + shell_quoted(full_path.filename().string()) + " --again";
 }
 
 std::string calibrate_command(const FingerCalibrationInput& input) {
   const auto absolute = [](const std::filesystem::path& path) {
     std::error_code failed;
-    const auto whole = std::filesystem::absolute(path, failed);
-    return shell_quoted((failed ? path : whole).string());
+    const auto full_path = std::filesystem::absolute(path, failed);
+    return shell_quoted((failed ? path : full_path).string());
   };
   std::string command = "alltact calibrate " + absolute(input.folder);
   for (const auto& press : input.presses.files) command += ' ' + absolute(press);
@@ -171,12 +171,12 @@ std::string calibrate_command(const FingerCalibrationInput& input) {
     command += fmt::format(" --{} {}", flag, shell_quoted(value));
   };
   if (input.presses.bursts) command += " --bursts";
-  add("ball-radius-mm", fmt::format("{}", input.said.ball_radius_mm));
-  for (const auto& [flag, text] : said_of_presses(input.said)) add(flag.c_str(), text);
+  add("ball-radius-mm", fmt::format("{}", input.press_set.ball_radius_mm));
+  for (const auto& [flag, text] : press_note_flags(input.press_set)) add(flag.c_str(), text);
   if (input.reference) command += " --reference " + absolute(*input.reference);
   add_settings(input.calibration, CalibrationSettings{}, calibration_settings(), &command);
   add_settings(input.pipeline, PipelineSettings{}, pipeline_settings(), &command);
-  if (!input.said.operator_name.empty()) add("operator", input.said.operator_name);
+  if (!input.press_set.operator_name.empty()) add("operator", input.press_set.operator_name);
   if (!input.date.empty()) add("date", input.date);
   return command;
 }

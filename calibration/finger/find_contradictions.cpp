@@ -12,29 +12,29 @@ namespace {
 
 // A layer is measured with a caliper to a few hundredths of a millimetre.
 constexpr double kLayerTolerance = 1.03;
-// The mapping's end is the darkest sample that was read, short of the deepest point by noise.
+// The mapping ends at the darkest sample, which is below the deepest point by noise.
 constexpr double kReachTolerance = 1.05;
-// Working distances of the lenses that fit into a finger: endoscopes focus from 5 mm on, and no
-// finger is longer than half a metre.
+// Working distances of lenses that fit into a finger: endoscopes focus from 5 mm on, and no finger
+// is longer than half a metre.
 constexpr double kNearestFaceMm = 5, kFarthestFaceMm = 500;
 
-// Spots that are brighter than the reference, of presses that show the same skin there.
+// Distance of bright spots that count as the same spot of skin.
 constexpr double kSameSpotMm = 3;
 
-/// One press more that shows it.
+/// Adds a press that shows the contradiction.
 void add_press(Contradiction& to, const std::string& press, double mm) {
   to.measured_mm = to.presses.empty() ? mm : std::min(to.measured_mm, mm);
   to.measured_to_mm = std::max(to.measured_to_mm, mm);
   to.presses.push_back(press);
 }
 
-/// A ball touches at most its own circle, however deep it lies.
+/// A ball's contact is at most as wide as its own circle, at any depth.
 Contradiction wider_than_ball(const FingerCalibration& done) {
   Contradiction wider;
   wider.kind = ContradictionKind::kContactWiderThanBall;
   for (const TakenPress& taken : done.presses) {
     if (!taken.press || taken.press->step_mm) continue;
-    if (const auto& note = done.inputs.said.of(taken.name); note.excluded) continue;
+    if (const auto& note = done.inputs.press_set.of(taken.name); note.excluded) continue;
     Press press = *taken.press;
     const double radius_mm = press.ball_radius_mm;
     if (!(radius_mm > 0)) continue;
@@ -50,8 +50,8 @@ Contradiction wider_than_ball(const FingerCalibration& done) {
   return wider;
 }
 
-double pressed_in_mm(const BallFit& ball) {
-  return ball.pressed_in_mm > 0 ? ball.pressed_in_mm : ball.depth_mm;
+double indentation_mm(const BallFit& ball) {
+  return ball.indentation_mm > 0 ? ball.indentation_mm : ball.depth_mm;
 }
 
 Contradiction deeper_than_layer(const FingerCalibration& done) {
@@ -60,12 +60,12 @@ Contradiction deeper_than_layer(const FingerCalibration& done) {
   deeper.given_mm = done.finger.face.layer_mm;
   deeper.of = static_cast<int>(done.calibration.balls.size());
   for (const BallFit& ball : done.calibration.balls)
-    if (pressed_in_mm(ball) > kLayerTolerance * deeper.given_mm)
-      add_press(deeper, ball.press, pressed_in_mm(ball));
+    if (indentation_mm(ball) > kLayerTolerance * deeper.given_mm)
+      add_press(deeper, ball.press, indentation_mm(ball));
   return deeper;
 }
 
-/// Depths that somebody measured, deeper than the curve of brightness goes.
+/// Measured depths beyond the range of the brightness curve.
 Contradiction beyond_mapping(const FingerCalibration& done) {
   Contradiction beyond;
   beyond.kind = ContradictionKind::kDepthBeyondMapping;
@@ -73,7 +73,7 @@ Contradiction beyond_mapping(const FingerCalibration& done) {
   if (!mapping) return beyond;
   beyond.given_mm = mapping->depth_mm(mapping->x_max());
   for (const TakenPress& taken : done.presses) {
-    const PressNote& note = done.inputs.said.of(taken.name);
+    const PressNote& note = done.inputs.press_set.of(taken.name);
     if (!note.depth || note.excluded || !taken.press) continue;
     ++beyond.of;
     if (note.depth->mm > kReachTolerance * beyond.given_mm + 3 * note.depth->sd_mm)
@@ -111,15 +111,15 @@ Contradiction width_against_camera(const FingerCalibration& done) {
   return width;
 }
 
-/// Skin that is brighter than the reference at one place in two presses or more: one alone may be a
-/// glint of the ball.
-Contradiction reference_touched(const FingerCalibration& done) {
-  Contradiction touched;
-  touched.kind = ContradictionKind::kReferenceTouched;
+/// Skin that is brighter than the reference at one position in two presses or more: in a single one
+/// it may be a glint of the ball.
+Contradiction reference_contact(const FingerCalibration& done) {
+  Contradiction contact;
+  contact.kind = ContradictionKind::kReferenceContact;
   std::vector<std::pair<std::string, ReferenceSuspect>> spots;
   for (const TakenPress& taken : done.presses) {
     if (!taken.press || !taken.sign.known_pose) continue;
-    ++touched.of;
+    ++contact.of;
     if (const auto spot = find_reference_suspect(taken.press->difference, taken.press->shape))
       spots.emplace_back(taken.name, *spot);
   }
@@ -129,12 +129,12 @@ Contradiction reference_touched(const FingerCalibration& done) {
       if (std::hypot(there.along_mm - spot.along_mm, there.across_mm - spot.across_mm) <
           kSameSpotMm)
         alike.push_back(other);
-    if (alike.size() >= 2 && alike.size() > touched.presses.size()) {
-      touched.presses = alike;
-      touched.measured_mm = spot.along_mm;
+    if (alike.size() >= 2 && alike.size() > contact.presses.size()) {
+      contact.presses = alike;
+      contact.measured_mm = spot.along_mm;
     }
   }
-  return touched;
+  return contact;
 }
 
 }  // namespace
@@ -143,7 +143,7 @@ std::vector<Contradiction> find_contradictions(const FingerCalibration& done) {
   std::vector<Contradiction> all;
   for (Contradiction& one : std::vector{width_against_camera(done),
                                         wider_than_ball(done),
-                                        reference_touched(done),
+                                        reference_contact(done),
                                         deeper_than_layer(done),
                                         beyond_mapping(done)})
     if (!one.presses.empty()) all.push_back(std::move(one));

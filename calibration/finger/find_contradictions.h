@@ -1,4 +1,4 @@
-// Where a calibration's presses contradict the numbers that were given for it.
+// Contradictions between a calibration's presses and the numbers given for it.
 #pragma once
 
 #include "calibration/finger/calibrate_finger.h"
@@ -8,8 +8,8 @@
 
 namespace alltact {
 
-/// Of a calibration that has been solved: presses, balls, finger and inputs are those of `done`;
-/// its verdict is not read. Presses that were left out count as well. Worst first.
+/// Needs a solved calibration with presses, balls, finger and inputs; its verdict is not read.
+/// Presses that were left out count as well. Worst first.
 [[nodiscard]] std::vector<Contradiction> find_contradictions(const FingerCalibration& done);
 
 }  // namespace alltact

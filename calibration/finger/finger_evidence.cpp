@@ -3,7 +3,7 @@
 #include "calibration/finger/calibration_inputs.h"
 #include "calibration/finger/calibration_report.h"
 #include "core/finger/reduced_finger.h"
-#include "core/io/picture.h"
+#include "core/io/image_file.h"
 #include "core/recording/matroska_index.h"
 #include "core/recording/video_file.h"
 #include "core/sensing/reference/flat_reference.h"
@@ -26,7 +26,7 @@ bool has_content(const fs::path& file) {
   return fs::is_regular_file(file, failed) && fs::file_size(file, failed) > 0;
 }
 
-/// What a file is, as far as its folder tells without reading it.
+/// Size and time of a file, from its folder entry.
 std::string stamp_of(const fs::path& file) {
   std::error_code failed;
   const auto size = fs::file_size(file, failed);
@@ -35,7 +35,7 @@ std::string stamp_of(const fs::path& file) {
                 : fmt::format("{} {} {}", file.string(), size, written.time_since_epoch().count());
 }
 
-/// States of references by the files they are of: asked for at every refresh of a window.
+/// States of references by their files: requested at every refresh of a window.
 class StateCache {
  public:
   [[nodiscard]] std::optional<ReferenceState> find(const std::string& key) {
@@ -61,8 +61,7 @@ ReferenceState recording_state(const FingerSnapshot& snapshot) {
   std::error_code failed;
   if (!fs::exists(video, failed) || !fs::exists(markers, failed)) return ReferenceState::kMissing;
   if (!has_content(video) || !has_content(markers)) return ReferenceState::kCut;
-  // A recording that a crash cut off would be repaired where it is opened: its structure is looked
-  // at first.
+  // Opening would repair a recording that a crash truncated: its structure is checked first.
   if (const auto index = index_matroska(video);
       index && (!index->has_length || !index->is_walkable || index->blocks.empty()))
     return ReferenceState::kCut;
@@ -74,23 +73,23 @@ ReferenceState recording_state(const FingerSnapshot& snapshot) {
     return ReferenceState::kCut;
   const auto frame = recording->frame(0);
   if (!frame || (*frame)->grey.empty()) return ReferenceState::kCut;
-  const auto image = picture_for(snapshot, (*frame)->grey, "", video.string(), "");
-  return image ? ReferenceState::kWhole : ReferenceState::kOtherImage;
+  const auto image = image_for(snapshot, (*frame)->grey, "", video.string(), "");
+  return image ? ReferenceState::kIntact : ReferenceState::kOtherImage;
 }
 
 ReferenceState image_state(const FingerSnapshot& snapshot) {
   const fs::path image = snapshot.folder / snapshot.finger.reference->image;
   std::error_code failed;
   if (!fs::exists(image, failed)) return ReferenceState::kMissing;
-  if (!read_grey_picture(image)) return ReferenceState::kCut;
-  return flat_reference(snapshot) ? ReferenceState::kWhole : ReferenceState::kOtherImage;
+  if (!read_grey_image(image)) return ReferenceState::kCut;
+  return flat_reference(snapshot) ? ReferenceState::kIntact : ReferenceState::kOtherImage;
 }
 
 }  // namespace
 
 std::optional<double> days_between(const std::string& then, const std::string& now) {
   constexpr double kDay_s = 86400;
-  const auto then_s = seconds_of(then), now_s = seconds_of(now);
+  const auto then_s = unix_seconds(then), now_s = unix_seconds(now);
   if (!then_s || !now_s) return std::nullopt;
   return (*now_s - *then_s) / kDay_s;
 }
@@ -116,11 +115,11 @@ CalibrationEvidence evidence_in(const FingerSnapshot& snapshot,
                                 const std::string& now,
                                 const std::string& passed) {
   Finger finger = snapshot.finger;
-  if (snapshot.reduced_by > 1) finger.camera = snapshot.whole_camera;
+  if (snapshot.reduced_by > 1) finger.camera = snapshot.full_camera;
   CalibrationEvidence evidence = evidence_of(finger);
   evidence.reference = reference_state(snapshot);
   evidence.repeat_command = Message::typed(repeat_command(snapshot.folder));
-  // The checksum covers what the record does not name: markers, and files of earlier versions.
+  // The checksum covers fields outside the record: markers, and files of earlier versions.
   if (evidence.changed.empty() && finger.mapping_record)
     if (const auto inputs = CalibrationInputs::load(snapshot.folder);
         inputs && !inputs->finger_checksum.empty() &&

@@ -30,7 +30,7 @@ Result<FingerCalibration> forecast_calibration(const Finger& finger,
   std::vector<std::optional<Reference>> references;
   for (const ReferencedPress& one : presses) {
     done.presses.push_back(one.taken);
-    take_what_is_said(inputs.said, done.presses.back());
+    apply_notes(inputs.press_set, done.presses.back());
     references.push_back(one.reference);
   }
   if (const Status solved = solve_presses(done, references, {}, job, {}); !solved)
@@ -43,24 +43,24 @@ std::optional<PressFit> fit_of_press(const Press& press,
                                      const MappingParameters& mapping,
                                      const Eigen::Vector3d& centre_mm) {
   if (!(press.ball_radius_mm > 0)) return std::nullopt;
-  Calibration alone;
-  alone.mapping = mapping;
+  Calibration single;
+  single.mapping = mapping;
   BallFit ball;
   ball.press = press.name;
   ball.radius_mm = press.ball_radius_mm;
   ball.centre_mm = centre_mm;
-  alone.balls.push_back(ball);
-  auto residuals = press_residuals({&press}, face, alone);
+  single.balls.push_back(ball);
+  auto residuals = press_residuals({&press}, face, single);
   if (residuals.empty()) return std::nullopt;
   PressFit fit{std::move(residuals.front())};
-  int sure = 0;
+  int inner = 0;
   for (const ResidualSample& sample : fit.residuals.samples) {
-    if (!(sample.rim <= kSureRim) || !std::isfinite(sample.residual_mm)) continue;
+    if (!(sample.rim <= kInnerRim) || !std::isfinite(sample.residual_mm)) continue;
     fit.error_mm += std::abs(sample.residual_mm);
-    ++sure;
+    ++inner;
   }
-  if (sure == 0) return std::nullopt;
-  fit.error_mm /= sure;
+  if (inner == 0) return std::nullopt;
+  fit.error_mm /= inner;
   fit.side_px = side_of(fit.residuals.samples);
   return fit;
 }

@@ -1,5 +1,5 @@
-// What calibrating would come to with presses as they are said to be now, and what one press would
-// be in it: nothing is written.
+// Predicted result of a calibration with the current presses and notes, and the fit of one press in
+// it. Nothing is written.
 #pragma once
 
 #include "calibration/finger/calibrate_finger.h"
@@ -12,25 +12,25 @@
 
 namespace alltact {
 
-/// A press as it was measured once; what is said of it is taken when it is used.
+/// A press as it was measured; its notes are applied when it is used.
 struct ReferencedPress {
   TakenPress taken;
-  std::optional<Reference> reference;  ///< what it was compared with
+  std::optional<Reference> reference;  ///< that it was compared with
 };
 
-/// The figures of calibrate_finger() with these presses, in the order of their names: those that it
-/// would give where the pipeline's settings are the same. `inputs` says which settings and what is
-/// said of the presses. Errors: those of solve_presses().
+/// The figures of calibrate_finger() with these presses, in the order of their names, if the
+/// pipeline's settings are the same. `inputs` holds the settings and the notes on the presses.
+/// Errors: those of solve_presses().
 [[nodiscard]] Result<FingerCalibration> forecast_calibration(
     const Finger& finger,
     const std::vector<ReferencedPress>& presses,
     const CalibrationInputs& inputs,
     const Job& job);
 
-/// One press held against a mapping that is known, its ball at `centre_mm`: a dozen milliseconds.
+/// One press compared with a known mapping, its ball at `centre_mm`: about 12 ms.
 struct PressFit {
   PressResiduals residuals;
-  /// Mean magnitude of the residuals in the inner part of the contact (kSureRim), mm.
+  /// Mean magnitude of the residuals in the inner part of the contact (kInnerRim), mm.
   double error_mm = 0;
   int side_px = 1;  ///< of the squares that the samples are means over
 };

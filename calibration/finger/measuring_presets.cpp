@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 constexpr Limits kFigure{0.0, 1e6};
 
-/// What measuring.yaml says, settings still as differences.
+/// Content of measuring.yaml, with settings as differences.
 struct MeasuringFile {
   struct Preset {
     std::string name;
@@ -36,8 +36,8 @@ const Setting<PipelineSettings>* setting_named(const std::string& name) {
   return nullptr;
 }
 
-/// Refuses what this version cannot set; a setting of another version, which nobody asks for, is
-/// kept from being used.
+/// Rejects values that this version cannot set. Requested settings of another version are
+/// preserved, but not used.
 std::map<std::string, std::string> read_changes(YamlSection section) {
   std::map<std::string, std::string> changes;
   for (const auto& [name, value] : section.all_texts()) {
@@ -157,9 +157,9 @@ std::map<std::string, std::string> changes_between(const PipelineSettings& base,
   return changes;
 }
 
-/// The whole file anew, with what others wrote in between.
+/// Rewrites the file, including concurrent changes of other programs.
 Status change_file(FingerStore& store, const std::function<void(MeasuringFile&)>& change) {
-  return store.keep_measuring([&](const fs::path& folder) -> Result<std::string> {
+  return store.save_measuring([&](const fs::path& folder) -> Result<std::string> {
     auto file = load_measuring(folder);
     if (!file) return file.error();
     change(*file);
@@ -178,27 +178,27 @@ const MeasuringPreset* MeasuringPresets::find(const std::string& name) const {
 Result<MeasuringPresets> presets_of_finger(const fs::path& folder) {
   const auto file = load_measuring(folder);
   if (!file) return file.error();
-  MeasuringPresets kept;
-  kept.calibrated = calibrated_settings(folder);
-  kept.now = with_changes(kept.calibrated, file->used_changes);
-  kept.used = file->used;
-  kept.date = file->date;
-  kept.program_version = file->program_version;
-  kept.machine = file->machine;
-  kept.about = file->about;
-  // A setting that the file does not name was not there then: it had its usual value.
-  kept.is_stale = !file->date.empty() &&
-                  !changes_between(kept.calibrated, with_changes({}, file->base)).empty();
+  MeasuringPresets stored;
+  stored.calibrated = calibrated_settings(folder);
+  stored.now = with_changes(stored.calibrated, file->used_changes);
+  stored.used = file->used;
+  stored.date = file->date;
+  stored.program_version = file->program_version;
+  stored.machine = file->machine;
+  stored.about = file->about;
+  // A setting that the file does not name did not exist at that time: it had its default value.
+  stored.is_stale = !file->date.empty() &&
+                    !changes_between(stored.calibrated, with_changes({}, file->base)).empty();
   for (const auto& preset : file->presets)
-    kept.presets.push_back({preset.name,
-                            with_changes(kept.calibrated, preset.changes),
-                            preset.frame_ms,
-                            preset.median_mm,
-                            preset.p95_mm});
-  return kept;
+    stored.presets.push_back({preset.name,
+                              with_changes(stored.calibrated, preset.changes),
+                              preset.frame_ms,
+                              preset.median_mm,
+                              preset.p95_mm});
+  return stored;
 }
 
-Status keep_presets(FingerStore& store, const MeasuringPresets& presets) {
+Status save_presets(FingerStore& store, const MeasuringPresets& presets) {
   return change_file(store, [&](MeasuringFile& file) {
     file.date = presets.date;
     file.program_version = presets.program_version;
@@ -236,16 +236,16 @@ Status use_calibrated_settings(FingerStore& store) {
 }
 
 Result<PipelineSettings> preset_settings(const fs::path& folder, const std::string& name) {
-  const auto kept = presets_of_finger(folder);
-  if (!kept) return kept.error();
-  if (const MeasuringPreset* preset = kept->find(name)) return preset->settings;
-  if (name == "balanced" || name == "calibrated") return kept->calibrated;
-  if (kept->date.empty())
+  const auto stored = presets_of_finger(folder);
+  if (!stored) return stored.error();
+  if (const MeasuringPreset* preset = stored->find(name)) return preset->settings;
+  if (name == "balanced" || name == "calibrated") return stored->calibrated;
+  if (stored->date.empty())
     return Error{en::say("this finger keeps no presets: it was not studied yet"),
                  folder.string(),
                  en::say("alltact study {} --save", folder.string())};
   std::vector<std::string> names{"calibrated"};
-  for (const MeasuringPreset& preset : kept->presets) names.push_back(preset.name);
+  for (const MeasuringPreset& preset : stored->presets) names.push_back(preset.name);
   if (name == "fast" || name == "finest")
     return Error{
         name == "fast"

@@ -6,11 +6,11 @@
 namespace alltact {
 
 PipelineSettings calibrated_settings(const std::filesystem::path& finger_folder) {
-  const PipelineSettings usual;
+  const PipelineSettings defaults;
   const auto inputs = CalibrationInputs::load(finger_folder);
-  if (!inputs) return usual;
+  if (!inputs) return defaults;
   PipelineSettings settings = inputs->pipeline;
-  settings.contact_threshold_mm = usual.contact_threshold_mm;
+  settings.contact_threshold_mm = defaults.contact_threshold_mm;
   return settings;
 }
 

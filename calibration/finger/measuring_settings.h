@@ -1,4 +1,4 @@
-// The settings that a finger is measured with, wherever it is measured.
+// The settings of a finger for all measurements.
 #pragma once
 
 #include "core/sensing/pipeline_settings.h"
@@ -7,14 +7,13 @@
 
 namespace alltact {
 
-/// What the finger measures with: those of its calibration, with what a preset that it uses
-/// (measuring_presets.h) changes. A preset file that cannot be read changes nothing.
+/// Those of its calibration, with the changes of the preset in use (measuring_presets.h). An
+/// unreadable preset file changes nothing.
 [[nodiscard]] PipelineSettings measuring_settings(const std::filesystem::path& finger_folder);
 
-/// What calibration_inputs.yaml keeps of the pipeline: a mapping holds for the smoothing, edges and
-/// reference that its presses were read with. contact_threshold_mm, which no mapping depends on,
-/// stays as usual. A folder that keeps none (not calibrated, or its inputs cannot be read): the
-/// usual settings.
+/// The pipeline's settings in calibration_inputs.yaml: a mapping requires the smoothing, edges and
+/// reference that its presses were measured with. contact_threshold_mm, which no mapping depends
+/// on, has its default. Without a readable file (not calibrated): the default settings.
 [[nodiscard]] PipelineSettings calibrated_settings(const std::filesystem::path& finger_folder);
 
 }  // namespace alltact

@@ -2,7 +2,7 @@
 
 #include "calibration/finger/calibration_inputs.h"
 #include "calibration/joint/paper_calibration.h"
-#include "core/io/picture.h"
+#include "core/io/image_file.h"
 
 namespace alltact {
 namespace {
@@ -12,12 +12,12 @@ bool is_calibrated_as_paper(const FingerSnapshot& finger) {
   return finger.mapping && record && record->method == method_name(CalibrationMethod::kPaper);
 }
 
-Result<std::vector<FramePtr>> read_kept_frames(const FingerSnapshot& finger,
-                                               const CalibrationInputs& inputs) {
+Result<std::vector<FramePtr>> read_stored_frames(const FingerSnapshot& finger,
+                                                 const CalibrationInputs& inputs) {
   std::vector<FramePtr> frames;
-  for (const KeptPress& press : inputs.presses) {
+  for (const StoredPress& press : inputs.presses) {
     const auto file = finger.folder / kPressFolder / (press.name + ".png");
-    auto grey = read_grey_picture(file);
+    auto grey = read_grey_image(file);
     if (!grey) return grey.error();
     auto frame = std::make_shared<Frame>();
     frame->grey = std::move(grey).value();
@@ -32,13 +32,13 @@ Result<std::vector<FramePtr>> read_kept_frames(const FingerSnapshot& finger,
 
 Result<std::vector<Press>> paper_presses(PaperMethod& method,
                                          const std::vector<FramePtr>& frames,
-                                         const PressSet& said,
+                                         const PressSet& press_set,
                                          const Job& job) {
   std::vector<Press> presses;
   Message reason = en::say("there is none that is not excluded");
   for (const FramePtr& frame : frames) {
     if (job.stop_requested()) return Error{en::say("stopped before there was a solution"), "", ""};
-    const PressNote& note = said.of(frame->name);
+    const PressNote& note = press_set.of(frame->name);
     if (note.excluded || note.step_mm) continue;
     method.forget();
     auto result = method(frame);
@@ -50,7 +50,7 @@ Result<std::vector<Press>> paper_presses(PaperMethod& method,
     presses.push_back(Press{frame->name,
                             std::move(*result->difference),
                             std::move(*result->shape),
-                            said.radius_of(frame->name),
+                            press_set.radius_of(frame->name),
                             note.ball_mm});
   }
   if (presses.empty())
@@ -66,7 +66,7 @@ Result<Pipeline> paper_pipeline(const FingerSnapshot& finger, const Job& job) {
   if (is_calibrated_as_paper(finger)) {
     auto method = PaperMethod::create(finger, job);
     if (!method) return method.error();
-    return Pipeline::of_paper(std::move(method).value());
+    return Pipeline::with_paper_method(std::move(method).value());
   }
   const auto inputs = CalibrationInputs::load(finger.folder);
   if (!inputs)
@@ -74,17 +74,17 @@ Result<Pipeline> paper_pipeline(const FingerSnapshot& finger, const Job& job) {
                          "keeps no presses to do so with"),
                  (finger.folder / CalibrationInputs::kFileName).string(),
                  en::say("alltact calibrate with ball presses")};
-  const auto frames = read_kept_frames(finger, *inputs);
+  const auto frames = read_stored_frames(finger, *inputs);
   if (!frames) return frames.error();
   auto method = PaperMethod::create(finger.without_mapping(), job);
   if (!method) return method.error();
-  const auto presses = paper_presses(*method, *frames, inputs->said, job);
+  const auto presses = paper_presses(*method, *frames, inputs->press_set, job);
   if (!presses) return presses.error();
   const auto calibration = calibrate_as_paper(*presses, finger.camera, finger.finger.face, job);
   if (!calibration) return calibration.error();
   auto mapping = Mapping::create(calibration->mapping);
   if (!mapping) return mapping.error();
-  return Pipeline::of_paper(method->with(std::move(mapping).value()));
+  return Pipeline::with_paper_method(method->with(std::move(mapping).value()));
 }
 
 }  // namespace alltact

@@ -1,5 +1,5 @@
-// The source paper's method on a finger that was calibrated by ours: nothing of its mapping is
-// taken, so that what is compared is the whole of both.
+// The source paper's method on a finger calibrated by this program. It takes nothing of the
+// mapping, so that the complete methods are compared.
 #pragma once
 
 #include "calibration/presses/press.h"
@@ -15,17 +15,17 @@
 
 namespace alltact {
 
-/// Press pictures as the paper's own steps measure them, each by itself. Those that are excluded,
-/// punches, and those in which it finds no face or no reference are not among them. Error: a
-/// picture of another size; none is left; stopped.
+/// Press images measured by the paper's own steps, each by itself. Excluded presses, punches, and
+/// images without a face or a reference are omitted. Errors: an image of another size; none is
+/// left; stopped.
 [[nodiscard]] Result<std::vector<Press>> paper_presses(PaperMethod& method,
                                                        const std::vector<FramePtr>& frames,
-                                                       const PressSet& said,
+                                                       const PressSet& press_set,
                                                        const Job& job);
 
 /// Measures by the paper's method. The mapping is the finger's where it was calibrated with
-/// --method paper; else that method calibrates, in memory, from the presses that the finger keeps.
-/// Errors: those of PaperMethod::create and calibrate_as_paper(); a finger that keeps no presses.
+/// --method paper; else that method calibrates in memory, from the finger's stored presses. Errors:
+/// those of PaperMethod::create and calibrate_as_paper(); a finger without stored presses.
 [[nodiscard]] Result<Pipeline> paper_pipeline(const FingerSnapshot& finger, const Job& job);
 
 }  // namespace alltact

@@ -1,20 +1,20 @@
 #include "calibration/finger/press_problem.h"
 
-#include "calibration/report/problem_picture.h"
-#include "core/io/picture.h"
-#include "core/sensing/reference/pose_places.h"
+#include "calibration/report/problem_image.h"
+#include "core/io/image_file.h"
+#include "core/sensing/reference/edge_positions.h"
 
 #include <algorithm>
 
 namespace alltact {
 namespace {
 
-constexpr std::size_t kMostShown = 8;
-constexpr double kDarker = 0.02;  // of the untouched brightness: fainter, noise covers the picture
+constexpr std::size_t kMaxShown = 8;
+constexpr double kDarker = 0.02;  // of the untouched brightness: fainter marks are noise
 
-/// Why a press is not used; empty: it is, or somebody excluded it.
+/// Why a press is not used; empty: it is, or a person excluded it.
 std::string reason_of(const TakenPress& press, const FingerCalibration& done) {
-  if (done.inputs.said.of(press.name).excluded) return {};
+  if (done.inputs.press_set.of(press.name).excluded) return {};
   if (!press.left_out.empty()) return press.name + ": " + press.left_out.english();
   for (const Message& message : done.calibration.left_out)
     if (std::string sentence = message.english(); sentence.starts_with(press.name + ':'))
@@ -22,7 +22,7 @@ std::string reason_of(const TakenPress& press, const FingerCalibration& done) {
   return {};
 }
 
-cv::Mat picture_of(const TakenPress& press, const std::string& words) {
+cv::Mat image_of(const TakenPress& press, const std::string& words) {
   ProblemScene scene;
   scene.grey = press.grey;
   scene.words = {words};
@@ -30,33 +30,32 @@ cv::Mat picture_of(const TakenPress& press, const std::string& words) {
     scene.edges = edge_curves(press.press->shape);
     scene.darker = press.press->difference.x > kDarker;
   }
-  return problem_picture(scene);
+  return problem_image(scene);
 }
 
 }  // namespace
 
 cv::Mat press_problem(const FingerCalibration& done, const std::string& refused) {
-  std::vector<cv::Mat> pictures;
+  std::vector<cv::Mat> images;
   const auto add = [&](const TakenPress& press, const std::string& words) {
-    if (pictures.size() < kMostShown && !press.grey.empty())
-      pictures.push_back(picture_of(press, words));
+    if (images.size() < kMaxShown && !press.grey.empty()) images.push_back(image_of(press, words));
   };
   for (const TakenPress& press : done.presses)
     if (const std::string reason = reason_of(press, done); !reason.empty()) add(press, reason);
-  if (pictures.empty() && !refused.empty())
+  if (images.empty() && !refused.empty())
     for (const TakenPress& press : done.presses)
       if (press.left_out.empty()) add(press, press.name + ": " + refused);
-  cv::Mat whole;
-  if (!pictures.empty()) cv::vconcat(pictures, whole);  // one camera: all are equally wide
-  return whole;
+  cv::Mat stacked;
+  if (!images.empty()) cv::vconcat(images, stacked);  // one camera: all are equally wide
+  return stacked;
 }
 
 std::filesystem::path leave_press_problem(const std::filesystem::path& finger_folder,
                                           const FingerCalibration& done,
                                           const std::string& refused) {
   const auto file = finger_folder / kPressProblem;
-  const cv::Mat picture = press_problem(done, refused);
-  if (!picture.empty() && write_picture(file, picture)) return file;
+  const cv::Mat image = press_problem(done, refused);
+  if (!image.empty() && write_image(file, image)) return file;
   std::error_code absent;
   std::filesystem::remove(file, absent);
   return {};

@@ -32,13 +32,13 @@ std::string word_at(const Json& json, const char* key) {
   return value != json.end() && value->is_string() ? value->get<std::string>() : std::string();
 }
 
-Eigen::Vector3d place_at(const Json& json, const char* key) {
-  Eigen::Vector3d place = Eigen::Vector3d::Zero();
+Eigen::Vector3d vector_at(const Json& json, const char* key) {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
   const auto value = json.find(key);
-  if (value == json.end() || !value->is_array() || value->size() != 3) return place;
+  if (value == json.end() || !value->is_array() || value->size() != 3) return position;
   for (std::size_t i = 0; i < 3; ++i)
-    if ((*value)[i].is_number()) place[static_cast<Eigen::Index>(i)] = (*value)[i].get<double>();
-  return place;
+    if ((*value)[i].is_number()) position[static_cast<Eigen::Index>(i)] = (*value)[i].get<double>();
+  return position;
 }
 
 const Json& list_at(const Json& json, const char* key) {
@@ -51,23 +51,24 @@ BallFit ball_of(const Json& json) {
   BallFit ball;
   ball.press = word_at(json, "press");
   ball.radius_mm = number_at(json, "ball_radius_mm");
-  ball.centre_mm = place_at(json, "centre_mm");
-  ball.centre_sd_mm = place_at(json, "centre_sd_mm");
+  ball.centre_mm = vector_at(json, "centre_mm");
+  ball.centre_sd_mm = vector_at(json, "centre_sd_mm");
   ball.depth_mm = number_at(json, "depth_mm");
   ball.residual_mm = number_at(json, "residual_mm");
   ball.held_out_mm = number_at(json, "held_out_mm");
   ball.tangent_arc_deg = number_at(json, "tangent_arc_deg");
   const auto cut = json.find("cut_by_edge");
   ball.cut_by_edge = cut != json.end() && cut->is_boolean() && cut->get<bool>();
-  ball.pressed_in_mm = number_at(json, "pressed_in_mm");
-  if (const auto told = json.find("measured_depth"); told != json.end() && told->is_object())
-    ball.told_depth = ToldDepth{number_at(*told, "mm"), number_at(*told, "sd_mm")};
+  ball.indentation_mm = number_at(json, "pressed_in_mm");
+  if (const auto depth_json = json.find("measured_depth");
+      depth_json != json.end() && depth_json->is_object())
+    ball.given_depth = GivenDepth{number_at(*depth_json, "mm"), number_at(*depth_json, "sd_mm")};
   return ball;
 }
 
-std::optional<PressAdvice> advice_of(const Json& said) {
-  const auto json = said.find("next_press");
-  if (json == said.end() || !json->is_object()) return std::nullopt;
+std::optional<PressAdvice> advice_of(const Json& sentences) {
+  const auto json = sentences.find("next_press");
+  if (json == sentences.end() || !json->is_object()) return std::nullopt;
   PressAdvice advice;
   const auto enough = json->find("enough");
   advice.enough = enough != json->end() && enough->is_boolean() && enough->get<bool>();
@@ -81,10 +82,10 @@ std::optional<PressAdvice> advice_of(const Json& said) {
   return advice;
 }
 
-/// As it was said, so that it can be translated; in English where that was not kept.
-std::vector<Message> messages_of(const Json& report, const Json& said, const char* key) {
+/// The stored templates, so that they can be translated; in English where there are none.
+std::vector<Message> messages_of(const Json& report, const Json& sentences, const char* key) {
   std::vector<Message> messages;
-  for (const Json& one : list_at(said.contains(key) ? said : report, key))
+  for (const Json& one : list_at(sentences.contains(key) ? sentences : report, key))
     messages.push_back(message_of(one));
   return messages;
 }
@@ -92,7 +93,7 @@ std::vector<Message> messages_of(const Json& report, const Json& said, const cha
 void read_report(const Json& report, const MappingRecord& record, Calibration& calibration) {
   static const Json kNothing = Json::object();
   const auto there = report.find("said");
-  const Json& said = there != report.end() && there->is_object() ? *there : kNothing;
+  const Json& sentences = there != report.end() && there->is_object() ? *there : kNothing;
   for (const Json& one : list_at(report, "presses")) calibration.balls.push_back(ball_of(one));
   for (const Json& one : list_at(report, "steps"))
     calibration.steps.push_back({word_at(one, "press"),
@@ -103,11 +104,12 @@ void read_report(const Json& report, const MappingRecord& record, Calibration& c
   calibration.held_out_mm = record.held_out_mm;
   calibration.spread_mm = record.spread_mm;
   calibration.condition = number_at(report, "condition");
-  calibration.degree_choice = said.contains("degree_choice") ? message_of(said["degree_choice"])
-                                                             : Message::typed(record.degree_choice);
-  calibration.left_out = messages_of(report, said, "left_out");
-  calibration.remarks = messages_of(report, said, "remarks");
-  calibration.next_press = advice_of(said);
+  calibration.degree_choice = sentences.contains("degree_choice")
+                                  ? message_of(sentences["degree_choice"])
+                                  : Message::typed(record.degree_choice);
+  calibration.left_out = messages_of(report, sentences, "left_out");
+  calibration.remarks = messages_of(report, sentences, "remarks");
+  calibration.next_press = advice_of(sentences);
 }
 
 bool is_of(const Json& report, const MappingRecord& record) {
@@ -133,7 +135,7 @@ Result<FingerCalibration> recall_calibration(const fs::path& folder) {
   auto inputs = CalibrationInputs::load(folder);
   if (!inputs) return inputs.error();
   recalled.inputs = std::move(*inputs);
-  const fs::path file = folder / kReportFigures;
+  const fs::path file = folder / kReportJson;
   const auto content = read_file(file, kLongestReport);
   if (!content) return content.error();
   const Json report = Json::parse(*content, nullptr, false);
@@ -161,8 +163,8 @@ Result<FingerCalibration> recall_residuals(const fs::path& folder,
   CalibrationWork work;
   work.store = FingerStore::of(folder);
   work.is_repetition = true;
-  work.kept = recalled.inputs;
-  for (const KeptPress& press : work.kept.presses)
+  work.stored = recalled.inputs;
+  for (const StoredPress& press : work.stored.presses)
     work.presses.files.push_back(folder / kPressFolder / (press.name + ".png"));
   if (const Status taken = take_presses(work, recalled, job); !taken) return taken.error();
   std::vector<const Press*> used;

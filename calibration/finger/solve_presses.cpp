@@ -10,10 +10,11 @@
 namespace alltact {
 namespace {
 
-/// What a person can see in the figures but a table of residuals does not say.
+/// Adds observations that a table of residuals does not show.
 void add_remarks(Calibration& calibration) {
-  if (calibration.weakness) calibration.remarks.push_back(calibration.weakness->sentence);
-  if (calibration.radius_sense) calibration.remarks.push_back(calibration.radius_sense->sentence);
+  if (calibration.weakest) calibration.remarks.push_back(calibration.weakest->sentence);
+  if (calibration.radius_sensitivity)
+    calibration.remarks.push_back(calibration.radius_sensitivity->sentence);
   if (calibration.next_press) calibration.remarks.push_back(calibration.next_press->sentence);
   for (const BallFit& ball : calibration.balls) {
     if (calibration.balls.size() > 2 && ball.residual_mm > 3 * calibration.residual_mm) {
@@ -26,19 +27,19 @@ void add_remarks(Calibration& calibration) {
   }
 }
 
-/// Keeps so many of the presses that can be used, spread evenly over them; 0: all.
-void leave_out_beyond(int most, std::vector<TakenPress>& presses) {
+/// Limits the number of the usable presses, spread evenly over them; 0: all.
+void leave_out_beyond(int max_count, std::vector<TakenPress>& presses) {
   std::vector<TakenPress*> usable;
   for (TakenPress& press : presses)
     if (press.left_out.empty()) usable.push_back(&press);
-  const auto kept = static_cast<std::size_t>(most);
-  if (kept == 0 || usable.size() <= kept) return;
-  const auto before = [&](std::size_t i) {  // of those kept, as many among the first i
-    return (i * kept + kept / 2) / usable.size();
+  const auto limit = static_cast<std::size_t>(max_count);
+  if (limit == 0 || usable.size() <= limit) return;
+  const auto before = [&](std::size_t i) {  // number of retained ones among the first i
+    return (i * limit + limit / 2) / usable.size();
   };
   for (std::size_t i = 0; i < usable.size(); ++i)
     if (before(i + 1) == before(i))
-      usable[i]->left_out = en::say("beyond the {} that are to be used", most);
+      usable[i]->left_out = en::say("beyond the {} that are to be used", max_count);
 }
 
 }  // namespace
@@ -73,7 +74,7 @@ Status solve_presses(FingerCalibration& done,
     }
   }
   const CalibrationInputs& inputs = done.inputs;
-  const auto& notes = inputs.said.notes;
+  const auto& notes = inputs.press_set.notes;
   if (inputs.calibration.method != CalibrationMethod::kJoint &&
       std::any_of(notes.begin(), notes.end(), [](const auto& entry) {
         return entry.second.depth || entry.second.step_mm;

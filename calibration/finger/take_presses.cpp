@@ -1,7 +1,7 @@
 #include "calibration/finger/take_presses.h"
 
 #include "calibration/finger/paper_pipeline.h"
-#include "core/io/picture.h"
+#include "core/io/image_file.h"
 #include "core/sensing/pipeline.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ Error stopped() {
   return {en::say("stopped before the calibration was done"), "", ""};
 }
 
-/// Of the untouched picture that is to be installed.
+/// Of the untouched image that is to be installed.
 Result<ReferenceLibrary> flat_library(const CalibrationWork& work, const Finger& finger) {
   const auto grey =
       oriented_for(finger.camera,
@@ -40,25 +40,28 @@ Result<PaperMethod> paper_method_of(const CalibrationWork& work,
 Result<Pipeline> make_pipeline(const CalibrationWork& work,
                                const FingerCalibration& done,
                                const Job& job) {
-  auto whole = FingerSnapshot::of(work.store->folder(), done.finger);
-  if (!whole) return whole.error();
-  const FingerSnapshot blank = whole->without_mapping();  // the old one must not matter
+  auto full = FingerSnapshot::of(work.store->folder(), done.finger);
+  if (!full) return full.error();
+  // the earlier mapping must have no influence
+  const FingerSnapshot blank = full->without_mapping();
   if (done.inputs.calibration.method == CalibrationMethod::kPaper) {
     auto method = paper_method_of(work, blank, job);
     if (!method) return method.error();
-    return Pipeline::of_paper(std::move(method).value());
+    return Pipeline::with_paper_method(std::move(method).value());
   }
-  if (!work.untouched) return Pipeline::create(blank, for_presses(done.inputs.pipeline), job);
+  if (!work.untouched)
+    return Pipeline::create(blank, settings_for_presses(done.inputs.pipeline), job);
   auto library = flat_library(work, done.finger);
   if (!library) return library.error();
-  return Pipeline::over(std::move(library).value(), blank, for_presses(done.inputs.pipeline));
+  return Pipeline::with_library(
+      std::move(library).value(), blank, settings_for_presses(done.inputs.pipeline));
 }
 
-/// The picture that was kept must be the one that was calibrated with.
-Status check_kept(const CalibrationWork& work, const Frame& frame, std::size_t index) {
+/// The stored image must be unchanged since the calibration.
+Status check_stored(const CalibrationWork& work, const Frame& frame, std::size_t index) {
   if (!work.is_repetition) return {};
-  const KeptPress& kept = work.kept.presses[index];
-  if (frame.name == kept.name && picture_checksum(frame.grey) == kept.checksum) return {};
+  const StoredPress& stored = work.stored.presses[index];
+  if (frame.name == stored.name && image_checksum(frame.grey) == stored.checksum) return {};
   return Error{en::say("this is not the picture that the finger was calibrated with"),
                work.presses.files[index].string(),
                en::say("calibrating anew with the pictures that are there")};
@@ -69,7 +72,7 @@ Status measure_presses(CalibrationWork& work,
                        FingerCalibration& done,
                        const Job& job) {
   PressInput input = work.presses;
-  input.pictures_per_press = static_cast<std::size_t>(done.inputs.calibration.pictures_per_press);
+  input.frames_per_press = static_cast<std::size_t>(done.inputs.calibration.frames_per_press);
   auto source = open_presses(input);
   if (!source) return source.error();
   if (!work.is_repetition) done.inputs.is_continuous = is_one_video(**source);
@@ -86,7 +89,8 @@ Status measure_presses(CalibrationWork& work,
           en::say("two presses are called '{}'", frame->name),
           frame->origin,
           en::say("giving the pictures different names; they are kept by name with the finger")};
-    if (const Status status = check_kept(work, *frame, work.frames.size()); !status) return status;
+    if (const Status status = check_stored(work, *frame, work.frames.size()); !status)
+      return status;
     if (count > 0)
       job.report(0.5 * static_cast<double>(names.size() - 1) / count,
                  en::say("reading {}", frame->name));
@@ -94,7 +98,7 @@ Status measure_presses(CalibrationWork& work,
     auto result = pipeline(frame);
     if (!result) return result.error();
     done.presses.push_back(press_of(frame->name, *result));
-    take_what_is_said(done.inputs.said, done.presses.back());
+    apply_notes(done.inputs.press_set, done.presses.back());
     work.references.push_back(std::move(result->reference));
     work.frames.push_back(frame);
   }
@@ -102,11 +106,11 @@ Status measure_presses(CalibrationWork& work,
   return {};
 }
 
-/// What is said of single presses must be said of presses that are there.
+/// Notes must name existing presses.
 Status check_names(const FingerCalibration& done) {
   std::set<std::string> names;
   for (const TakenPress& press : done.presses) names.insert(press.name);
-  for (const auto& [name, note] : done.inputs.said.notes)
+  for (const auto& [name, note] : done.inputs.press_set.notes)
     if (!names.contains(name))
       return Error{en::say("no press is called '{}'", name),
                    "",
@@ -120,7 +124,8 @@ TakenPress press_of(const std::string& name, FrameResult& result) {
   TakenPress press{name, result.grey, std::nullopt, "", {}};
   if (result.difference) press.sign.light_change = result.difference->light.change();
   if (result.reference) press.sign.known_pose = result.reference->known_pose;
-  // A press tells the mapping: one whose markers are hidden is not worth its less sure reference.
+  // A press with hidden markers is left out: its reference is less certain, and would degrade the
+  // mapping.
   if (result.difference && result.shape && !result.reference->by_shape)
     press.press = Press{name, std::move(*result.difference), std::move(*result.shape)};
   else
@@ -129,12 +134,12 @@ TakenPress press_of(const std::string& name, FrameResult& result) {
   return press;
 }
 
-void take_what_is_said(const PressSet& said, TakenPress& press) {
-  const PressNote& note = said.of(press.name);
+void apply_notes(const PressSet& press_set, TakenPress& press) {
+  const PressNote& note = press_set.of(press.name);
   if (press.press) {
-    press.press->ball_radius_mm = said.radius_of(press.name);
+    press.press->ball_radius_mm = press_set.radius_of(press.name);
     press.press->ball_mm = note.ball_mm;
-    press.press->told_depth = note.depth;
+    press.press->given_depth = note.depth;
     press.press->step_mm = note.step_mm;
   }
   if (note.excluded)
@@ -144,11 +149,11 @@ void take_what_is_said(const PressSet& said, TakenPress& press) {
 Result<std::vector<Press>> take_presses_as_paper(const CalibrationWork& work,
                                                  const FingerCalibration& done,
                                                  const Job& job) {
-  const auto whole = FingerSnapshot::of(work.store->folder(), done.finger);
-  if (!whole) return whole.error();
-  auto method = paper_method_of(work, whole->without_mapping(), job);
+  const auto full = FingerSnapshot::of(work.store->folder(), done.finger);
+  if (!full) return full.error();
+  auto method = paper_method_of(work, full->without_mapping(), job);
   if (!method) return method.error();
-  return paper_presses(*method, work.frames, done.inputs.said, job);
+  return paper_presses(*method, work.frames, done.inputs.press_set, job);
 }
 
 Status take_presses(CalibrationWork& work, FingerCalibration& done, const Job& job) {

@@ -8,8 +8,8 @@
 namespace alltact {
 namespace {
 
-constexpr Eigen::Index kMostMotions = 3;
-constexpr double kLeastFitRows = 12;
+constexpr Eigen::Index kMaxMotions = 3;
+constexpr double kMinFitRows = 12;
 
 Eigen::MatrixXd layouts_of(const std::vector<MarkerFrame>& frames) {
   const auto count = static_cast<Eigen::Index>(frames.size());
@@ -39,7 +39,7 @@ TimedRows motion_signal(const std::vector<MarkerFrame>& frames) {
   motion.is_valid.assign(frames.size(), true);
   const Eigen::MatrixXd layouts = layouts_of(frames);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(layouts.transpose() * layouts);
-  const Eigen::Index k = std::min(kMostMotions, layouts.cols());
+  const Eigen::Index k = std::min(kMaxMotions, layouts.cols());
   motion.rows = layouts * solver.eigenvectors().rightCols(k);
   return motion;
 }
@@ -65,7 +65,7 @@ TimedRows fast_part(const TimedRows& signal, double window_s) {
   const double half_s = 0.5 * window_s;
   Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(signal.rows.cols());
   std::size_t first = 0, last = 0;  // rows of the window: [first, last)
-  int bad = 0;                      // of these not valid, or behind a gap
+  int bad = 0;                      // of these invalid, or after a gap
   const auto is_bad = [&](std::size_t i) {
     return !signal.is_valid[i] ||
            (i > 0 && signal.time_s[i] - signal.time_s[i - 1] > kLongestGaugeGapS);
@@ -103,8 +103,8 @@ double FitSums::total() const {
 
 double FitSums::r2() const {
   const double all = total();
-  if (count < kLeastFitRows || !(all > 1e-12)) return 0;
-  // A little of each channel's own size keeps channels that do not move out of it.
+  if (count < kMinFitRows || !(all > 1e-12)) return 0;
+  // Regularisation by a little of each channel's own size stabilises channels without motion.
   Eigen::Matrix4d normal = motion;
   normal.diagonal().head<3>().array() += 1e-9 * motion.diagonal().head<3>().maxCoeff() + 1e-12;
   const Eigen::Matrix<double, 4, 3> weights = normal.ldlt().solve(both);
@@ -135,14 +135,14 @@ FitSums fit_sums(const TimedRows& motion,
     if (!force.is_valid[after - 1] || !force.is_valid[after] || gap_s > kLongestGaugeGapS) continue;
     const double part = (time_s - before_s) / gap_s;
     const auto row = static_cast<Eigen::Index>(after);
-    const Eigen::Vector3d told =
+    const Eigen::Vector3d interpolated_N =
         ((1 - part) * force.rows.row(row - 1) + part * force.rows.row(row)).transpose();
     Eigen::Vector4d moved(0, 0, 0, 1);
     moved.head(motion.rows.cols()) = motion.rows.row(static_cast<Eigen::Index>(i)).transpose();
     sums.count += 1;
     sums.motion += moved * moved.transpose();
-    sums.both += moved * told.transpose();
-    sums.squares += told.cwiseAbs2();
+    sums.both += moved * interpolated_N.transpose();
+    sums.squares += interpolated_N.cwiseAbs2();
   }
   return sums;
 }

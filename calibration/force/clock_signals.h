@@ -1,4 +1,4 @@
-// What the shift between two clocks is told by: the fast part of motion and of force.
+// Signals for the shift between two clocks: the fast part of motion and of force.
 #pragma once
 
 #include "calibration/force/collect_force.h"
@@ -9,20 +9,20 @@
 
 namespace alltact {
 
-/// Rows at ascending times; where not valid, nothing is known of a row.
+/// Rows at ascending times. Values of invalid rows are unknown.
 struct TimedRows {
   std::vector<double> time_s;
   Eigen::MatrixXd rows;
   std::vector<bool> is_valid;
 };
 
-/// Each row less the mean of those within half a window on either side; not valid where the window
-/// reaches beyond an end, a gap or a row that is not valid.
+/// Each row less the mean of those within half a window on either side. Rows are invalid where the
+/// window exceeds an end or contains a gap or an invalid row.
 [[nodiscard]] TimedRows fast_part(const TimedRows& signal, double window_s);
 
 /// At most three principal components of the frames' layouts, hidden markers at their mean.
 [[nodiscard]] TimedRows motion_signal(const std::vector<MarkerFrame>& frames);
-/// Readings that do not hold.
+/// The readings but those that are held.
 [[nodiscard]] TimedRows force_signal(const ForceGauge& gauge);
 
 /// Sums of a least-squares fit of force by motion.
@@ -36,7 +36,7 @@ struct FitSums {
   FitSums& operator-=(const FitSums& other);
   /// Sum of squares of the force about its mean.
   [[nodiscard]] double total() const;
-  /// Part of it that motion tells; 0 where there is none or too few rows.
+  /// Fraction of it that motion explains; 0 where there is none or too few rows.
   [[nodiscard]] double r2() const;
 };
 

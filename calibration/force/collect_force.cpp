@@ -11,10 +11,10 @@
 namespace alltact {
 namespace {
 
-/// The readings of a gauge, asked for by frame.
+/// Looks up the readings of a gauge by frame.
 class GaugeLookup {
  public:
-  /// `frames` in the order in which they are asked for.
+  /// `frames` in the order of the look-ups.
   GaugeLookup(const std::vector<MarkerFrame>& frames,
               const ForceGauge& gauge,
               const GaugeClock& clock)
@@ -52,9 +52,9 @@ class GaugeLookup {
     if (!one.has_force || one.holds || gap_s > kLongestGaugeGapS || one.block != two.block)
       return std::nullopt;
     const double part = (time_s - one.time_s) / gap_s;
-    GaugeReading told = part < 0.5 ? one : two;
-    told.force_N = (1 - part) * one.force_N + part * two.force_N;
-    return told;
+    GaugeReading interpolated = part < 0.5 ? one : two;
+    interpolated.force_N = (1 - part) * one.force_N + part * two.force_N;
+    return interpolated;
   }
 
   const ForceGauge& gauge_;
@@ -75,9 +75,9 @@ void add_row(const MarkerFrame& frame,
     table.layouts(row, 2 * m + 1) = marker.seen ? marker.v : 0;
   }
   table.force_N.row(row) = reading.force_N.head(table.axes).transpose();
-  // What the pipeline will tell when it measures counts before what was set up.
-  const auto& place = frame.place_mm ? frame.place_mm : reading.place_mm;
-  if (place) table.place_mm.row(row) = place->transpose();
+  // The position that the pipeline measures takes precedence over the one of the set-up.
+  const auto& position = frame.position_mm ? frame.position_mm : reading.position_mm;
+  if (position) table.position_mm.row(row) = position->transpose();
   if (gauge.has_block) table.block.push_back(reading.block);
   if (gauge.has_day) table.day.push_back(reading.day);
   if (gauge.has_indenter) table.indenter.push_back(reading.indenter);
@@ -85,11 +85,11 @@ void add_row(const MarkerFrame& frame,
   if (table.time_s.size() > 0) table.time_s[row] = *frame.time_s;
 }
 
-/// Rows of a press, from one moment without load to the next, were pressed in one go. Too few
-/// presses are no blocks.
+/// The rows of a press, from one moment without load to the next, form one block. Too few presses
+/// give no blocks.
 void name_presses(ForceTable& table) {
   constexpr double kUnloaded = 0.1;
-  constexpr int kLeastPresses = 5;
+  constexpr int kMinPresses = 5;
   const Eigen::VectorXd force_N = table.force_N.rowwise().norm();
   std::vector<double> sorted(force_N.begin(), force_N.end());
   std::sort(sorted.begin(), sorted.end());
@@ -98,12 +98,12 @@ void name_presses(ForceTable& table) {
   bool is_loaded = false;
   std::vector<std::string> names;
   for (const double force : force_N) {
-    // Loaded from 2 kUnloaded on, so that what trembles around the bound is one press.
+    // Hysteresis: loaded from 2 kUnloaded on, so that noise around the bound is one press.
     if (!is_loaded && force > 2 * kUnloaded * loaded_N) is_loaded = true, ++presses;
     if (is_loaded && force < kUnloaded * loaded_N) is_loaded = false;
     names.push_back(fmt::format("press {}", presses));
   }
-  if (presses >= kLeastPresses) table.block = std::move(names);
+  if (presses >= kMinPresses) table.block = std::move(names);
 }
 
 double median_sd_N(const std::vector<std::pair<const MarkerFrame*, GaugeReading>>& rows) {
@@ -137,7 +137,7 @@ Result<CollectedForce> collect_force(const std::vector<MarkerFrame>& all,
   const std::vector<MarkerFrame> frames = all_timed ? in_order(all) : all;
   CollectedForce collected;
   collected.frames = frames.size();
-  collected.clock = settle_gauge_clock(frames, gauge, options, collected.remarks);
+  collected.clock = estimate_gauge_clock(frames, gauge, options, collected.remarks);
   const GaugeLookup lookup(frames, gauge, collected.clock);
   std::vector<std::pair<const MarkerFrame*, GaugeReading>> rows;
   for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -158,15 +158,15 @@ Result<CollectedForce> collect_force(const std::vector<MarkerFrame>& all,
   table.layouts = Eigen::MatrixXd::Zero(count, 2 * table.marker_count);
   table.seen = Eigen::MatrixXd::Zero(count, table.marker_count);
   table.force_N = Eigen::MatrixXd::Zero(count, table.axes);
-  table.place_mm = Eigen::MatrixXd::Constant(count, 2, std::numeric_limits<double>::quiet_NaN());
+  table.position_mm = Eigen::MatrixXd::Constant(count, 2, std::numeric_limits<double>::quiet_NaN());
   if (all_timed) table.time_s = Eigen::VectorXd::Zero(count);
   for (Eigen::Index row = 0; row < count; ++row) {
     const auto& [frame, reading] = rows[static_cast<std::size_t>(row)];
     add_row(*frame, reading, gauge, row, table);
   }
-  if (!table.place_mm.array().isFinite().any()) table.place_mm.resize(0, 0);
+  if (!table.position_mm.array().isFinite().any()) table.position_mm.resize(0, 0);
   if (gauge.by_time && !gauge.has_block) name_presses(table);
-  // Whatever a table must be, this one must be too.
+  // This table must meet the conditions of any table.
   auto checked = ForceTable::parse_part(table.to_csv(), "");
   if (!checked) {
     Error error = checked.error();

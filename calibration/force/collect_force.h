@@ -1,4 +1,4 @@
-// A force table from a recording and the readings of a gauge beside it.
+// A force table from a recording and the simultaneous readings of a gauge.
 #pragma once
 
 #include "calibration/force/force_table.h"
@@ -22,35 +22,35 @@ namespace alltact {
 struct GaugeReading {
   double time_s = std::numeric_limits<double>::quiet_NaN();
   std::string frame;
-  bool has_force = true;  ///< else there is none from its time on: over range, unplugged
+  bool has_force = true;  ///< false: none from its time on (over range, unplugged)
   Eigen::Vector3d force_N = Eigen::Vector3d::Zero();
   double sd_N = std::numeric_limits<double>::quiet_NaN();  ///< of the gauge's last digit
-  /// Typed beside a finger at rest: of the frames around its time in which the markers stand still;
-  /// else of one moment.
+  /// Typed by a person while the finger rests. It applies to the frames around its time in which
+  /// the markers stand still; other readings apply to one moment.
   bool holds = false;
-  std::optional<Eigen::Vector2d> place_mm;
+  std::optional<Eigen::Vector2d> position_mm;
   std::string block, day, indenter;
 };
 
-/// What is not told by a gauge's file itself.
+/// Properties of a gauge's file that the file does not contain.
 struct GaugeFileOptions {
-  double unit_N = 1;  ///< newtons in what columns without a unit count
+  double unit_N = 1;  ///< newtons per unit of columns without a unit
   Eigen::Vector3d direction =
       Eigen::Vector3d::UnitX();  ///< of a file with one force, a unit vector
 };
 
-/// What a gauge said. Its file is
+/// Readings of a force gauge. Its file is
 ///   NAME.gauge.csv of `alltact record --gauge`; or
 ///   a CSV with fx_n, fy_n[, fz_n] (or fx_gf, "fx (kgf)" and so on), or force_n alone, and either
-///     t_s (t_ms, time_ns) or frame (readings typed beside a picture's name), and as it likes sd_n,
+///     t_s (t_ms, time_ns) or frame (readings typed with an image's name), and optionally sd_n,
 ///     holds, along_mm and across_mm, block, day, indenter; lines that begin with '#' are remarks,
-///     lines with empty forces say that there is none from then on; or
+///     lines with empty forces mean that there is none from then on; or
 ///   truth.json of `alltact simulate`: the forces of a frame's contacts, summed; a frame without a
-///     contact has none, and the place is that of the greatest force.
+///     contact has none, and the position is that of the greatest force.
 struct ForceGauge {
   int axes = 2;
-  bool by_time = false;                ///< ascending time_s; else by frame
-  bool is_on_frame_clock = false;      ///< recorded beside the frames; else it must show
+  bool by_time = false;                ///< ascending time_s; false: by frame
+  bool is_on_frame_clock = false;      ///< recorded with the frames; false: the clock is estimated
   std::vector<GaugeReading> readings;  ///< not empty
   bool has_block = false, has_day = false, has_indenter = false;
 
@@ -67,26 +67,27 @@ struct MarkerFrame {
   std::string name;
   std::optional<double> time_s;
   Markers markers;
-  std::optional<Eigen::Vector2d> place_mm;  ///< of the first contact region
+  std::optional<Eigen::Vector2d> position_mm;  ///< of the first contact region
 };
 
 /// Markers of a recording: results.jsonl of `alltact reconstruct`, truth.json of `alltact
-/// simulate`, or whatever open_source() opens, measured now. Frames without markers are left out.
+/// simulate`, or any input of open_source(), measured now. Frames without markers are left out.
 [[nodiscard]] Result<std::vector<MarkerFrame>> marker_frames(
     const std::vector<std::filesystem::path>& inputs, const FingerSnapshot& finger, const Job& job);
 
-/// How the gauge's clock stands to the frames': gauge = frame + shift_s + drift (frame - first_s).
-/// A gauge that tells late has a shift above 0.
+/// Relation of the gauge's clock to the frames': gauge = frame + shift_s + drift (frame - first_s).
+/// A delayed gauge has a shift above 0.
 struct GaugeClock {
   enum class Source {
-    kAssumed = 1,  ///< the same clock and no delay, or both began at one moment
+    kAssumed = 1,  ///< the same clock and no delay, or both started together
     kGiven,
     kMotion,  ///< by the markers' motion
   };
   Source source = Source::kAssumed;
   double shift_s = 0, drift = 0, first_s = 0;
   double sd_s = std::numeric_limits<double>::quiet_NaN();  ///< of shift_s, where by motion
-  double r2 = 0;  ///< part of the force's fast changes that the markers' motion tells at this shift
+  /// fraction of the force's fast changes that the markers' motion explains at this shift
+  double r2 = 0;
 
   [[nodiscard]] double gauge_time_s(double frame_s) const {
     return frame_s + shift_s + drift * (frame_s - first_s);
@@ -97,24 +98,24 @@ struct GaugeClock {
 };
 
 struct CollectOptions {
-  /// Given by a person; else by the markers' motion where that tells it. Without a shift a drift is
-  /// given to the estimate.
+  /// Given by a person; otherwise estimated by the markers' motion where that is possible. A drift
+  /// without a shift is an input of the estimate.
   std::optional<double> shift_s, drift;
 };
 
 struct CollectedForce {
-  ForceTable table;          ///< fit for ForceTable::parse_part
+  ForceTable table;          ///< valid for ForceTable::parse_part
   std::size_t frames = 0;    ///< with markers
   std::size_t left_out = 0;  ///< of these without a reading
   GaugeClock clock;
-  double reading_sd_N = std::numeric_limits<double>::quiet_NaN();  ///< median of those told
+  double reading_sd_N = std::numeric_limits<double>::quiet_NaN();  ///< median of the known ones
   std::vector<Message> remarks;
 };
 
-/// By name, or by time: the reading between the two readings around the frame, which are at most
-/// `kLongestGaugeGapS` apart, or the one that holds. Where the gauge names no blocks, presses are:
-/// from one moment without load to the next. Errors: markers without times for a gauge that has
-/// only times; what ForceTable::parse_part refuses.
+/// Assigns readings by name or by time. By time it interpolates the two readings around the frame,
+/// at most `kLongestGaugeGapS` apart, or takes the one that is held. Where the gauge has no blocks,
+/// the presses are blocks: from one moment without load to the next. Errors: markers without times
+/// for a gauge that has only times; errors of ForceTable::parse_part.
 [[nodiscard]] Result<CollectedForce> collect_force(const std::vector<MarkerFrame>& frames,
                                                    const ForceGauge& gauge,
                                                    const CollectOptions& options = {});

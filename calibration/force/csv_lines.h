@@ -1,4 +1,4 @@
-// Lines of comma-separated values, for tables that other programs wrote.
+// Reads lines of comma-separated values, for tables of other programs.
 #pragma once
 
 #include "core/typed_number.h"
@@ -12,8 +12,8 @@
 namespace alltact {
 
 /// Lines without their ends and without the byte order mark that spreadsheets write before them.
-/// Semicolons or tabulators part the cells where the first line has them and no commas: a
-/// spreadsheet writes so where the comma is the decimal mark.
+/// Semicolons or tabulators separate the cells where the first line has them and no commas.
+/// Spreadsheets write this where the comma is the decimal mark.
 class CsvLines {
  public:
   explicit CsvLines(std::string_view text) : rest_(text) {
@@ -39,11 +39,11 @@ class CsvLines {
     }
     return std::nullopt;
   }
-  /// Of the line that next() gave, from 1.
+  /// Number of the line that next() returned, from 1.
   [[nodiscard]] int number() const { return number_; }
 
-  /// Cells without the blanks and quotes around them. Quotes do not hide commas: no cell that is
-  /// read holds one.
+  /// Cells without surrounding blanks and quotes. Quotes do not protect commas: no cell of interest
+  /// contains one.
   [[nodiscard]] std::vector<std::string_view> cells(std::string_view line) const {
     return cells(line, between_);
   }
@@ -69,8 +69,8 @@ class CsvLines {
     }
   }
 
-  /// Of the lines that are left: the comma where a cell is a number with one, and none with a
-  /// point. Then "1,234" is no thousand.
+  /// Decimal mark of the remaining lines: the comma where a cell is a number with one, and none
+  /// with a point. "1,234" is then no thousand.
   [[nodiscard]] DecimalMark mark_of(char between) {
     const auto is_number_with = [](std::string_view cell, char mark) {
       if (cell.starts_with('-') || cell.starts_with('+')) cell.remove_prefix(1);
@@ -90,10 +90,10 @@ class CsvLines {
   std::string_view rest_;
   int number_ = 0;
   char between_ = ',';
-  NumberWriting writing_;
+  NumberFormat writing_;
 };
 
-/// As columns are compared: in small letters, without a unit behind.
+/// A column's name for comparison: in lower case, without its unit.
 [[nodiscard]] std::string csv_column(std::string_view name);
 
 }  // namespace alltact

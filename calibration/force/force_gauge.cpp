@@ -1,4 +1,4 @@
-// What a gauge said, read.
+// Reads the file of a force gauge.
 #include "calibration/force/collect_force.h"
 #include "calibration/force/csv_lines.h"
 #include "core/io/atomic_file.h"
@@ -25,7 +25,7 @@ Error wrong_gauge(Message what, const std::filesystem::path& origin, int line) {
   return {std::move(what), en::say("{}, line {}", origin, line), gauge_advice()};
 }
 
-/// Where the gauge's columns stand; -1: it has none.
+/// Indices of the gauge's columns; -1: missing.
 struct GaugeColumns {
   std::map<std::string, int> at;
   std::array<double, 3> unit_N{1, 1, 1};
@@ -37,8 +37,8 @@ struct GaugeColumns {
   }
 };
 
-/// "fx_kgf", "Fx [kgf]", "force (g)": the name before the unit, and what it counts in; without one,
-/// `unit_N`. nullopt: no column of forces.
+/// Parses "fx_kgf", "Fx [kgf]", "force (g)": the name before the unit, and newtons per unit;
+/// without a unit, `unit_N`. nullopt: no column of forces.
 std::optional<std::pair<std::string, double>> force_column(std::string_view cell, double unit_N) {
   const std::size_t end = std::min(cell.find_first_of(" _([/"), cell.size());
   std::string name;
@@ -50,8 +50,8 @@ std::optional<std::pair<std::string, double>> force_column(std::string_view cell
   for (const char c : cell.substr(end))
     if (std::string_view(" _()[]/").find(c) == std::string_view::npos) unit += c;
   if (unit.empty()) return std::pair{name, unit_N};
-  const auto told_N = newtons_in(unit);
-  return told_N ? std::optional(std::pair{name, *told_N}) : std::nullopt;
+  const auto newtons = newtons_in(unit);
+  return newtons ? std::optional(std::pair{name, *newtons}) : std::nullopt;
 }
 
 /// Seconds in the unit of a column "t", "t_ms", "time_ns"; nullopt: no column of times.
@@ -160,7 +160,7 @@ class GaugeReader {
     if (!cell("along").empty() || !cell("across").empty()) {
       const auto along = lines_.number_in(cell("along")), across = lines_.number_in(cell("across"));
       if (!along || !across) return wrong(en::say("the place of contact is no pair of numbers"));
-      reading.place_mm = Eigen::Vector2d(*along, *across);
+      reading.position_mm = Eigen::Vector2d(*along, *across);
     }
     reading.frame = cell("frame"), reading.block = cell("block"), reading.day = cell("day");
     reading.indenter = cell("indenter");
@@ -168,7 +168,7 @@ class GaugeReader {
     return {};
   }
 
-  /// Empty cells: there is none from then on.
+  /// Empty cells: no force from then on.
   Status read_force(const std::vector<std::string_view>& cells, GaugeReading& reading) {
     static constexpr std::array<const char*, 3> kAxes{"fx", "fy", "fz"};
     const auto cell = [&](const char* name) {
@@ -220,7 +220,7 @@ std::optional<Eigen::Vector3d> vector_from(const GaugeJson& json) {
   return vector.allFinite() ? std::optional(vector) : std::nullopt;
 }
 
-/// Adds a contact's force to the reading. False: it tells none, or not as simulate writes it.
+/// Adds a contact's force to the reading. False: it has none, or not in the format of `simulate`.
 bool add_contact(const GaugeJson& contact, double& greatest_N, GaugeReading& reading) {
   if (!contact.is_object() || !contact.contains("force_N")) return false;
   const auto force = vector_from(contact.at("force_N"));
@@ -231,7 +231,7 @@ bool add_contact(const GaugeJson& contact, double& greatest_N, GaugeReading& rea
       !along->is_number() || !across->is_number())
     return true;
   greatest_N = force->norm();
-  reading.place_mm = Eigen::Vector2d(along->get<double>(), across->get<double>());
+  reading.position_mm = Eigen::Vector2d(along->get<double>(), across->get<double>());
   return true;
 }
 
@@ -261,12 +261,12 @@ Result<ForceGauge> ForceGauge::parse_truth(std::string_view text,
     GaugeReading reading;
     reading.frame = frame.at("frame").get<std::string>();
     double greatest_N = 0;
-    bool is_told = true;
+    bool is_complete = true;
     if (frame.contains("contacts") && frame.at("contacts").is_array())
       for (const GaugeJson& contact : frame.at("contacts"))
-        is_told = add_contact(contact, greatest_N, reading) && is_told;
+        is_complete = add_contact(contact, greatest_N, reading) && is_complete;
     any_force = any_force || greatest_N > 0;
-    if (is_told) gauge.readings.push_back(std::move(reading));
+    if (is_complete) gauge.readings.push_back(std::move(reading));
   }
   if (!any_force) return wrong(en::say("tells no force of any contact"));
   return gauge;

@@ -1,4 +1,4 @@
-// What a force regression sees of a frame, learnt from a table.
+// Inputs of a force regression, learnt from a table.
 #include "calibration/force/force_regression.h"
 
 #include <algorithm>
@@ -9,30 +9,31 @@
 namespace alltact {
 namespace {
 
-constexpr int kMostRangeComponents = 12, kMostComponents = 40, kSquared = 8, kCrept = 3;
-constexpr double kLeastNoisePx = 0.05;   // of a marker, however still the table
-constexpr double kColumnNoisePx = 0.2;   // what does not move more tells nothing
-constexpr int kFillings = 10;            // until hidden markers move no more
-constexpr int kLeastHidden = 3;          // frames from which a flag can be learnt
-constexpr double kLeastNetworkSd = 0.1;  // of the first component's: below, components are noise
+constexpr int kMaxRangeComponents = 12, kMaxComponents = 40, kSquared = 8, kCrept = 3;
+constexpr double kMinNoisePx = 0.05;  // of a marker, however still the table
+// sd of a column without more motion than this carries no information
+constexpr double kColumnNoisePx = 0.2;
+constexpr int kFillings = 10;          // iterations until hidden markers converge
+constexpr int kMinHidden = 3;          // frames required to learn a flag
+constexpr double kMinNetworkSd = 0.1;  // of the first component's: smaller components are noise
 
-/// Eigenvectors of columns' covariance, greatest first.
+/// Eigenvectors of the columns' covariance, greatest first.
 struct Principal {
   Eigen::MatrixXd components;
   Eigen::VectorXd sd;
 };
 
-Principal principal_components(const Eigen::MatrixXd& centred, Eigen::Index most) {
+Principal principal_components(const Eigen::MatrixXd& centred, Eigen::Index max_count) {
   const double count = std::max<double>(1, static_cast<double>(centred.rows() - 1));
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(centred.transpose() * centred / count);
   const Eigen::Index columns = centred.cols();
   const double greatest = std::max(eigen.eigenvalues()[columns - 1], 0.0);
-  Eigen::Index kept = 0;
-  while (kept < std::min({most, columns, centred.rows() - 1}) &&
-         eigen.eigenvalues()[columns - 1 - kept] > 1e-10 * greatest)
-    ++kept;
-  return {eigen.eigenvectors().rightCols(kept).rowwise().reverse(),
-          eigen.eigenvalues().tail(kept).reverse().cwiseSqrt()};
+  Eigen::Index retained = 0;
+  while (retained < std::min({max_count, columns, centred.rows() - 1}) &&
+         eigen.eigenvalues()[columns - 1 - retained] > 1e-10 * greatest)
+    ++retained;
+  return {eigen.eigenvectors().rightCols(retained).rowwise().reverse(),
+          eigen.eigenvalues().tail(retained).reverse().cwiseSqrt()};
 }
 
 Eigen::MatrixXd displacements(const std::vector<ForceInput>& inputs,
@@ -45,7 +46,7 @@ Eigen::MatrixXd displacements(const std::vector<ForceInput>& inputs,
   return all;
 }
 
-/// Mean of what was seen, in place of what was not.
+/// Replaces hidden values by the mean of the seen ones.
 void fill_with_means(std::vector<ForceInput>& inputs) {
   const Eigen::Index columns = inputs.front().displacement_px.size();
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(columns), count = sum;
@@ -65,12 +66,13 @@ ForceRange range_of_filled(const std::vector<ForceInput>& inputs) {
   ForceRange range;
   range.mean_px = all.colwise().mean();
   all.rowwise() -= range.mean_px.transpose();
-  Principal principal = principal_components(all, kMostRangeComponents);
+  Principal principal = principal_components(all, kMaxRangeComponents);
   range.components = std::move(principal.components);
   range.component_sd_px = std::move(principal.sd);
-  const double beside = (all - all * range.components * range.components.transpose()).squaredNorm();
+  const double residual =
+      (all - all * range.components * range.components.transpose()).squaredNorm();
   const auto freedom = static_cast<double>(all.size() - all.rows() * range.components.cols());
-  range.noise_px = std::max(kLeastNoisePx, freedom > 0 ? std::sqrt(beside / freedom) : 0.0);
+  range.noise_px = std::max(kMinNoisePx, freedom > 0 ? std::sqrt(residual / freedom) : 0.0);
   return range;
 }
 
@@ -83,8 +85,8 @@ void learn_scaling(ForceBasis& basis,
     const ForceInput& input = filled[static_cast<std::size_t>(row)];
     const Eigen::VectorXd extra = basis.raw_extras(input);
     for (Eigen::Index i = 0; i < count; ++i) {
-      const Eigen::Index place = i - static_cast<Eigen::Index>(basis.flags.size());
-      if (basis.has_place && place >= 0 && place < 2 && !input.place_mm) continue;
+      const Eigen::Index axis = i - static_cast<Eigen::Index>(basis.flags.size());
+      if (basis.has_position && axis >= 0 && axis < 2 && !input.position_mm) continue;
       sum[i] += extra[i], squares[i] += extra[i] * extra[i], known[i] += 1;
     }
   }
@@ -112,20 +114,20 @@ ForceRange learn_force_range(std::vector<ForceInput>& inputs) {
     for (ForceInput& input : inputs) range.fill(input);
     range = range_of_filled(inputs);
   }
-  range.least_seen = static_cast<int>(inputs.front().seen.size());
-  range.always_placed = std::all_of(inputs.begin(), inputs.end(), [](const ForceInput& input) {
-    return input.place_mm.has_value();
+  range.min_seen = static_cast<int>(inputs.front().seen.size());
+  range.has_all_positions = std::all_of(inputs.begin(), inputs.end(), [](const ForceInput& input) {
+    return input.position_mm.has_value();
   });
   for (ForceInput& input : inputs) {
-    range.fill(input);  // as it is done when forces are measured
-    const ForceRange::Unusual found = range.unusual(input);
-    range.most_t2 = std::max(range.most_t2, found.t2);
-    range.most_beside_px = std::max(range.most_beside_px, found.beside_px);
-    range.least_seen = std::min(range.least_seen, static_cast<int>(input.seen.sum() + 0.5));
-    if (!input.place_mm) continue;
-    if (!range.place_mm) range.place_mm = {*input.place_mm, *input.place_mm};
-    (*range.place_mm)[0] = (*range.place_mm)[0].cwiseMin(*input.place_mm);
-    (*range.place_mm)[1] = (*range.place_mm)[1].cwiseMax(*input.place_mm);
+    range.fill(input);  // as in the measurement of forces
+    const ForceRange::RangeDeviation found = range.deviation(input);
+    range.max_t2 = std::max(range.max_t2, found.t2);
+    range.max_residual_px = std::max(range.max_residual_px, found.residual_px);
+    range.min_seen = std::min(range.min_seen, static_cast<int>(input.seen.sum() + 0.5));
+    if (!input.position_mm) continue;
+    if (!range.position_mm) range.position_mm = {*input.position_mm, *input.position_mm};
+    (*range.position_mm)[0] = (*range.position_mm)[0].cwiseMin(*input.position_mm);
+    (*range.position_mm)[1] = (*range.position_mm)[1].cwiseMax(*input.position_mm);
   }
   return range;
 }
@@ -146,26 +148,26 @@ ForceBasis learn_force_basis(const std::vector<ForceInput>& filled,
   basis.components.resize(all.cols(), 0);
   if (kind == ForceKind::kMean) return basis;
   all = all * basis.scale.asDiagonal();
-  Principal principal = principal_components(all, kMostComponents);
+  Principal principal = principal_components(all, kMaxComponents);
   basis.components = std::move(principal.components);
   const Eigen::VectorXd& sd = principal.sd;
   basis.gain = Eigen::VectorXd::Ones(sd.size());
   if (sd.size() > 0 && kind == ForceKind::kQuadratic) basis.gain.setConstant(1 / sd[0]);
   if (sd.size() > 0 && kind == ForceKind::kNetwork)
-    basis.gain = sd.cwiseMax(kLeastNetworkSd * sd[0]).cwiseInverse();
+    basis.gain = sd.cwiseMax(kMinNetworkSd * sd[0]).cwiseInverse();
   const auto n = static_cast<double>(rows.size());
   Eigen::VectorXd seen = Eigen::VectorXd::Zero(filled.front().seen.size());
-  double places = 0;
+  double positions = 0;
   bool has_creep = true;
   for (const Eigen::Index row : rows) {
     const ForceInput& input = filled[static_cast<std::size_t>(row)];
     seen += input.seen;
-    places += input.place_mm ? 1 : 0;
+    positions += input.position_mm ? 1 : 0;
     has_creep = has_creep && input.crept_px.size() > 0;
   }
   for (Eigen::Index m = 0; m < seen.size(); ++m)
-    if (std::min(seen[m], n - seen[m]) >= kLeastHidden) basis.flags.push_back(static_cast<int>(m));
-  basis.has_place = places >= kLeastHidden;
+    if (std::min(seen[m], n - seen[m]) >= kMinHidden) basis.flags.push_back(static_cast<int>(m));
+  basis.has_position = positions >= kMinHidden;
   const int components = static_cast<int>(sd.size());
   basis.crept = has_creep ? std::min(kCrept, components) : 0;
   basis.squared = kind == ForceKind::kQuadratic ? std::min(kSquared, components) : 0;

@@ -18,7 +18,7 @@ struct RidgeSums {
   Eigen::VectorXd total;   // y' y
   double rows = 0;
 
-  /// Logarithm of the marginal likelihood of all axes, the noise at its best.
+  /// Logarithm of the marginal likelihood of all axes, with the noise at its maximum.
   [[nodiscard]] double evidence(double lambda) const {
     const double spread = (1 + eigenvalue.array() / lambda).log().sum();
     double sum = 0;
@@ -33,16 +33,17 @@ struct RidgeSums {
 
   [[nodiscard]] double best_lambda() const {
     const double unit = std::max(eigenvalue.maxCoeff(), 1e-300);
-    double best = unit, most = evidence(unit);
+    double best = unit, max_evidence = evidence(unit);
     for (int i = -100; i <= 60; ++i) {
       const double lambda = unit * std::pow(10.0, 0.1 * i);
-      if (const double found = evidence(lambda); found > most) most = found, best = lambda;
+      if (const double found = evidence(lambda); found > max_evidence)
+        max_evidence = found, best = lambda;
     }
     return best;
   }
 };
 
-/// Draws for one network, one after the other.
+/// Random numbers of one network, in sequence.
 class NetworkDraws {
  public:
   NetworkDraws(std::uint64_t seed, std::uint32_t which) : seed_(seed), which_(which) {}
@@ -57,7 +58,7 @@ class NetworkDraws {
   std::uint32_t which_, next_ = 0;
 };
 
-/// Weights with what Adam remembers of their gradients.
+/// Weights with Adam's moments of their gradients.
 struct AdamLayer {
   Eigen::MatrixXd weights, first, second;  // the last column is the bias
 
@@ -72,7 +73,7 @@ struct AdamLayer {
     return (weights.leftCols(weights.cols() - 1) * inputs).colwise() +
            weights.col(weights.cols() - 1);
   }
-  /// The gradient with respect to the inputs; steps.
+  /// Updates the weights; returns the gradient by the inputs.
   Eigen::MatrixXd step(const Eigen::MatrixXd& inputs,
                        const Eigen::MatrixXd& gradient,
                        double rate,
@@ -132,7 +133,7 @@ ForceRegressor fit_force_network(const Eigen::MatrixXd& z,
                                  std::uint32_t which) {
   constexpr Eigen::Index kBatch = 32;
   constexpr double kRate = 3e-3;
-  constexpr Eigen::Index kPasses = 100, kLeastSteps = 300;  // more learns a small table by heart
+  constexpr Eigen::Index kPasses = 100, kMinSteps = 300;  // more overfits a small table
   const Eigen::Index rows = z.rows(), axes = force_N.cols();
   const Eigen::VectorXd mean = force_N.colwise().mean().transpose();
   const Eigen::VectorXd sd =
@@ -144,12 +145,12 @@ ForceRegressor fit_force_network(const Eigen::MatrixXd& z,
   const Eigen::MatrixXd targets =
       ((force_N.rowwise() - mean.transpose()) * sd.cwiseInverse().asDiagonal()).transpose();
   const int steps = static_cast<int>(
-      std::min<Eigen::Index>(options.steps, std::max(kLeastSteps, kPasses * rows / kBatch)));
+      std::min<Eigen::Index>(options.steps, std::max(kMinSteps, kPasses * rows / kBatch)));
   NetworkDraws draws(options.seed, which);
   AdamLayer one(static_cast<int>(z.cols()), options.hidden_1, draws);
   AdamLayer two(options.hidden_1, options.hidden_2, draws);
   AdamLayer three(options.hidden_2, static_cast<int>(axes), draws);
-  three.weights *= 0.1;  // begins near the mean
+  three.weights *= 0.1;  // starts near the mean
   const Eigen::Index batch = std::min(kBatch, rows);
   Eigen::MatrixXd x(z.cols(), batch), y(axes, batch);
   std::vector<Eigen::Index> order;

@@ -17,11 +17,11 @@ std::vector<Eigen::Index> rows_where(const std::vector<int>& of, int fold, bool 
 }
 
 ForceFolds folds_by_name(const std::vector<std::string>& names) {
-  std::map<std::string, int> groups;  // in the order in which they first come
+  std::map<std::string, int> groups;  // in order of first occurrence
   ForceFolds folds;
   for (const std::string& name : names)
     folds.of.push_back(groups.emplace(name, static_cast<int>(groups.size())).first->second);
-  folds.count = std::min(kMostFolds, static_cast<int>(groups.size()));
+  folds.count = std::min(kMaxFolds, static_cast<int>(groups.size()));
   for (int& fold : folds.of) fold %= folds.count;
   return folds;
 }
@@ -67,7 +67,7 @@ std::vector<Eigen::Index> drawn_order(Eigen::Index n,
 Result<ForceFolds> force_folds(const ForceTable& table, ForceSplit split, std::uint64_t seed) {
   if (split == ForceSplit::kRandom) {
     ForceFolds folds;
-    folds.count = table.rows() < 500 ? kStretches : kMostFolds;
+    folds.count = table.rows() < 500 ? kStretches : kMaxFolds;
     folds.of.resize(static_cast<std::size_t>(table.rows()));
     const auto order = drawn_order(table.rows(), seed, "force random split");
     for (std::size_t i = 0; i < order.size(); ++i)

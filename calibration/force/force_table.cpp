@@ -14,7 +14,7 @@
 namespace alltact {
 namespace {
 
-constexpr int kMostTableMarkers = 512;
+constexpr int kMaxTableMarkers = 512;
 constexpr double kFarthestPx = 1e5, kGreatestN = 1e5;
 
 Message table_advice() {
@@ -22,16 +22,16 @@ Message table_advice() {
       "a CSV whose first line names u0, v0, ..., fx_n, fy_n; alltact force --collect makes one");
 }
 
-/// Where each column of a table stands; -1: it has none.
+/// Indices of a table's columns; -1: missing.
 struct TableColumns {
   std::vector<int> u, v, seen;
   std::vector<int> force;
   int along = -1, across = -1, time = -1, block = -1, day = -1, indenter = -1, frame = -1;
   std::size_t count = 0;
-  std::vector<std::string> passed_over;
+  std::vector<std::string> ignored_columns;
 };
 
-/// "u07" as 'u' and 7.
+/// Parses "u07" as 'u' and 7.
 std::optional<std::pair<std::string, int>> numbered(const std::string& name) {
   const std::size_t digits = name.find_first_of("0123456789");
   if (digits == std::string::npos || digits == 0 || name.size() - digits > 4) return std::nullopt;
@@ -54,21 +54,21 @@ Result<TableColumns> columns_of(const std::vector<std::string_view>& cells,
   std::map<std::string, int> plain, by_number;
   TableColumns columns;
   columns.count = cells.size();
-  int most = -1;
+  int highest = -1;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     std::string name = csv_column(cells[i]);
     const auto marker = numbered(name);
     if (marker) {
-      most = std::max(most, marker->second);
+      highest = std::max(highest, marker->second);
       name = fmt::format("{}{}", marker->first, marker->second);
     }
     if (!name.empty() && !(marker ? by_number : plain).emplace(name, static_cast<int>(i)).second)
       return wrong(en::say("the column '{}' is given twice", printable(cells[i])));
   }
-  if (most < 0) return wrong(en::say("there are no columns u0, v0, ... of markers"));
-  if (most >= kMostTableMarkers)
+  if (highest < 0) return wrong(en::say("there are no columns u0, v0, ... of markers"));
+  if (highest >= kMaxTableMarkers)
     return wrong(en::say(
-        "there are markers up to number {}; the highest may be {}", most, kMostTableMarkers - 1));
+        "there are markers up to number {}; the highest may be {}", highest, kMaxTableMarkers - 1));
   const auto take = [](std::map<std::string, int>& from, const std::string& name) {
     const auto found = from.find(name);
     if (found == from.end()) return -1;
@@ -77,18 +77,18 @@ Result<TableColumns> columns_of(const std::vector<std::string_view>& cells,
     return at;
   };
   bool some_seen = false;
-  for (int m = 0; m <= most; ++m) {
+  for (int m = 0; m <= highest; ++m) {
     for (auto [letter, list] : {std::pair{"u", &columns.u}, {"v", &columns.v}}) {
       list->push_back(take(by_number, fmt::format("{}{}", letter, m)));
       if (list->back() < 0)
         return wrong(en::say("the column '{}' is missing, though there is a marker {}",
                              fmt::format("{}{}", letter, m),
-                             most));
+                             highest));
     }
     columns.seen.push_back(take(by_number, fmt::format("seen{}", m)));
     some_seen = some_seen || columns.seen.back() >= 0;
   }
-  for (int m = 0; some_seen && m <= most; ++m)
+  for (int m = 0; some_seen && m <= highest; ++m)
     if (columns.seen[static_cast<std::size_t>(m)] < 0)
       return wrong(en::say("the column '{}' is missing, though other markers have one",
                            fmt::format("seen{}", m)));
@@ -105,13 +105,13 @@ Result<TableColumns> columns_of(const std::vector<std::string_view>& cells,
   if (columns.time < 0) columns.time = take(plain, "time");
   columns.block = take(plain, "block"), columns.day = take(plain, "day");
   columns.indenter = take(plain, "indenter"), columns.frame = take(plain, "frame");
-  for (const auto& [name, at] : plain) columns.passed_over.push_back(printable(name));
+  for (const auto& [name, at] : plain) columns.ignored_columns.push_back(printable(name));
   return columns;
 }
 
-/// The cells of a table, checked, row by row.
+/// The checked cells of a table, row by row.
 struct TableRows {
-  std::vector<double> layouts, seen, force, place, time;
+  std::vector<double> layouts, seen, force, position, time;
 };
 
 class TableReader {
@@ -127,7 +127,7 @@ class TableReader {
     columns_ = std::move(*columns);
     while (const auto line = lines_.next())
       if (Status status = read_row(lines_.cells(*line)); !status) return status.error();
-    return whole();
+    return finish();
   }
 
  private:
@@ -165,7 +165,7 @@ class TableReader {
       if (!time) return time.error();
       rows_.time.push_back(*time);
     }
-    if (Status status = read_place(cells); !status) return status;
+    if (Status status = read_position(cells); !status) return status;
     for (auto [at, list] : {std::pair{columns_.block, &table_.block},
                             {columns_.day, &table_.day},
                             {columns_.indenter, &table_.indenter},
@@ -183,10 +183,10 @@ class TableReader {
       const auto v_cell = cells[static_cast<std::size_t>(columns_.v[m])];
       bool seen = !u_cell.empty() || !v_cell.empty();
       if (columns_.seen[m] >= 0) {
-        const auto told = number(cells, columns_.seen[m], fmt::format("seen{}", m), 1);
-        if (!told) return told.error();
-        if (*told != 0 && *told != 1) return wrong(en::say("seen is 1 or 0"), name);
-        seen = *told == 1;
+        const auto flag = number(cells, columns_.seen[m], fmt::format("seen{}", m), 1);
+        if (!flag) return flag.error();
+        if (*flag != 0 && *flag != 1) return wrong(en::say("seen is 1 or 0"), name);
+        seen = *flag == 1;
       }
       double u = 0, v = 0;
       if (seen) {
@@ -203,24 +203,24 @@ class TableReader {
     return any ? Status() : wrong(en::say("no marker was seen"));
   }
 
-  Status read_place(const std::vector<std::string_view>& cells) {
+  Status read_position(const std::vector<std::string_view>& cells) {
     if (columns_.along < 0) return {};
     const bool known = !cells[static_cast<std::size_t>(columns_.along)].empty() ||
                        !cells[static_cast<std::size_t>(columns_.across)].empty();
     for (auto [at, name] :
          {std::pair{columns_.along, "along_mm"}, {columns_.across, "across_mm"}}) {
-      double place = std::numeric_limits<double>::quiet_NaN();
+      double position = std::numeric_limits<double>::quiet_NaN();
       if (known) {
         const auto there = number(cells, at, name, 1e4);
         if (!there) return there.error();
-        place = *there;
+        position = *there;
       }
-      rows_.place.push_back(place);
+      rows_.position.push_back(position);
     }
     return {};
   }
 
-  Result<ForceTable> whole() {
+  Result<ForceTable> finish() {
     if (count_ == 0)
       return Error{en::say("{} rows are too few to learn from", 0), origin_, table_advice()};
     using ByRow = Eigen::Matrix<double, -1, -1, Eigen::RowMajor>;
@@ -232,10 +232,10 @@ class TableReader {
     table_.axes = static_cast<int>(columns_.force.size());
     table_.layouts = matrix(rows_.layouts), table_.seen = matrix(rows_.seen);
     table_.force_N = matrix(rows_.force);
-    if (!rows_.place.empty() && matrix(rows_.place).array().isFinite().any())
-      table_.place_mm = matrix(rows_.place);
+    if (!rows_.position.empty() && matrix(rows_.position).array().isFinite().any())
+      table_.position_mm = matrix(rows_.position);
     if (!rows_.time.empty()) table_.time_s = matrix(rows_.time);
-    table_.passed_over = columns_.passed_over;
+    table_.ignored_columns = columns_.ignored_columns;
     return std::move(table_);
   }
 
@@ -249,13 +249,13 @@ class TableReader {
 
 bool something_moves(const ForceTable& table) {
   for (Eigen::Index c = 0; c < table.layouts.cols(); ++c) {
-    double least = std::numeric_limits<double>::infinity(), most = -least;
+    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
     for (Eigen::Index row = 0; row < table.rows(); ++row)
       if (table.seen(row, c / 2) > 0.5) {
-        least = std::min(least, table.layouts(row, c));
-        most = std::max(most, table.layouts(row, c));
+        lowest = std::min(lowest, table.layouts(row, c));
+        highest = std::max(highest, table.layouts(row, c));
       }
-    if (most - least > 1e-6) return true;
+    if (highest - lowest > 1e-6) return true;
   }
   return false;
 }
@@ -277,13 +277,13 @@ Status ForceTable::check(const std::filesystem::path& origin) {
   const auto too_bad = [&](Message what, Message advice) {
     return Error{std::move(what), origin, std::move(advice)};
   };
-  if (rows() < static_cast<Eigen::Index>(kLeastRows))
+  if (rows() < static_cast<Eigen::Index>(kMinRows))
     return too_bad(en::say("{} rows are too few to learn from", rows()),
-                   en::say("at least {}, better several hundred", kLeastRows));
+                   en::say("at least {}, better several hundred", kMinRows));
   if (axes == 3 && (force_N.col(2).array() == 0).all()) {
     force_N.conservativeResize(Eigen::NoChange, 2);
     axes = 2;
-    passed_over.emplace_back("fz_n");
+    ignored_columns.emplace_back("fz_n");
   }
   static constexpr std::array<const char*, 3> kAxes{"fx_n", "fy_n", "fz_n"};
   for (int axis = 0; axis < axes; ++axis) {
@@ -313,7 +313,7 @@ Result<ForceTable> ForceTable::parse(std::string_view csv, const std::filesystem
 }
 
 Result<ForceTable> ForceTable::load(const std::filesystem::path& file) {
-  const auto content = read_file(file, kMostBytes);
+  const auto content = read_file(file, kMaxBytes);
   if (!content) return content.error();
   return parse(*content, file);
 }
@@ -330,12 +330,12 @@ std::string ForceTable::to_csv() const {
     if (!list->empty()) add(name);
   if (time_s.size() > 0) add("t_s");
   add(axes == 3 ? "fx_n,fy_n,fz_n" : "fx_n,fy_n");
-  if (has_place()) add("along_mm,across_mm");
+  if (has_position()) add("along_mm,across_mm");
   for (int m = 0; m < marker_count; ++m) add(fmt::format("u{0},v{0},seen{0}", m));
   text += '\n';
   for (Eigen::Index row = 0; row < rows(); ++row) {
     const auto i = static_cast<std::size_t>(row);
-    // A first cell must not be taken for none.
+    // An empty first cell is a cell, too.
     bool is_first = true;
     const auto cell = [&](std::string_view value) {
       if (!is_first) text += ',';
@@ -346,8 +346,8 @@ std::string ForceTable::to_csv() const {
       if (!list->empty()) cell((*list)[i]);
     if (time_s.size() > 0) cell(fmt::format("{}", time_s[row]));
     for (int axis = 0; axis < axes; ++axis) cell(fmt::format("{}", force_N(row, axis)));
-    for (Eigen::Index k = 0; has_place() && k < 2; ++k)
-      cell(std::isfinite(place_mm(row, k)) ? fmt::format("{}", place_mm(row, k)) : "");
+    for (Eigen::Index k = 0; has_position() && k < 2; ++k)
+      cell(std::isfinite(position_mm(row, k)) ? fmt::format("{}", position_mm(row, k)) : "");
     for (int m = 0; m < marker_count; ++m) {
       const bool is_seen = seen(row, m) > 0.5;
       for (int k = 0; k < 2; ++k)

@@ -11,20 +11,20 @@ namespace alltact {
 namespace {
 
 constexpr double kFineStep_s = 0.01, kCoarseStep_s = 0.05;
-constexpr double kLeastClockR2 = 0.3, kMostClockSd_s = 0.05;
-/// How much worse the next best shift must be, and how deep the valley is that makes it another.
+constexpr double kMinClockR2 = 0.3, kMaxClockSd_s = 0.05;
+/// Lead in R2 over the next best shift, and depth of the valley that separates two shifts.
 constexpr double kUnlikeR2 = 0.02, kValleyR2 = 0.06;
-/// The fast part of the force must be more than this of the whole, or it is but rounding.
-constexpr double kLeastFastPart = 1e-2;
-constexpr double kDriftWindow_s = 30, kDriftSearch_s = 0.3, kMostDrift = 2e-3;
+/// Fraction of the force that must be fast; less is rounding.
+constexpr double kMinFastPart = 1e-2;
+constexpr double kDriftWindow_s = 30, kDriftSearch_s = 0.3, kMaxDrift = 2e-3;
 constexpr std::size_t kCoarseRows = 1500;
 
 struct ShiftPeak {
   double shift_s = 0, r2 = 0;
-  bool is_inside = false;  ///< not at the end of what was searched
+  bool is_inside = false;  ///< not at an end of the searched range
 };
 
-/// The greatest of values at first_s + i step_s, refined by a parabola.
+/// The maximum of values at first_s + i step_s, refined by a parabola.
 ShiftPeak peak_of(const std::vector<double>& values, double first_s, double step_s) {
   const auto best = std::max_element(values.begin(), values.end());
   const auto at = static_cast<std::size_t>(best - values.begin());
@@ -37,15 +37,15 @@ ShiftPeak peak_of(const std::vector<double>& values, double first_s, double step
   return peak;
 }
 
-/// No other shift is as good: whatever beats like a clock fits every beat.
-bool is_alone(const std::vector<double>& values) {
+/// Whether no other shift is as good: a periodic motion fits at every period.
+bool is_unique(const std::vector<double>& values) {
   const auto best = std::max_element(values.begin(), values.end());
-  const double most = *best;
+  const double max_r2 = *best;
   const auto goes_on = [&](auto from, auto to) {
-    double valley = most;
+    double valley = max_r2;
     for (; from != to; ++from) {
       valley = std::min(valley, *from);
-      if (valley<most - kValleyR2&& * from> most - kUnlikeR2) return false;
+      if (valley<max_r2 - kValleyR2&& * from> max_r2 - kUnlikeR2) return false;
     }
     return true;
   };
@@ -60,7 +60,7 @@ class ClockSearch {
         force_(fast_part(raw_, kClockWindowS)) {}
 
   [[nodiscard]] double frames_s() const { return motion_.time_s.back() - motion_.time_s.front(); }
-  /// Enough of both, and force that changes fast enough to be found.
+  /// Whether there are enough rows of both, and the force has enough fast changes.
   [[nodiscard]] bool is_possible() const {
     if (raw_.time_s.size() < 20 || motion_.time_s.size() < 20) return false;
     double all = 0, fast = 0, count = 0;
@@ -76,17 +76,18 @@ class ClockSearch {
       if (force_.is_valid[i]) fast += force_.rows.row(row).squaredNorm(), fast_count += 1;
     }
     if (count < 2 || fast_count < 12 || !(all > 0)) return false;
-    return std::sqrt(fast / fast_count) > kLeastFastPart * std::sqrt(all / count);
+    return std::sqrt(fast / fast_count) > kMinFastPart * std::sqrt(all / count);
   }
 
-  /// Over `range_s` on either side of the clock's shift; moves it there. False: not to be told.
+  /// Searches `range_s` on either side of the clock's shift and sets the shift. False:
+  /// undetermined.
   [[nodiscard]] bool refine(double range_s, GaugeClock& clock) const {
     const int steps = static_cast<int>(std::ceil(range_s / kFineStep_s));
     const std::size_t rows = motion_.time_s.size();
     std::array<std::vector<FitSums>, kClockStretches> parts;
     std::vector<double> r2;
     for (int i = -steps; i <= steps; ++i) {
-      FitSums whole;
+      FitSums total_sums;
       for (std::size_t k = 0; k < kClockStretches; ++k) {
         parts[k].push_back(fit_sums(motion_,
                                     force_,
@@ -94,20 +95,20 @@ class ClockSearch {
                                     i * kFineStep_s,
                                     k * rows / kClockStretches,
                                     (k + 1) * rows / kClockStretches));
-        whole += parts[k].back();
+        total_sums += parts[k].back();
       }
-      r2.push_back(whole.r2());
+      r2.push_back(total_sums.r2());
     }
     const ShiftPeak peak = peak_of(r2, -steps * kFineStep_s, kFineStep_s);
-    if (!peak.is_inside || peak.r2 < kLeastClockR2 || !is_alone(r2)) return false;
+    if (!peak.is_inside || peak.r2 < kMinClockR2 || !is_unique(r2)) return false;
     clock.sd_s = jackknife_sd_s(parts, peak, steps);
-    if (!(clock.sd_s <= kMostClockSd_s)) return false;
+    if (!(clock.sd_s <= kMaxClockSd_s)) return false;
     clock.shift_s += peak.shift_s;
     clock.r2 = peak.r2;
     return true;
   }
 
-  /// Of clocks of which nothing is known: every shift at which half of the shorter one overlaps.
+  /// For unrelated clocks: searches every shift with an overlap of half of the shorter signal.
   [[nodiscard]] bool search_all(GaugeClock& clock) const {
     const double gauge_s = raw_.time_s.back() - raw_.time_s.front();
     const double shorter_s = std::min(gauge_s, frames_s());
@@ -120,18 +121,18 @@ class ClockSearch {
     for (double shift_s = first_s; shift_s <= last_s; shift_s += kCoarseStep_s) {
       const FitSums sums =
           fit_sums(motion_, force_, clock, shift_s - clock.shift_s, 0, motion_.time_s.size(), step);
-      const double wanted = 0.4 * std::max(0.0, shorter_s - kClockWindowS) * rows_a_s;
-      r2.push_back(sums.count < wanted ? 0 : sums.r2());
+      const double min_count = 0.4 * std::max(0.0, shorter_s - kClockWindowS) * rows_a_s;
+      r2.push_back(sums.count < min_count ? 0 : sums.r2());
     }
     if (r2.empty()) return false;
     const ShiftPeak peak = peak_of(r2, first_s, kCoarseStep_s);
-    if (!is_alone(r2)) return false;
-    if (peak.r2 < kLeastClockR2) return false;
+    if (!is_unique(r2)) return false;
+    if (peak.r2 < kMinClockR2) return false;
     clock.shift_s = peak.shift_s;
     return true;
   }
 
-  /// Shifts of stretches on a line over time. False: too few of them, or no line.
+  /// Fits a line to the shifts of stretches over time. False: too few of them, or no line.
   [[nodiscard]] bool find_drift(GaugeClock& clock) const {
     const auto windows = static_cast<std::size_t>(std::min(20.0, frames_s() / kDriftWindow_s));
     if (windows < 4) return false;
@@ -144,7 +145,7 @@ class ClockSearch {
       for (int i = -steps; i <= steps; ++i)
         r2.push_back(fit_sums(motion_, force_, clock, i * kFineStep_s, first, last).r2());
       const ShiftPeak peak = peak_of(r2, -steps * kFineStep_s, kFineStep_s);
-      if (!peak.is_inside || peak.r2 < kLeastClockR2) continue;
+      if (!peak.is_inside || peak.r2 < kMinClockR2) continue;
       points.emplace_back(motion_.time_s[(first + last) / 2] - clock.first_s, peak.shift_s);
     }
     return fit_drift(points, clock);
@@ -155,7 +156,7 @@ class ClockSearch {
       const std::array<std::vector<FitSums>, kClockStretches>& parts,
       const ShiftPeak& peak,
       int steps) {
-    // Only around the peak of the whole: a stretch less moves it but little.
+    // Only around the peak of all stretches: one stretch less moves it little.
     const int middle = steps + static_cast<int>(std::lround(peak.shift_s / kFineStep_s));
     const int around = 15;
     const int first = std::max(0, middle - around), last = std::min(2 * steps, middle + around);
@@ -195,8 +196,8 @@ class ClockSearch {
     for (const Eigen::Vector2d& point : points)
       left += std::pow(point.y() - mean.y() - drift * (point.x() - mean.x()), 2);
     const double sd = std::sqrt(left / (count - 2) / spread);
-    if (std::abs(drift) < 3 * sd || std::abs(drift) > kMostDrift) return false;
-    // The line at the middle of the points stays where it is.
+    if (std::abs(drift) < 3 * sd || std::abs(drift) > kMaxDrift) return false;
+    // The line retains its value at the middle of the points.
     clock.drift += drift;
     clock.shift_s += mean.y() - drift * mean.x();
     return true;
@@ -212,7 +213,7 @@ bool overlap(const std::vector<MarkerFrame>& frames, const ForceGauge& gauge) {
   });
 }
 
-void tell_delay(const GaugeClock& clock, std::vector<Message>& remarks) {
+void report_delay(const GaugeClock& clock, std::vector<Message>& remarks) {
   const double late_ms = 1e3 * clock.shift_s, sd_ms = 1e3 * clock.sd_s;
   remarks.push_back(late_ms >= 0 ? en::say("The gauge tells {:.0f} ms (sd {:.0f} ms) after the "
                                            "pictures; that is taken out.",
@@ -228,7 +229,7 @@ GaugeClock same_clock(const ClockSearch* search, GaugeClock clock, std::vector<M
   GaugeClock found = clock;
   if (search != nullptr && search->refine(kLongestDelayS, found)) {
     found.source = GaugeClock::Source::kMotion;
-    tell_delay(found, remarks);
+    report_delay(found, remarks);
     return found;
   }
   remarks.push_back(
@@ -264,10 +265,10 @@ GaugeClock other_clock(const ClockSearch* search,
 
 }  // namespace
 
-GaugeClock settle_gauge_clock(const std::vector<MarkerFrame>& frames,
-                              const ForceGauge& gauge,
-                              const CollectOptions& options,
-                              std::vector<Message>& remarks) {
+GaugeClock estimate_gauge_clock(const std::vector<MarkerFrame>& frames,
+                                const ForceGauge& gauge,
+                                const CollectOptions& options,
+                                std::vector<Message>& remarks) {
   GaugeClock clock;
   if (!gauge.by_time || frames.empty()) return clock;
   clock.first_s = *frames.front().time_s;

@@ -15,7 +15,7 @@ HeldOutForce hold_out_force(const std::vector<ForceInput>& filled,
                             const Job& job) {
   HeldOutForce result;
   result.members.resize(static_cast<std::size_t>(folds.count));
-  result.told_N = Eigen::MatrixXd::Zero(force_N.rows(), force_N.cols());
+  result.estimated_N = Eigen::MatrixXd::Zero(force_N.rows(), force_N.cols());
   cv::parallel_for_(cv::Range(0, folds.count), [&](const cv::Range& range) {
     for (int fold = range.start; fold < range.end && !job.stop_requested(); ++fold)
       result.members[static_cast<std::size_t>(fold)] =
@@ -32,10 +32,10 @@ HeldOutForce hold_out_force(const std::vector<ForceInput>& filled,
     const ForceMember& member = result.members[static_cast<std::size_t>(fold)];
     for (Eigen::Index row = 0; row < force_N.rows(); ++row) {
       const auto i = static_cast<std::size_t>(row);
-      const Eigen::RowVectorXd told = member(filled[i]).transpose();
-      if (folds.of[i] == fold) result.told_N.row(row) = told;
-      // From what the gauge told, so that no digits are lost.
-      const Eigen::RowVectorXd off = told - force_N.row(row);
+      const Eigen::RowVectorXd estimate = member(filled[i]).transpose();
+      if (folds.of[i] == fold) result.estimated_N.row(row) = estimate;
+      // Relative to the gauge's force, against loss of digits.
+      const Eigen::RowVectorXd off = estimate - force_N.row(row);
       sum.row(row) += off, squares.row(row) += off.cwiseAbs2();
     }
   }
@@ -45,12 +45,12 @@ HeldOutForce hold_out_force(const std::vector<ForceInput>& filled,
 }
 
 ForceErrorScores error_scores(const HeldOutForce& held_out, const Eigen::MatrixXd& force_N) {
-  constexpr double kLeastN = 1e-9;  // a table without noise
-  const Eigen::MatrixXd error = held_out.told_N - force_N;
+  constexpr double kMinN = 1e-9;  // a table without noise
+  const Eigen::MatrixXd error = held_out.estimated_N - force_N;
   ForceErrorScores scores;
   scores.floor_N = (error.colwise().squaredNorm() / static_cast<double>(error.rows()))
                        .cwiseSqrt()
-                       .cwiseMax(kLeastN)
+                       .cwiseMax(kMinN)
                        .transpose();
   const Eigen::RowVectorXd floor2 = scores.floor_N.cwiseAbs2().transpose();
   scores.score = error.cwiseAbs().cwiseQuotient(
@@ -59,12 +59,12 @@ ForceErrorScores error_scores(const HeldOutForce& held_out, const Eigen::MatrixX
 }
 
 double conformal_quantile(std::vector<double> values, double level) {
-  const double wanted = std::ceil((static_cast<double>(values.size()) + 1) * level);
-  const std::size_t place =
-      std::min(values.size(), static_cast<std::size_t>(std::max(1.0, wanted))) - 1;
+  const double rank = std::ceil((static_cast<double>(values.size()) + 1) * level);
+  const std::size_t index =
+      std::min(values.size(), static_cast<std::size_t>(std::max(1.0, rank))) - 1;
   std::nth_element(
-      values.begin(), values.begin() + static_cast<std::ptrdiff_t>(place), values.end());
-  return values[place];
+      values.begin(), values.begin() + static_cast<std::ptrdiff_t>(index), values.end());
+  return values[index];
 }
 
 Eigen::VectorXd covered_part(const Eigen::MatrixXd& score, const ForceFolds& folds, double level) {

@@ -1,4 +1,4 @@
-// What every member of a cross-validation tells of the rows that it has not seen.
+// Estimates of every member of a cross-validation for its held-out rows.
 #pragma once
 
 #include "calibration/force/force_regression.h"
@@ -13,13 +13,13 @@ namespace alltact {
 
 /// Of one kind of regression.
 struct HeldOutForce {
-  std::vector<ForceMember> members;  ///< by fold, each learnt without it
-  Eigen::MatrixXd told_N;            ///< of each row by the member that has not seen it
+  std::vector<ForceMember> members;  ///< by fold, each trained without it
+  Eigen::MatrixXd estimated_N;       ///< of each row by the member that held it out
   Eigen::MatrixXd spread_N;          ///< sd of all members, row by row
 };
 
-/// Runs the folds side by side; the same for any number of threads. Where the job is stopped the
-/// result is not complete.
+/// Runs the folds in parallel; the result does not depend on the number of threads. Incomplete
+/// where the job is stopped.
 [[nodiscard]] HeldOutForce hold_out_force(const std::vector<ForceInput>& filled,
                                           const Eigen::MatrixXd& force_N,
                                           const ForceFolds& folds,
@@ -27,7 +27,7 @@ struct HeldOutForce {
                                           const ForceNetworkOptions& options,
                                           const Job& job);
 
-/// Errors over s = sqrt(floor^2 + spread^2), floor their root mean square.
+/// error| / s with s = sqrt(floor^2 + spread^2); floor is the errors' root mean square.
 struct ForceErrorScores {
   Eigen::VectorXd floor_N;
   Eigen::MatrixXd score;  ///< one row a frame, at least 0
@@ -35,10 +35,11 @@ struct ForceErrorScores {
 [[nodiscard]] ForceErrorScores error_scores(const HeldOutForce& held_out,
                                             const Eigen::MatrixXd& force_N);
 
-/// The ceil((n + 1) level)-th smallest, or the greatest: conformal. Values must not be empty.
+/// The conformal quantile: the ceil((n + 1) level)-th smallest, or the greatest. Values must not be
+/// empty.
 [[nodiscard]] double conformal_quantile(std::vector<double> values, double level);
 
-/// Part of the rows whose score is not above the quantile of all other folds' scores, by axis.
+/// Fraction of the rows whose score is not above the quantile of all other folds' scores, by axis.
 [[nodiscard]] Eigen::VectorXd covered_part(const Eigen::MatrixXd& score,
                                            const ForceFolds& folds,
                                            double level);

@@ -1,4 +1,4 @@
-// Markers of a recording, measured now or read from what another command wrote.
+// Markers of a recording, measured now or read from the output of another command.
 #include "calibration/force/collect_force.h"
 #include "core/io/atomic_file.h"
 #include "core/sensing/pipeline.h"
@@ -13,7 +13,7 @@ namespace {
 
 using MarkerJson = nlohmann::json;
 
-/// nullopt: not as reconstruct and simulate write markers.
+/// nullopt: not in the format of `reconstruct` or `simulate`.
 std::optional<Markers> markers_from(const MarkerJson& list, const char* seen_key) {
   if (!list.is_array() || list.empty()) return std::nullopt;
   Markers markers;
@@ -23,23 +23,25 @@ std::optional<Markers> markers_from(const MarkerJson& list, const char* seen_key
     Marker marker;
     marker.seen = entry.at(seen_key).get<bool>();
     const auto u = entry.find("u"), v = entry.find("v");
-    const bool has_place = u != entry.end() && v != entry.end() && u->is_number() && v->is_number();
-    if (has_place) marker.u = u->get<double>(), marker.v = v->get<double>();
-    marker.seen = marker.seen && has_place;
+    const bool has_position =
+        u != entry.end() && v != entry.end() && u->is_number() && v->is_number();
+    if (has_position) marker.u = u->get<double>(), marker.v = v->get<double>();
+    marker.seen = marker.seen && has_position;
     markers.push_back(marker);
   }
   return markers;
 }
 
-std::optional<Eigen::Vector2d> region_place(const MarkerJson& line) {
+std::optional<Eigen::Vector2d> region_position(const MarkerJson& line) {
   const auto regions = line.find("regions");
   if (regions == line.end() || !regions->is_array() || regions->empty()) return std::nullopt;
   const MarkerJson& region = regions->front();
   if (!region.is_object() || !region.contains("place_on_face_mm")) return std::nullopt;
-  const MarkerJson& place = region.at("place_on_face_mm");
-  if (!place.is_array() || place.size() != 2 || !place[0].is_number() || !place[1].is_number())
+  const MarkerJson& position = region.at("place_on_face_mm");
+  if (!position.is_array() || position.size() != 2 || !position[0].is_number() ||
+      !position[1].is_number())
     return std::nullopt;
-  return Eigen::Vector2d(place[0].get<double>(), place[1].get<double>());
+  return Eigen::Vector2d(position[0].get<double>(), position[1].get<double>());
 }
 
 /// Of results.jsonl: time_ns, where its source had times.
@@ -49,7 +51,7 @@ std::optional<double> capture_time_s(const MarkerJson& line) {
   return 1e-9 * static_cast<double>(time_ns->get<std::int64_t>());
 }
 
-/// A line of results.jsonl or a frame of truth.json; nothing of one without markers.
+/// Reads a line of results.jsonl or a frame of truth.json; ignores one without markers.
 void take_markers(const MarkerJson& line, const char* seen_key, std::vector<MarkerFrame>& frames) {
   if (!line.is_object() || !line.contains("markers") || !line.contains("frame") ||
       !line.at("frame").is_string())
@@ -59,7 +61,7 @@ void take_markers(const MarkerJson& line, const char* seen_key, std::vector<Mark
   frames.push_back({line.at("frame").get<std::string>(),
                     capture_time_s(line),
                     std::move(*markers),
-                    region_place(line)});
+                    region_position(line)});
 }
 
 Result<std::vector<MarkerFrame>> frames_from_file(const std::filesystem::path& file) {
@@ -108,7 +110,7 @@ Result<std::vector<MarkerFrame>> measured_frames(const std::vector<std::filesyst
     if (!result->markers) continue;
     MarkerFrame one{(*frame)->name, std::nullopt, std::move(*result->markers), std::nullopt};
     if ((*frame)->time_ns != 0) one.time_s = 1e-9 * static_cast<double>((*frame)->time_ns);
-    if (!result->regions.empty()) one.place_mm = result->regions.front().place_on_face_mm;
+    if (!result->regions.empty()) one.position_mm = result->regions.front().position_on_face_mm;
     frames.push_back(std::move(one));
   }
   if (frames.empty())

@@ -6,11 +6,11 @@
 namespace alltact {
 namespace {
 
-constexpr double kLeastStillPx = 0.3, kMostStillPx = 1.5, kStillNoise = 4;
+constexpr double kMinStillPx = 0.3, kMaxStillPx = 1.5, kStillNoise = 4;
 constexpr double kAroundEnter_s = 0.15, kNearestFrame_s = 0.5;
 
-/// Root mean square distance of the markers that both see; nullopt: none.
-std::optional<double> apart_px(const Markers& one, const Markers& two) {
+/// Root mean square distance of the markers seen in both; nullopt: none.
+std::optional<double> distance_px(const Markers& one, const Markers& two) {
   if (one.size() != two.size()) return std::nullopt;
   double squares = 0, count = 0;
   for (std::size_t m = 0; m < one.size(); ++m)
@@ -21,12 +21,12 @@ std::optional<double> apart_px(const Markers& one, const Markers& two) {
   return count > 0 ? std::optional(std::sqrt(squares / count)) : std::nullopt;
 }
 
-/// Root mean square distance of two frames of a finger at rest, by neighbours: the median is that
-/// of frames at rest as long as half of them are.
+/// Root mean square distance of two neighbouring frames of a finger at rest. The median is one of
+/// frames at rest as long as half of them are.
 double noise_px(const std::vector<MarkerFrame>& frames) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < frames.size(); ++i)
-    if (const auto step = apart_px(frames[i - 1].markers, frames[i].markers))
+    if (const auto step = distance_px(frames[i - 1].markers, frames[i].markers))
       steps.push_back(*step);
   if (steps.empty()) return 0;
   std::nth_element(steps.begin(), steps.begin() + static_cast<long>(steps.size() / 2), steps.end());
@@ -53,7 +53,7 @@ std::vector<int> held_readings(const std::vector<MarkerFrame>& frames,
                                const ForceGauge& gauge,
                                const GaugeClock& clock) {
   std::vector<int> held(frames.size(), -1);
-  const double still_px = std::clamp(kStillNoise * noise_px(frames), kLeastStillPx, kMostStillPx);
+  const double still_px = std::clamp(kStillNoise * noise_px(frames), kMinStillPx, kMaxStillPx);
   const auto frame_at = [&](double time_s) {
     return static_cast<std::size_t>(
         std::lower_bound(frames.begin(),
@@ -77,8 +77,8 @@ std::vector<int> held_readings(const std::vector<MarkerFrame>& frames,
                                  ? frames.size()
                                  : frame_at(clock.frame_time_s(gauge.readings[r + 1].time_s));
     const auto take = [&](std::size_t i) {
-      const auto apart = apart_px(frames[i].markers, then);
-      if (!apart || *apart > still_px || held[i] >= 0) return false;
+      const auto distance = distance_px(frames[i].markers, then);
+      if (!distance || *distance > still_px || held[i] >= 0) return false;
       held[i] = static_cast<int>(r);
       return true;
     };

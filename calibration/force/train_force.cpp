@@ -42,7 +42,7 @@ Eigen::RowVectorXd sd_of(const Eigen::MatrixXd& force_N) {
 ForceComparison compared(ForceKind kind,
                          const HeldOutForce& held_out,
                          const Eigen::MatrixXd& force_N) {
-  const Eigen::MatrixXd error = held_out.told_N - force_N;
+  const Eigen::MatrixXd error = held_out.estimated_N - force_N;
   const Eigen::RowVectorXd sd = sd_of(force_N);
   ForceComparison result;
   result.kind = kind;
@@ -60,7 +60,7 @@ Eigen::VectorXd errors_by_fold(const HeldOutForce& held_out,
                                const Eigen::MatrixXd& force_N,
                                const ForceFolds& folds) {
   const Eigen::MatrixXd part =
-      (held_out.told_N - force_N).cwiseAbs() * sd_of(force_N).cwiseInverse().asDiagonal();
+      (held_out.estimated_N - force_N).cwiseAbs() * sd_of(force_N).cwiseInverse().asDiagonal();
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(folds.count), count = sum;
   for (Eigen::Index row = 0; row < part.rows(); ++row) {
     const int fold = folds.of[static_cast<std::size_t>(row)];
@@ -69,7 +69,7 @@ Eigen::VectorXd errors_by_fold(const HeldOutForce& held_out,
   return sum.cwiseQuotient(count);
 }
 
-/// The first is better than the second by more than chance.
+/// Whether the first is better than the second by more than chance.
 bool beats(const Eigen::VectorXd& first, const Eigen::VectorXd& second) {
   const Eigen::VectorXd gain = second - first;
   const double mean = gain.mean(), count = static_cast<double>(gain.size());
@@ -78,7 +78,7 @@ bool beats(const Eigen::VectorXd& first, const Eigen::VectorXd& second) {
   return mean > 0.01 * second.mean() && mean > error;
 }
 
-/// All that one training needs, in the order in which it is made.
+/// The steps of one training, in their order.
 class ForceTrainer {
  public:
   ForceTrainer(const ForceTable& table, const ForceTraining& options, const Job& job)
@@ -94,11 +94,11 @@ class ForceTrainer {
                    en::say("a table with a column t_s, or leaving creep out")};
     make_inputs(rest_px);
     if (Status status = compare(); !status) return status.error();
-    const ForceKind kept = options_.kind.value_or(simplest());
-    keep(kept);
+    const ForceKind selected = options_.kind.value_or(simplest());
+    select(selected);
     if (!options_.comparison_only)
-      if (Status status = show_beside(); !status) return status.error();
-    remark(kept);
+      if (Status status = add_controls(); !status) return status.error();
+    remark(selected);
     return std::move(result_);
   }
 
@@ -119,11 +119,11 @@ class ForceTrainer {
     }
     inputs_ = force_inputs(table_, model.rest_px);
     model.range = learn_force_range(inputs_);
-    if (model.creep_s > 0) tell_creep(model.creep_s);
+    if (model.creep_s > 0) compute_creep(model.creep_s);
   }
 
   /// In the order of time within each block.
-  void tell_creep(double creep_s) {
+  void compute_creep(double creep_s) {
     std::vector<std::size_t> order(inputs_.size());
     std::iota(order.begin(), order.end(), 0);
     const auto before = [&](std::size_t a, std::size_t b) {
@@ -163,7 +163,7 @@ class ForceTrainer {
     return best;
   }
 
-  void keep(ForceKind kind) {
+  void select(ForceKind kind) {
     HeldOutForce& held_out = held_out_[at(kind)];
     const ForceErrorScores errors = error_scores(held_out, table_.force_N);
     ForceModel& model = result_.model;
@@ -172,23 +172,23 @@ class ForceTrainer {
     model.scores.floor_N = errors.floor_N;
     model.scores.rms = model.scores.quantile_90 = model.scores.quantile_95 =
         Eigen::VectorXd::Zero(table_.axes);
-    constexpr double kLeastScore = 1e-6;
+    constexpr double kMinScore = 1e-6;
     for (Eigen::Index axis = 0; axis < table_.axes; ++axis) {
       const auto column = errors.score.col(axis);
       const std::vector<double> all(column.begin(), column.end());
-      model.scores.rms[axis] = std::max(
-          kLeastScore, std::sqrt(column.squaredNorm() / static_cast<double>(column.size())));
-      model.scores.quantile_90[axis] = std::max(kLeastScore, conformal_quantile(all, 0.90));
-      model.scores.quantile_95[axis] = std::max(kLeastScore, conformal_quantile(all, 0.95));
+      model.scores.rms[axis] =
+          std::max(kMinScore, std::sqrt(column.squaredNorm() / static_cast<double>(column.size())));
+      model.scores.quantile_90[axis] = std::max(kMinScore, conformal_quantile(all, 0.90));
+      model.scores.quantile_95[axis] = std::max(kMinScore, conformal_quantile(all, 0.95));
     }
     result_.covered_90 = covered_part(errors.score, folds_, 0.90);
     result_.covered_95 = covered_part(errors.score, folds_, 0.95);
-    result_.held_out_N = held_out.told_N;
+    result_.held_out_N = held_out.estimated_N;
     result_.label_noise_N = force_label_noise_N(table_, folds_).cwiseMin(result_.of(kind).rmse_N);
   }
 
-  /// What only shows how good the comparison is.
-  Status show_beside() {
+  /// Adds controls of the comparison: a random split and shuffled forces.
+  Status add_controls() {
     const auto random = force_folds(table_, ForceSplit::kRandom, options_.seed);
     if (!random) return random.error();
     const Eigen::MatrixXd shuffled = shuffled_forces();
@@ -219,7 +219,7 @@ class ForceTrainer {
     return shuffled;
   }
 
-  void remark(ForceKind kept) {
+  void remark(ForceKind selected) {
     std::vector<Message>& remarks = result_.remarks;
     const auto relative = [&](ForceKind kind) { return 100 * result_.of(kind).relative; };
     if (!beats(by_fold_[at(ForceKind::kNetwork)], by_fold_[at(ForceKind::kRidge)]))
@@ -228,11 +228,12 @@ class ForceTrainer {
                   "forces' standard deviation.",
                   relative(ForceKind::kNetwork),
                   relative(ForceKind::kRidge)));
-    if (kept != ForceKind::kMean && !beats(by_fold_[at(kept)], by_fold_[at(ForceKind::kMean)]))
+    if (selected != ForceKind::kMean &&
+        !beats(by_fold_[at(selected)], by_fold_[at(ForceKind::kMean)]))
       remarks.push_back(
           en::say("What is kept does not beat the mean of the table: these markers do not tell the "
                   "force."));
-    else if (kept == ForceKind::kMean)
+    else if (selected == ForceKind::kMean)
       remarks.push_back(
           en::say("Nothing beats the mean of the table: these markers do not tell the force."));
     if (folds_.by_time)
@@ -269,8 +270,8 @@ std::vector<ForceInput> force_inputs(const ForceTable& table,
         input.displacement_px.segment<2>(2 * m) =
             table.layouts.row(row).segment<2>(2 * m).transpose() -
             rest_px[static_cast<std::size_t>(m)];
-    if (table.has_place() && table.place_mm.row(row).allFinite())
-      input.place_mm = table.place_mm.row(row).transpose();
+    if (table.has_position() && table.position_mm.row(row).allFinite())
+      input.position_mm = table.position_mm.row(row).transpose();
   }
   return inputs;
 }

@@ -8,7 +8,7 @@
 namespace alltact {
 namespace {
 
-HardAnswer told(const Difference& difference, int v, int u) {
+HardAnswer answer_at(const Difference& difference, int v, int u) {
   switch (difference.flags.at<std::uint8_t>(v, u)) {
     case kMeasured:
       return number(static_cast<double>(difference.x.at<float>(v, u)));
@@ -21,9 +21,9 @@ HardAnswer told(const Difference& difference, int v, int u) {
   }
 }
 
-/// Pairs of grey levels: the right number wherever the face has 12 to 249 levels and the live
-/// picture is not clipped, or the reason why there is none. What a live pixel of
-/// less than three deviations of the noise is worth, and a face of 8 to 11 levels, is left open.
+/// Pairs of grey levels. A number is required where the face has 12 to 249 levels and the live
+/// image is not clipped, else the reason. Live pixels below three noise deviations, and faces of 8
+/// to 11 levels, are not tested.
 HardRow grey_pairs() {
   HardRow row{"brightness differences of all pairs of grey levels: wrong ones",
               "bytes subtracted and divided",
@@ -37,26 +37,26 @@ HardRow grey_pairs() {
       live.at<std::uint8_t>(i, k) = static_cast<std::uint8_t>(i),
                                untouched.at<float>(i, k) = static_cast<float>(k);
   Reference reference;
-  reference.picture = ReferencePicture(untouched);
+  reference.image = ReferenceImage(untouched);
   const FaceShape shape = flat_sensor({256, 256}, 0.05);
-  const Difference ours = difference(live, reference, shape, {.smoothing = {}});
+  const Difference own = difference(live, reference, shape, {.smoothing = {}});
   for (int i = kLeastLive; i < 256; ++i)
     for (int k = 0; k < 256; ++k) {
       if (k >= kTooDarkBelow && k < kDark) continue;
       const double truth = static_cast<double>(k - i) / std::max(k, 1);
       const auto wrapped = static_cast<std::uint8_t>(k - i);
-      row.ask(k < kTooDarkBelow ? wanted_refusal({"too dark"})
+      row.ask(k < kTooDarkBelow ? expected_refusal({"too dark"})
               : k >= kClippedFrom || i >= kClippedFrom
-                  ? wanted_refusal({"saturated"})
-                  : wanted(truth, 1e-6 * (1.0 + std::abs(truth))),
+                  ? expected_refusal({"saturated"})
+                  : expected(truth, 1e-6 * (1.0 + std::abs(truth))),
               number(static_cast<double>(wrapped) / k),
-              told(ours, i, k));
+              answer_at(own, i, k));
     }
   return row;
 }
 
-/// A press that takes a fifth of the brightness, on faces from 12 to 40 grey levels bright, 1 grey
-/// level of noise in both pictures: the mean of the quotient is not the quotient of the means.
+/// A press that takes a fifth of the brightness, on faces from 12 to 40 grey levels, 1 grey level
+/// of noise in both images: the mean of the quotient is not the quotient of the means.
 HardRow dark_reference() {
   HardRow row{"mean difference where the untouched face has 12 to 40 grey levels, truth 0.2: error",
               "(I_ref - I) / I_ref of each pixel",
@@ -69,23 +69,23 @@ HardRow dark_reference() {
   std::normal_distribution<double> noise(0.0, kNoise);
   for (int level = kLeast; level <= kMost; level += 4) {
     cv::Mat live(kSide, kSide, CV_8UC1), untouched(kSide, kSide, CV_32FC1);
-    double plain = 0;
+    double naive = 0;
     for (int v = 0; v < kSide; ++v)
       for (int u = 0; u < kSide; ++u) {
         const double below = std::round(level + noise(random));
         live.at<std::uint8_t>(v, u) =
             cv::saturate_cast<std::uint8_t>((1.0 - kTruth) * level + noise(random));
         untouched.at<float>(v, u) = static_cast<float>(std::max(0.0, below));
-        plain += (below - live.at<std::uint8_t>(v, u)) / below / (kSide * kSide);
+        naive += (below - live.at<std::uint8_t>(v, u)) / below / (kSide * kSide);
       }
     Reference reference;
-    reference.picture = ReferencePicture(untouched);
-    const Difference ours = difference(live, reference, shape, {});
-    const cv::Mat measured = ours.flags == kMeasured;
+    reference.image = ReferenceImage(untouched);
+    const Difference own = difference(live, reference, shape, {});
+    const cv::Mat measured = own.flags == kMeasured;
     const bool enough = cv::countNonZero(measured) > 0.99 * kSide * kSide;
-    row.ask(wanted(kTruth, 1),
-            number(plain),
-            enough ? number(cv::mean(ours.x, measured)[0]) : refused("too dark"));
+    row.ask(expected(kTruth, 1),
+            number(naive),
+            enough ? number(cv::mean(own.x, measured)[0]) : refused("too dark"));
   }
   return row;
 }
@@ -103,14 +103,14 @@ HardRow reference_brightness() {
               0.0008,
               HardMeasure::kRms};
   std::mt19937 random(11);
-  std::uniform_real_distribution<double> place(-60.0, 60.0);
+  std::uniform_real_distribution<double> coordinate(-60.0, 60.0);
   constexpr int kRecorded = 1650, kNear = 12;
   std::vector<Eigen::Vector3d> poses;
   for (int i = 0; i < kRecorded; ++i)
-    poses.emplace_back(place(random), place(random), place(random));
+    poses.emplace_back(coordinate(random), coordinate(random), coordinate(random));
   for (int i = 0; i < 300; ++i) {
     const Eigen::Vector3d query =
-        0.9 * Eigen::Vector3d(place(random), place(random), place(random));
+        0.9 * Eigen::Vector3d(coordinate(random), coordinate(random), coordinate(random));
     std::partial_sort(poses.begin(),
                       poses.begin() + kNear,
                       poses.end(),
@@ -123,7 +123,7 @@ HardRow reference_brightness() {
     double mixed = 0;
     for (int k = 0; k < kNear; ++k)
       mixed += weights[k] * brightness_at(poses[static_cast<std::size_t>(k)]);
-    row.ask(wanted(brightness_at(query)), number(brightness_at(poses.front())), number(mixed));
+    row.ask(expected(brightness_at(query)), number(brightness_at(poses.front())), number(mixed));
   }
   return row;
 }

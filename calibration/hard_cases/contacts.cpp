@@ -12,7 +12,7 @@
 namespace alltact {
 namespace {
 
-/// What is said of the angle of the one region there is.
+/// Answer on the angle of the only region.
 HardAnswer angle_of(const std::vector<ContactRegion>& regions) {
   if (regions.size() != 1) return refused("not one region");
   return number_or(regions[0].angle_deg, "no angle");
@@ -25,7 +25,7 @@ DepthMap untouched_map(const cv::Size& size) {
   return map;
 }
 
-/// A long contact at the far end of a very wide picture.
+/// A long contact at the far end of a very wide image.
 HardRow far_contact() {
   HardRow row{"angle of a contact 16000 px from the origin",
               "E[x^2] - E[x]^2 in single precision",
@@ -51,16 +51,16 @@ HardRow far_contact() {
     map.cells_mm = depth_cells(map.depth_mm);
     const float xx = suu / n - su / n * (su / n), xy = suv / n - su / n * (sv / n),
                 yy = svv / n - sv / n * (sv / n);
-    const double plain = 0.5 * std::atan2(2.0 * static_cast<double>(xy),
+    const double naive = 0.5 * std::atan2(2.0 * static_cast<double>(xy),
                                           static_cast<double>(xx) - static_cast<double>(yy));
-    row.ask(wanted(angle, 1),
-            number(plain * 180.0 / M_PI),
+    row.ask(expected(angle, 1),
+            number(naive * 180.0 / M_PI),
             angle_of(contact_regions(map, shape, shape.face(), {})));
   }
   return row;
 }
 
-/// A contact over a whole wide picture, in the noise of which its depth is small.
+/// A contact over an entire wide image, with a depth small against the noise.
 HardRow wide_contact() {
   HardRow row{
       "volume of a contact of 4 million pixels", "summed in single precision", "relative", 1e-6};
@@ -75,14 +75,14 @@ HardRow wide_contact() {
   const auto area = static_cast<float>(kMmPerPx * kMmPerPx);
   float sum = 0;
   for (int i = 0; i < kSide * kSide; ++i) sum += kDepth * area;
-  row.ask(wanted(static_cast<double>(kDepth) * std::pow(kSide * kMmPerPx, 2)),
+  row.ask(expected(static_cast<double>(kDepth) * std::pow(kSide * kMmPerPx, 2)),
           number(static_cast<double>(sum)),
           regions.size() == 1 ? number(regions[0].volume_mm3) : refused("not one region"));
   return row;
 }
 
-/// A ball's contact is as long as it is wide: noise alone gives it an axis. Beside each a contact
-/// half as long again as it is wide, which has one.
+/// A ball's contact is round: noise alone gives it an axis. Each is paired with a contact 1.5 times
+/// as long as wide, which has an axis.
 HardRow round_contact() {
   HardRow row{"angles told of 20 round contacts, and of 20 long ones not or wrong by 5 degrees",
               "principal axes",
@@ -115,17 +115,17 @@ HardRow round_contact() {
       }
     map.cells_mm = depth_cells(map.depth_mm);
     const Eigen::Matrix2d spread = second / sum - first / sum * (first / sum).transpose();
-    const double plain = 0.5 * std::atan2(2 * spread(0, 1), spread(0, 0) - spread(1, 1));
+    const double naive = 0.5 * std::atan2(2 * spread(0, 1), spread(0, 0) - spread(1, 1));
     row.ask(
-        is_round ? wanted_refusal({"no angle"}) : wanted(angle, 5),
-        number(plain * 180 / M_PI),
+        is_round ? expected_refusal({"no angle"}) : expected(angle, 5),
+        number(naive * 180 / M_PI),
         angle_of(contact_regions(map, shape, shape.face(), {.noise_mm = kNoise, .untouched = {}})));
   }
   return row;
 }
 
-/// How far a marker far from the origin moves through a recording. Ours adds the square of 0.05 px
-/// that no recording is better than: 0.0005 of the whole.
+/// Spread of a marker far from the origin through a recording. This program adds the minimum
+/// variance of a recording, (0.05 px)^2: 0.0005 of the total.
 HardRow marker_spread() {
   HardRow row{"spread of markers 4000 px from the origin through 2000 frames",
               "running sums of u and u^2 in single precision",
@@ -136,7 +136,7 @@ HardRow marker_spread() {
   float sum = 0, squares = 0;
   double truth = 0;
   for (int i = 0; i < kFrames; ++i) {
-    // Eight places in step, from -1 to 1 px.
+    // Eight positions in step, from -1 to 1 px.
     const double moved = (i - 1000) / 1024.0;
     truth += 8 * moved * moved / (kFrames - 1);
     for (int k = 0; k < 8; ++k) layouts(i, k) = 4000.0 + 64.0 * k + moved;
@@ -148,13 +148,13 @@ HardRow marker_spread() {
   const auto model = MarkerModel::learn(layouts, typical);
   const float n = kFrames;
   const auto variance = static_cast<double>((squares - sum * sum / n) / (n - 1));
-  row.ask(wanted(std::sqrt(truth)),
+  row.ask(expected(std::sqrt(truth)),
           number(std::sqrt(8 * variance)),
           model ? number(model->mode_sd_px()[0]) : refused(model.error().what.english()));
   return row;
 }
 
-/// Markers exactly at rest, where there is no direction, and moved by a pixel each, where there is.
+/// Markers exactly at rest, which have no direction, and moved by a pixel each, which have one.
 HardRow no_direction() {
   HardRow row{"direction of a touch that is none, and of pushes in 24 directions",
               "o / |o|",
@@ -165,10 +165,10 @@ HardRow no_direction() {
   settings.threshold_px = 0.0;
   for (int m = 0; m < 24; ++m)
     settings.rest_markers.emplace_back(50.0 + 30.0 * (m % 12), m < 12 ? 60.0 : 300.0);
-  for (int way = 0; way <= 24; ++way) {
-    const double angle = 2 * M_PI * way / 24;
+  for (int step = 0; step <= 24; ++step) {
+    const double angle = 2 * M_PI * step / 24;
     const Eigen::Vector2d push =
-        way == 24 ? Eigen::Vector2d(0, 0) : Eigen::Vector2d(std::cos(angle), std::sin(angle));
+        step == 24 ? Eigen::Vector2d(0, 0) : Eigen::Vector2d(std::cos(angle), std::sin(angle));
     Markers markers;
     Eigen::Vector2d offset(0, 0);
     for (const Eigen::Vector2d& rest : settings.rest_markers) {
@@ -176,14 +176,14 @@ HardRow no_direction() {
       offset += push;
     }
     const Push found = push_of(markers, settings, true);
-    const HardAnswer ours = found.direction
-                                ? HardAnswer{{found.direction->x(), found.direction->y()}, ""}
-                                : refused(found.pushed ? "no direction" : "not touched");
-    const Eigen::Vector2d plain = offset / offset.norm();
-    row.ask(
-        way == 24 ? wanted_refusal({"not touched"}) : HardQuestion{{push.x(), push.y()}, {}, 1e-9},
-        {{plain.x(), plain.y()}, ""},
-        ours);
+    const HardAnswer own = found.direction
+                               ? HardAnswer{{found.direction->x(), found.direction->y()}, ""}
+                               : refused(found.pushed ? "no direction" : "not touched");
+    const Eigen::Vector2d naive = offset / offset.norm();
+    row.ask(step == 24 ? expected_refusal({"not touched"})
+                       : HardQuestion{{push.x(), push.y()}, {}, 1e-9},
+            {{naive.x(), naive.y()}, ""},
+            own);
   }
   return row;
 }
@@ -192,27 +192,27 @@ constexpr int kPerRow = 12;
 
 /// Two rows of markers on a finger that bends, sways and twists.
 Eigen::VectorXd layout(double bend, double sway, double twist) {
-  Eigen::VectorXd places(4 * kPerRow);
+  Eigen::VectorXd coordinates(4 * kPerRow);
   for (int m = 0; m < 2 * kPerRow; ++m) {
     const double t = (m % kPerRow + 1.0) / kPerRow;
     const bool upper = m < kPerRow;
     const double half = 200.0 - 120.0 * t;
-    places[2 * m] = 60.0 + 820.0 * t - 90.0 * t * t - bend * (25.0 + 60.0 * t * t);
-    places[2 * m + 1] = 270.0 + (upper ? -half : half) * (1.0 + 0.1 * bend) + 40.0 * sway * t * t +
-                        (upper ? 12.0 : -12.0) * twist * t;
+    coordinates[2 * m] = 60.0 + 820.0 * t - 90.0 * t * t - bend * (25.0 + 60.0 * t * t);
+    coordinates[2 * m + 1] = 270.0 + (upper ? -half : half) * (1.0 + 0.1 * bend) +
+                             40.0 * sway * t * t + (upper ? 12.0 : -12.0) * twist * t;
   }
-  return places;
+  return coordinates;
 }
 
-Dot dot_of(const Eigen::VectorXd& places, int m, const std::function<double()>& noise) {
+Dot dot_of(const Eigen::VectorXd& coordinates, int m, const std::function<double()>& noise) {
   Dot dot;
-  dot.u = places[2 * m] + noise(), dot.v = places[2 * m + 1] + noise();
+  dot.u = coordinates[2 * m] + noise(), dot.v = coordinates[2 * m + 1] + noise();
   dot.radius_px = 5, dot.contrast = 60, dot.sd_px = 0.05, dot.upper = m < kPerRow;
   return dot;
 }
 
-/// The markers whose places the model tells of dots; the n-th dot of a row taken for the n-th
-/// marker. As places of the markers `of`, in their order.
+/// The marker positions that the model computes from dots, and those of the n-th dot of a row taken
+/// for the n-th marker. Returned are the positions of the markers `of`, in their order.
 HardAnswer modelled(const MarkerModel& model,
                     const std::vector<Dot>& dots,
                     const std::vector<int>& of) {
@@ -233,15 +233,15 @@ HardAnswer sorted(std::vector<Dot> dots, const std::vector<int>& of) {
   HardAnswer answer;
   for (const int m : of) {
     const auto& row = rows[m / kPerRow];
-    const auto place = static_cast<std::size_t>(m % kPerRow);
-    const bool is_there = place < row.size();
-    answer.values.push_back(is_there ? row[place].u : NAN);
-    answer.values.push_back(is_there ? row[place].v : NAN);
+    const auto slot = static_cast<std::size_t>(m % kPerRow);
+    const bool is_there = slot < row.size();
+    answer.values.push_back(is_there ? row[slot].u : NAN);
+    answer.values.push_back(is_there ? row[slot].v : NAN);
   }
   return answer;
 }
 
-/// Six of 24 markers hidden, the others in any order: each dot must be given to its marker.
+/// Six of 24 markers hidden, the others in any order: each dot must be assigned to its marker.
 HardRow hidden_markers() {
   HardRow row{"numbers of markers, 6 of 24 hidden: frames with a dot not used, or 3 px off",
               "sorted along the picture",
@@ -268,7 +268,7 @@ HardRow hidden_markers() {
     order.resize(18);
     std::vector<Dot> dots;
     HardQuestion question;
-    // The farthest of 18 dots 3 px off is wrong, or all by 0.7.
+    // An error is 3 px at the farthest of 18 dots, or 0.7 px at all.
     question.scale = 3;
     for (const int m : order) {
       dots.push_back(dot_of(truth, m, noise));

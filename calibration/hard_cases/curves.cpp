@@ -31,7 +31,7 @@ Eigen::VectorXd normal_equations(const Eigen::MatrixXd& design, const Eigen::Vec
   return (design.transpose() * design).ldlt().solve(design.transpose() * y);
 }
 
-/// NIST's Wampler problems: 1 + x + .. + x^5 at 0..20, and what is exactly at right angles to it.
+/// NIST's Wampler problems: 1 + x + .. + x^5 at 0..20, and a component exactly orthogonal to it.
 HardRow wampler(int size, double bound, const char* what) {
   HardRow row{what, "normal equations in powers", "relative", bound};
   constexpr double kDelta[] = {759,   -2048, 2048,  -2048, 2523,  -2048, 2048,
@@ -46,9 +46,9 @@ HardRow wampler(int size, double bound, const char* what) {
   }
   const std::vector<double> powers =
       exact::powers(least_squares(chebyshev_design(x, 10, 10, 6), y), 10, 10);
-  const Eigen::VectorXd plain = normal_equations(power_design(x, 6), y);
+  const Eigen::VectorXd naive = normal_equations(power_design(x, 6), y);
   for (std::size_t k = 0; k < 6; ++k)
-    row.ask(wanted(1), number(plain[static_cast<Eigen::Index>(k)]), number(powers[k]));
+    row.ask(expected(1), number(naive[static_cast<Eigen::Index>(k)]), number(powers[k]));
   return row;
 }
 
@@ -67,17 +67,17 @@ HardRow high_degree() {
     y[i] = 0.85 + 0.08 * std::sin(1.7 * x[i]) + noise(random);
   }
   const std::vector<double> truth = exact::fitted_values(x, y, kTerms);
-  const Eigen::VectorXd plain = normal_equations(power_design(x, kTerms), y);
-  const Eigen::VectorXd ours = least_squares(chebyshev_design(x, -6, 3, kTerms), y);
+  const Eigen::VectorXd naive = normal_equations(power_design(x, kTerms), y);
+  const Eigen::VectorXd own = least_squares(chebyshev_design(x, -6, 3, kTerms), y);
   for (Eigen::Index i = 0; i < 82; ++i)
-    row.ask(wanted(truth[static_cast<std::size_t>(i)]),
-            number(exact::polynomial(plain, x[i])),
-            number(chebyshev_value(ours, (x[i] + 6) / 3)));
+    row.ask(expected(truth[static_cast<std::size_t>(i)]),
+            number(exact::polynomial(naive, x[i])),
+            number(chebyshev_value(own, (x[i] + 6) / 3)));
   return row;
 }
 
-/// A calibrated curve read where nobody calibrated it: straight lines with the slopes at its ends,
-/// from a layer that has doubled to one that is used up.
+/// A calibrated curve outside its calibrated range: straight lines with the slopes at its ends,
+/// from a layer of twice the thickness to one of none.
 HardRow beyond_the_domain() {
   HardRow row{"mapping from a layer of 1.5 mm that has doubled to one that is used up",
               "the polynomial goes on",
@@ -101,15 +101,15 @@ HardRow beyond_the_domain() {
     const double truth = x <= 0 ? start_slope * x : x <= kEnd ? polynomial : straight;
     if (truth < -kLayer) continue;
     if (truth > kLayer) break;
-    row.ask(wanted(truth, 1),
+    row.ask(expected(truth, 1),
             number(polynomial),
             mapping ? number(mapping->depth_mm(x)) : refused(mapping.error().what.english()));
   }
   return row;
 }
 
-/// What one press says of (constant, cubic mapping, the ball's centre): a row for each pixel inside
-/// its contact, over the noise of 1 grey level at a brightness of 120.
+/// Equations of one press for (constant, cubic mapping, the ball's centre): a row for each pixel
+/// inside its contact, relative to the noise of 1 grey level at a brightness of 120.
 Eigen::MatrixXd one_press() {
   const double radius = 3.0, depth_mm = 1.0;
   MappingCurve curve({MappingKind::kPolynomial, 3}, 0.6);
@@ -138,8 +138,8 @@ Eigen::MatrixXd one_press() {
   return rows;
 }
 
-/// The ball's distance from one press, with the mapping through zero and without: how far noise
-/// carries it, to first order. With it through zero 0.004 mm is to be had.
+/// The ball's distance from one press, with the mapping through zero and without: its sd from
+/// noise, to first order. Through zero 0.004 mm is achievable.
 HardRow gauge() {
   HardRow row{"ball's distance from one noisy press",
               "a constant is fitted too",
@@ -155,7 +155,7 @@ HardRow gauge() {
     const auto distance_off = [&](Eigen::Index unknowns) {
       return least_squares(press.rightCols(unknowns), drawn)[unknowns - 1];
     };
-    row.ask(wanted(42.0, 1),
+    row.ask(expected(42.0, 1),
             number(42.0 + distance_off(press.cols())),
             number(42.0 + distance_off(press.cols() - 1)));
   }
@@ -170,8 +170,8 @@ HardRow hertz() {
   for (int i = 0; i <= 240; ++i) {
     const double q = std::pow(10.0, -6.0 * i / 240.0);
     const double p = 1 / q;
-    const double plain = ((2 - p * p) * std::asin(q) + std::sqrt(std::max(0.0, p * p - 1))) / M_PI;
-    row.ask(wanted(exact::hertz_tail(q)), number(plain), number(hertz_tail(q)));
+    const double naive = ((2 - p * p) * std::asin(q) + std::sqrt(std::max(0.0, p * p - 1))) / M_PI;
+    row.ask(expected(exact::hertz_tail(q)), number(naive), number(hertz_tail(q)));
   }
   return row;
 }
@@ -186,10 +186,10 @@ HardRow steep_series() {
   const std::vector<double> powers = exact::powers(c, 0.0, 1.0);
   for (int i = 0; i <= 100; ++i) {
     const double t = -1.0 + 0.02 * i;
-    double plain = 0;
-    for (std::size_t k = powers.size(); k-- > 0;) plain = plain * t + powers[k];
-    row.ask(wanted(exact::series(c, t), c.lpNorm<Eigen::Infinity>()),
-            number(plain),
+    double naive = 0;
+    for (std::size_t k = powers.size(); k-- > 0;) naive = naive * t + powers[k];
+    row.ask(expected(exact::series(c, t), c.lpNorm<Eigen::Infinity>()),
+            number(naive),
             number(chebyshev_value(c, t)));
   }
   return row;

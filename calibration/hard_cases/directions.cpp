@@ -15,31 +15,31 @@ Eigen::Vector3d random_unit(std::mt19937& random) {
   return Eigen::Vector3d(normal(random), normal(random), normal(random)).normalized();
 }
 
-/// The radius under which a ball is seen, from its middle and a direction that grazes it.
-HardRow angular_radius(double least, double most, const char* what) {
+/// A ball's angular radius, from its middle and a direction that grazes it.
+HardRow angular_radius(double low, double high, const char* what) {
   HardRow row{what, "sqrt(1 - cos^2)", "relative", 8 * kEps};
   std::mt19937 random(1);
   std::uniform_real_distribution<double> part(0.0, 1.0), length(20.0, 90.0);
   for (int i = 0; i < 300; ++i) {
-    const double alpha = least * std::pow(most / least, part(random));
+    const double alpha = low * std::pow(high / low, part(random));
     const Eigen::Vector3d c = length(random) * random_unit(random);
     const Eigen::Vector3d aside = c.cross(random_unit(random)).normalized();
     const Eigen::Vector3d p = c + std::tan(alpha) * c.norm() * aside;
     const auto [sine, angle] = exact::between(p, c);
     const double cosine = p.dot(c) / (p.norm() * c.norm());
-    row.ask(wanted(sine), number(std::sqrt(1.0 - cosine * cosine)), number(sine_between(p, c)));
-    row.ask(wanted(angle), number(std::acos(cosine)), number(angle_between(p, c)));
+    row.ask(expected(sine), number(std::sqrt(1.0 - cosine * cosine)), number(sine_between(p, c)));
+    row.ask(expected(angle), number(std::acos(cosine)), number(angle_between(p, c)));
   }
   return row;
 }
 
 HardAnswer near_of(const Ray& ray, const Eigen::Vector3d& c, double radius) {
-  const auto hit = meet_ball(ray, c, radius);
+  const auto hit = intersect_ball(ray, c, radius);
   return hit ? number(hit->near) : refused("misses the ball");
 }
 
 /// The textbook's near root; NaN where it finds none.
-double plain_near(const Ray& ray, const Eigen::Vector3d& c, double radius) {
+double naive_near(const Ray& ray, const Eigen::Vector3d& c, double radius) {
   const double pa = ray.direction.squaredNorm(), pb = -2.0 * ray.direction.dot(c);
   const double pc = c.squaredNorm() - radius * radius;
   return (-pb - std::sqrt(pb * pb - 4.0 * pa * pc)) / (2.0 * pa);
@@ -56,15 +56,15 @@ HardRow grazing_ray(double graze, double bound, const char* what) {
     const Eigen::Vector3d aside = axis.unitOrthogonal();
     const Ray ray{Eigen::Vector3d::Zero(), axis * (1.0 + 0.5 * radius(random))};
     const Eigen::Vector3d c = 40.0 * axis + r * (1.0 - graze) * aside;
-    row.ask(wanted(exact::near_root(ray.direction, c, r)),
-            number(plain_near(ray, c, r)),
+    row.ask(expected(exact::near_root(ray.direction, c, r)),
+            number(naive_near(ray, c, r)),
             near_of(ray, c, r));
   }
   return row;
 }
 
-/// Rays that pass a few roundings inside or outside the rim: met where they are met in 50 digits,
-/// to a nanometre, and missed where they are missed.
+/// Rays that pass a few roundings inside or outside the rim. They must hit as in 50 digits, to a
+/// nanometre, and miss as in 50 digits.
 HardRow rim_decision() {
   HardRow row{"whether and where a ray meets a ball, 1e-13 mm from its rim",
               "b^2 - 4 a c",
@@ -80,17 +80,17 @@ HardRow rim_decision() {
     const double outside = exact::outside(ray.direction, c, kRadius);
     // Closer than this the centre's own rounding decides.
     if (std::abs(outside) < 4 * kEps * 43.0) continue;
-    const double plain = plain_near(ray, c, kRadius);
-    row.ask(outside < 0 ? wanted(exact::near_root(ray.direction, c, kRadius), kNanometre)
-                        : wanted_refusal({"misses"}),
-            std::isfinite(plain) ? number(plain) : refused("misses the ball"),
+    const double naive = naive_near(ray, c, kRadius);
+    row.ask(outside < 0 ? expected(exact::near_root(ray.direction, c, kRadius), kNanometre)
+                        : expected_refusal({"misses"}),
+            std::isfinite(naive) ? number(naive) : refused("misses the ball"),
             near_of(ray, c, kRadius));
   }
   return row;
 }
 
-/// Thickness of the layer along its normal on a face that is nearly seen from the side. The
-/// textbook thickens it along z by 1 / cos(atan(slope)); along the normal that must be the same.
+/// Thickness of the layer along its normal on a face seen nearly from the side. The textbook
+/// thickens it along z by 1 / cos(atan(slope)); along the normal the thickness must be the same.
 HardRow steep_layer() {
   HardRow row{"thickness of the layer at slopes up to 1e17",
               "t / cos(atan(slope)), along z",
@@ -100,14 +100,16 @@ HardRow steep_layer() {
   for (int i = 0; i < 200; ++i) {
     const double slope = std::pow(10.0, 17.0 * i / 199.0);
     const double length = std::hypot(1.0, slope);
-    // In memory, lest the compiler makes 1 / sqrt(1 + slope^2) of it, which is not the textbook's.
+    // In memory: otherwise the compiler replaces it by 1 / sqrt(1 + slope^2), which is not the
+    // textbook's.
     const volatile double angle = std::atan(slope);
     FaceShape::Local local{};
     local.view_point_mm.setZero();
     local.normal = {-slope / length, 0.0, 1.0 / length};
     local.cos_incline = 1.0 / length;
     const Eigen::Vector3d lifted = untouched_point_mm(local, kLayer, MappingAlong::kNormal);
-    row.ask(wanted(kLayer), number(kLayer / std::cos(angle) / length), number(exact::norm(lifted)));
+    row.ask(
+        expected(kLayer), number(kLayer / std::cos(angle) / length), number(exact::norm(lifted)));
   }
   return row;
 }

@@ -1,6 +1,6 @@
 #include "calibration/hard_cases/exact.h"
 
-// The only file with Boost's numbers: they take long to compile.
+// The only file with Boost's numbers, which take long to compile.
 #include <boost/multiprecision/cpp_dec_float.hpp>
 
 namespace alltact::exact {
@@ -32,7 +32,7 @@ Exact horner(const Numbers& c, const Exact& x) {
   return sum;
 }
 
-/// Gauss and Jordan on the normal equations: in 50 digits there are enough left.
+/// Gauss-Jordan elimination on the normal equations: 50 digits leave enough precision.
 Numbers fitted(const Eigen::VectorXd& x, const Eigen::VectorXd& y, std::size_t n) {
   std::vector<Numbers> a(n, Numbers(n + 1, Exact(0)));
   for (Eigen::Index i = 0; i < x.size(); ++i) {

@@ -1,4 +1,4 @@
-// Truth from arithmetic in 50 decimal digits, rounded to the nearest double at the end.
+// Ground truth from arithmetic in 50 decimal digits, rounded to the nearest double at the end.
 #pragma once
 
 #include <vector>
@@ -13,10 +13,10 @@ struct Angle {
 /// Between two directions.
 [[nodiscard]] Angle between(const Eigen::Vector3d& p, const Eigen::Vector3d& c);
 
-/// Where the line through the origin along `u` first meets a ball, as a multiple of u.
+/// First intersection of the line through the origin along `u` with a ball, as a multiple of u.
 [[nodiscard]] double near_root(const Eigen::Vector3d& u, const Eigen::Vector3d& c, double radius);
 
-/// Distance of c from the line through the origin along u, less `radius`.
+/// Distance of c from the line through the origin along u, minus `radius`.
 [[nodiscard]] double outside(const Eigen::Vector3d& u, const Eigen::Vector3d& c, double radius);
 
 [[nodiscard]] double norm(const Eigen::Vector3d& v);
@@ -30,12 +30,12 @@ struct Angle {
 /// sum_k c_k x^k.
 [[nodiscard]] double polynomial(const Eigen::VectorXd& c, double x);
 
-/// The values at x of the polynomial of n terms nearest to y, by least squares.
+/// Values at x of the polynomial of n terms that is closest to y, by least squares.
 [[nodiscard]] std::vector<double> fitted_values(const Eigen::VectorXd& x,
                                                 const Eigen::VectorXd& y,
                                                 int n);
 
-/// Hertz's surface beside a ball (core/simulation/mechanics/hertz.h).
+/// Hertz's surface outside a ball's contact (core/simulation/mechanics/hertz.h).
 [[nodiscard]] double hertz_tail(double q);
 
 }  // namespace alltact::exact

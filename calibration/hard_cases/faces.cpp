@@ -51,27 +51,27 @@ FaceEdges edges_of(const std::function<double(double)>& z_at,
   return edges;
 }
 
-double plain_z(const FaceEdges& edges, std::size_t i) {
+double naive_z(const FaceEdges& edges, std::size_t i) {
   return kFocal * kFaceWidth / (edges.lower.v[i] - edges.upper.v[i]);
 }
 
 /// Least squares of z itself, column by column: the polynomial's values.
-Eigen::VectorXd plain_fit(const FaceEdges& edges) {
+Eigen::VectorXd naive_fit(const FaceEdges& edges) {
   const auto n = static_cast<Eigen::Index>(edges.u.size());
   Eigen::MatrixXd design(n, kDegree + 1);
   Eigen::VectorXd z(n);
   for (Eigen::Index i = 0; i < n; ++i) {
     design.row(i) =
         chebyshev_row(2.0 * static_cast<double>(i) / static_cast<double>(n - 1) - 1.0, kDegree + 1);
-    z[i] = plain_z(edges, static_cast<std::size_t>(i));
+    z[i] = naive_z(edges, static_cast<std::size_t>(i));
   }
   return design * least_squares(design, z);
 }
 
-/// What a shape says of each column.
-class Told {
+/// A shape's answer in each column.
+class ShapeAnswers {
  public:
-  explicit Told(const Result<FaceShape>& shape) : shape_(shape) {}
+  explicit ShapeAnswers(const Result<FaceShape>& shape) : shape_(shape) {}
   [[nodiscard]] HardAnswer z_mm(std::size_t column) const {
     if (!shape_) return refused(shape_.error().what.english());
     const FaceColumn& one = shape_->columns()[column];
@@ -83,8 +83,8 @@ class Told {
 };
 
 HardRow exact_width() {
-  // A width is worth no more than what it is the difference of: |v| / width roundings. Each edge
-  // adds its own: of its series' first coefficient, of its sum and of its change to directions.
+  // The relative error of a width is |v| / width roundings: it is a difference of both edges. Each
+  // edge adds those of its series' first coefficient, of its sum and of its change to directions.
   HardRow row{"distance from the width of the face, no noise",
               "single precision",
               "roundings of the width",
@@ -102,7 +102,9 @@ HardRow exact_width() {
     const float narrow =
         static_cast<float>(kFocal * kFaceWidth) /
         (static_cast<float>(edges.lower.v[i]) - static_cast<float>(edges.upper.v[i]));
-    row.ask(wanted(z, z * rounding), number(static_cast<double>(narrow)), Told(shape).z_mm(i));
+    row.ask(expected(z, z * rounding),
+            number(static_cast<double>(narrow)),
+            ShapeAnswers(shape).z_mm(i));
   }
   return row;
 }
@@ -113,8 +115,8 @@ double far_face(double /*u*/) {
   return kFar;
 }
 
-/// Of a width fitted by least squares over all columns, a constant and kDegree more: what noise of
-/// `edge_sd_px` in both edges leaves of z.
+/// The sd of z, mm, from noise of `edge_sd_px` in both edges, for a width fitted by least squares
+/// over all columns with a constant and kDegree more terms.
 double least_squares_sd_mm(double edge_sd_px) {
   return std::sqrt(2.0 * (kDegree + 1) / kColumns) * edge_sd_px * kFar * kFar /
          (kFocal * kFaceWidth);
@@ -138,7 +140,7 @@ HardRow quiet_edges() {
         edges_of(far_face, kFaceWidth, kNoise, [&] { return kNoise * normal(random); });
     const auto shape = FaceShape::fit(edges, seen.camera, seen.face, kDegree, 2.0);
     for (std::size_t i = 0; i < edges.u.size(); ++i)
-      row.ask(wanted(kFar, 1), number(plain_z(edges, i)), Told(shape).z_mm(i));
+      row.ask(expected(kFar, 1), number(naive_z(edges, i)), ShapeAnswers(shape).z_mm(i));
   }
   return row;
 }
@@ -153,9 +155,11 @@ HardRow loud_edges() {
     const FaceEdges edges =
         edges_of(far_face, kFaceWidth, 5.0, [&] { return 5.0 * normal(random); });
     const auto shape = FaceShape::fit(edges, seen.camera, seen.face, kDegree, 2.0);
-    const Eigen::VectorXd plain = plain_fit(edges);
+    const Eigen::VectorXd naive = naive_fit(edges);
     for (std::size_t i = 0; i < edges.u.size(); ++i)
-      row.ask(wanted(kFar, 1), number(plain[static_cast<Eigen::Index>(i)]), Told(shape).z_mm(i));
+      row.ask(expected(kFar, 1),
+              number(naive[static_cast<Eigen::Index>(i)]),
+              ShapeAnswers(shape).z_mm(i));
   }
   return row;
 }
@@ -166,7 +170,7 @@ HardRow spoiled_edges() {
               "least squares",
               "mm",
               4 * std::sqrt(kDegree + 1.0) * least_squares_sd_mm(0.5)};
-  row.least_answered = 0.98;
+  row.min_answered = 0.98;
   const View seen = view(kFaceWidth);
   std::mt19937 random(20);
   std::normal_distribution<double> normal;
@@ -177,15 +181,17 @@ HardRow spoiled_edges() {
       return (uniform(random) < 0.5 ? -1.0 : 1.0) * (30.0 + 70.0 * uniform(random));
     });
     const auto shape = FaceShape::fit(edges, seen.camera, seen.face, kDegree, 2.0);
-    const Eigen::VectorXd plain = plain_fit(edges);
+    const Eigen::VectorXd naive = naive_fit(edges);
     for (std::size_t i = 0; i < edges.u.size(); ++i)
-      row.ask(wanted(kFar, 1), number(plain[static_cast<Eigen::Index>(i)]), Told(shape).z_mm(i));
+      row.ask(expected(kFar, 1),
+              number(naive[static_cast<Eigen::Index>(i)]),
+              ShapeAnswers(shape).z_mm(i));
   }
   return row;
 }
 
-/// Faces at 60 mm so narrow that their edges nearly meet: below 8 px 1/width has no mean worth the
-/// name and must not be told, from there on it must, within 5 %.
+/// Faces at 60 mm so narrow that their edges nearly meet. Below 8 px 1/width has no useful mean and
+/// must be refused; from there on z is required, within 5 %.
 HardRow meeting_edges() {
   HardRow row{"edges that nearly meet: none told below 8 px, those from 8.5 to 12 px within 5 %",
               "f W / width",
@@ -202,10 +208,10 @@ HardRow meeting_edges() {
         edges_of([](double) { return kZ; }, width_mm, kNoise, [&] { return noise(random); });
     const auto shape = FaceShape::fit(edges, seen.camera, seen.face, kDegree, 2.0);
     for (std::size_t i = 0; i < edges.u.size(); ++i)
-      row.ask(width_px < 8 ? wanted_refusal({"not valid", "uncertain in every column"})
-                           : wanted(kZ, 0.05 * kZ),
+      row.ask(width_px < 8 ? expected_refusal({"not valid", "uncertain in every column"})
+                           : expected(kZ, 0.05 * kZ),
               number(kFocal * width_mm / (edges.lower.v[i] - edges.upper.v[i])),
-              Told(shape).z_mm(i));
+              ShapeAnswers(shape).z_mm(i));
   }
   return row;
 }
@@ -229,18 +235,18 @@ HardRow blurred_edges(
       grey.at<std::uint8_t>(v, u) = cv::saturate_cast<std::uint8_t>(level);
     }
   const auto found = FaceEdgeFinder({EdgeMethod::kCrossing, 8})(grey),
-             plain = FaceEdgeFinder({EdgeMethod::kInteger, 8})(grey);
+             naive = FaceEdgeFinder({EdgeMethod::kInteger, 8})(grey);
   for (double u = 3.5; u < grey.cols; u += 8)
     for (const bool is_upper : {true, false}) {
-      const auto told = [&](const Result<FaceEdges>& edges) {
+      const auto answer_of = [&](const Result<FaceEdges>& edges) {
         if (!edges) return refused(edges.error().what.english());
-        const auto place = std::find(edges->u.begin(), edges->u.end(), u);
-        const auto i = static_cast<std::size_t>(place - edges->u.begin());
+        const auto found_u = std::find(edges->u.begin(), edges->u.end(), u);
+        const auto i = static_cast<std::size_t>(found_u - edges->u.begin());
         const Edge& edge = is_upper ? edges->upper : edges->lower;
-        if (place == edges->u.end() || !edge.valid[i]) return refused("not valid");
+        if (found_u == edges->u.end() || !edge.valid[i]) return refused("not valid");
         return number(edge.v[i]);
       };
-      row.ask(wanted(is_upper ? upper(u) : lower(u), 1), told(plain), told(found));
+      row.ask(expected(is_upper ? upper(u) : lower(u), 1), answer_of(naive), answer_of(found));
     }
   return row;
 }

@@ -1,4 +1,4 @@
-// The groups that hard_rows() is made of, a file each, and what they share.
+// The groups that make up hard_rows(), a file each, and their common functions.
 #pragma once
 
 #include "calibration/hard_cases/hard_cases.h"
@@ -15,7 +15,7 @@ namespace alltact {
 [[nodiscard]] std::vector<HardRow> hard_brightness();  ///< differences, references
 [[nodiscard]] std::vector<HardRow> hard_contacts();    ///< angle, direction, markers
 
-/// A rigid flat sensor under a telecentric lens; the whole picture is face.
+/// A rigid flat sensor under a telecentric lens; the face fills the image.
 [[nodiscard]] FaceShape flat_sensor(const cv::Size& size, double mm_per_px);
 
 [[nodiscard]] inline HardAnswer number(double value) {
@@ -24,21 +24,21 @@ namespace alltact {
 [[nodiscard]] inline HardAnswer refused(std::string why) {
   return {{}, std::move(why)};
 }
-/// What a step that gives no reasons says: a number, or `why` where it gives none.
+/// Answer of a step that gives no reasons: a number, or `why` where there is none.
 [[nodiscard]] inline HardAnswer number_or(const std::optional<double>& value, std::string why) {
   return value ? number(*value) : refused(std::move(why));
 }
 
-/// A question with a number for an answer; errors are counted in `scale`.
-[[nodiscard]] inline HardQuestion wanted(double truth, double scale) {
+/// A question with a number for an answer; `scale` is the unit of errors.
+[[nodiscard]] inline HardQuestion expected(double truth, double scale) {
   return {{truth}, {}, scale};
 }
 /// The same; errors are relative to the truth.
-[[nodiscard]] inline HardQuestion wanted(double truth) {
-  return wanted(truth, std::abs(truth));
+[[nodiscard]] inline HardQuestion expected(double truth) {
+  return expected(truth, std::abs(truth));
 }
-/// A question without an answer; the refusal must hold one of `reasons`.
-[[nodiscard]] inline HardQuestion wanted_refusal(std::vector<std::string> reasons) {
+/// A question without an answer; the refusal must contain one of `reasons`.
+[[nodiscard]] inline HardQuestion expected_refusal(std::vector<std::string> reasons) {
   return {{}, std::move(reasons), 1};
 }
 

@@ -13,7 +13,7 @@ namespace {
 constexpr double kAbsurd = 1e100;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-/// |values - truth| / scale; infinite where they cannot be compared.
+/// values - truth| / scale; infinite where they cannot be compared.
 double error_of(const HardQuestion& question, const std::vector<double>& values) {
   if (values.size() != question.truth.size()) return kInfinite;
   double sum = 0;
@@ -22,16 +22,16 @@ double error_of(const HardQuestion& question, const std::vector<double>& values)
   return std::isfinite(sum) ? std::sqrt(sum) : kInfinite;
 }
 
-/// What each answer is worth by the row's measure: its error, signed or squared where need be.
+/// Contribution of each answer by the row's measure: its error, signed or squared where needed.
 double worth_of(HardMeasure measure, const HardQuestion& question, const HardAnswer& answer) {
-  const bool is_pair = measure == HardMeasure::kPromise;
+  const bool is_pair = measure == HardMeasure::kSdAccuracy;
   if (answer.values.size() != (is_pair ? 2 : question.truth.size())) return kInfinite;
   const double off = answer.values[0] - question.truth[0];
   switch (measure) {
     case HardMeasure::kBias:
     case HardMeasure::kBiasInSd:
       return off / question.scale;
-    case HardMeasure::kPromise:
+    case HardMeasure::kSdAccuracy:
       if (!(answer.values[1] > 0 && std::abs(off) <= question.scale)) return kInfinite;
       return std::pow(off / answer.values[1], 2);
     default:
@@ -58,7 +58,7 @@ double rms_of(const std::vector<double>& values) {
   return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
-/// One figure of the worth of all answers that were numbers, as they should be.
+/// One figure from the contributions of all valid numbers.
 double figure_of(HardMeasure measure, const std::vector<double>& worth) {
   switch (measure) {
     case HardMeasure::kWorst:
@@ -72,7 +72,7 @@ double figure_of(HardMeasure measure, const std::vector<double>& worth) {
       return std::abs(mean_of(worth)) / sd_of(worth);
     case HardMeasure::kSpread:
       return std::abs(rms_of(worth) - 1);
-    case HardMeasure::kPromise:
+    case HardMeasure::kSdAccuracy:
       return std::abs(mean_of(worth) - 1);
   }
   return kInfinite;
@@ -88,10 +88,10 @@ bool is_named(const HardQuestion& question, const HardAnswer& answer) {
 
 }  // namespace
 
-void HardRow::ask(HardQuestion question, HardAnswer plain_answer, HardAnswer our_answer) {
+void HardRow::ask(HardQuestion question, HardAnswer naive_answer, HardAnswer own_answer) {
   questions.push_back(std::move(question));
-  plain_answers.push_back(std::move(plain_answer));
-  our_answers.push_back(std::move(our_answer));
+  naive_answers.push_back(std::move(naive_answer));
+  own_answers.push_back(std::move(own_answer));
 }
 
 HardScore score(const HardRow& row, const std::vector<HardAnswer>& answers) {
@@ -108,7 +108,7 @@ HardScore score(const HardRow& row, const std::vector<HardAnswer>& answers) {
     if (answers[i].values.empty()) continue;
     ++answered;
     worth.push_back(worth_of(row.measure, question, answers[i]));
-    // So that what is absurd cannot hide in an overflow.
+    // Absurd values must not hide in an overflow.
     if (!(std::abs(worth.back()) < kAbsurd)) worth.back() = kInfinite;
     wrong += row.measure == HardMeasure::kWrong && !(worth.back() <= 1);
   }
@@ -126,14 +126,14 @@ HardScore score(const HardRow& row, const std::vector<HardAnswer>& answers) {
   return result;
 }
 
-HardCase judged(const HardRow& row, const std::vector<HardAnswer>& ours) {
+HardCase judged(const HardRow& row, const std::vector<HardAnswer>& own) {
   return {row.what,
-          row.plain,
+          row.naive,
           row.unit,
-          score(row, row.plain_answers),
-          score(row, ours),
+          score(row, row.naive_answers),
+          score(row, own),
           row.bound,
-          row.least_answered};
+          row.min_answered};
 }
 
 FaceShape flat_sensor(const cv::Size& size, double mm_per_px) {
@@ -164,7 +164,7 @@ std::vector<HardRow> hard_rows() {
 
 std::vector<HardCase> hard_cases() {
   std::vector<HardCase> all;
-  for (const HardRow& row : hard_rows()) all.push_back(judged(row, row.our_answers));
+  for (const HardRow& row : hard_rows()) all.push_back(judged(row, row.own_answers));
   return all;
 }
 

@@ -1,12 +1,12 @@
-// The calculations that plain formulas get wrong where a finger is used: what the plain formula
-// makes of each, what ours does, and how wrong ours may be. For the tests, and for whoever wants to
-// see that a computer calculates as it should.
+// Calculations in which naive formulas fail under a finger's conditions: the result of the naive
+// formula, that of this program, and the permitted error. For the tests, and for users who verify
+// that a computer calculates correctly.
 //
-// A row is a list of questions. Each is put to the plain formula and to ours, and both answers are
-// measured by the same rule against the same truth: arithmetic in 50 digits, or what the data were
-// made from, never what this program thinks. An answer is numbers, or a refusal in words. Where
-// there are numbers to be had a refusal costs coverage; where there are none, the refusal must say
-// why. So neither "refused" nor "accepted" throughout can hold a row.
+// A row is a list of questions to both methods. The same rule measures both answers against the
+// same truth: arithmetic in 50 digits, or the data's generator, never this program's own result. An
+// answer is numbers, or a refusal in words. Where numbers exist a refusal costs coverage; where
+// none exist, the refusal must state the reason. Neither constant refusal nor constant acceptance
+// passes a row.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@
 
 namespace alltact {
 
-/// What a formula says to one question: numbers, or in words why it has none.
+/// Answer of a formula to one question: numbers, or the reason why there are none.
 struct HardAnswer {
   std::vector<double> values;  ///< empty: refused
   std::string refusal;
@@ -22,66 +22,67 @@ struct HardAnswer {
 
 struct HardQuestion {
   std::vector<double> truth;  ///< empty: there is no number; the answer must be a refusal ...
-  std::vector<std::string> reasons;  ///< ... that holds one of these
-  double scale = 1;                  ///< > 0; errors are counted in it: |truth| for relative ones
+  std::vector<std::string> reasons;  ///< ... that contains one of these
+  double scale = 1;                  ///< > 0; unit of the errors: |truth| for relative ones
 };
 
-/// How the errors |values - truth| / scale of all answers become one figure. Numbers that are not
-/// finite, too many or too few, and numbers or other words where a reason is due make it infinite,
-/// but for kWrong, which counts them.
+/// Aggregation of the errors |values - truth| / scale of all answers into one figure. It is
+/// infinite for numbers that are not finite, too many or too few, and where a due reason is missing
+/// or differs. kWrong counts these cases instead.
 enum class HardMeasure {
-  kWorst = 1,  ///< the greatest
-  kRms,        ///< root of their mean square
-  kBias,       ///< |mean| of the signed errors of the first value
-  kBiasInSd,   ///< the same over their standard deviation
-  kSpread,     ///< |root mean square - 1|: scale is what there must be
-  kPromise,    ///< values are (value, sd): |mean of ((value - truth) / sd)^2 - 1|; no error > scale
-  kWrong,      ///< how many are greater than 1, or not as described above; part of all asked
+  kWorst = 1,   ///< the greatest
+  kRms,         ///< root of their mean square
+  kBias,        ///< |mean| of the signed errors of the first value
+  kBiasInSd,    ///< the same over their standard deviation
+  kSpread,      ///< |root mean square - 1|: scale is the required spread
+  kSdAccuracy,  ///< values are (value, sd): |mean of ((value - truth) / sd)^2 - 1|; no error >
+                ///< scale
+  kWrong,       ///< fraction of all questions with an error above 1, or a bad answer as above
 };
 
-/// What is asked, and what both sides answered.
+/// A list of questions, and the answers of both methods.
 struct HardRow {
   std::string what;   ///< "radius of a speck, 1e-12 to 1e-7 rad"
-  std::string plain;  ///< the formula or method that fails: "sqrt(1 - cos^2)"
+  std::string naive;  ///< the formula or method that fails: "sqrt(1 - cos^2)"
   std::string unit;   ///< of the figure: "relative", "mm", "px", ...
-  double bound = 0;   ///< ours must not exceed it
+  double bound = 0;   ///< this program must not exceed it
   HardMeasure measure = HardMeasure::kWorst;
-  double least_answered = 1;  ///< of the questions that have a number: the part to be answered
+  double min_answered = 1;  ///< minimum fraction of answers among questions that have a number
   std::vector<HardQuestion> questions = {};
-  std::vector<HardAnswer> plain_answers = {}, our_answers = {};
+  std::vector<HardAnswer> naive_answers = {}, own_answers = {};
 
-  void ask(HardQuestion question, HardAnswer plain, HardAnswer ours);
+  void ask(HardQuestion question, HardAnswer naive, HardAnswer own);
 };
 
 struct HardScore {
   double error = 0;     ///< infinite where no number can be given
-  double answered = 0;  ///< of the questions that have a number: the part answered; 0 when none has
+  double answered = 0;  ///< fraction answered of the questions that have a number; 0 when none has
 };
 
-/// One answer for each question of the row.
+/// answers: one for each question of the row.
 [[nodiscard]] HardScore score(const HardRow& row, const std::vector<HardAnswer>& answers);
 
 /// A row's figures.
 struct HardCase {
-  std::string what, plain, unit;  ///< as in HardRow
-  HardScore plain_score, our_score;
-  double bound = 0, least_answered = 1;
+  std::string what, naive, unit;  ///< as in HardRow
+  HardScore naive_score, own_score;
+  double bound = 0, min_answered = 1;
 
-  /// Our error is a number within the bound, and enough was answered.
-  [[nodiscard]] bool holds() const { return is_within(our_score); }
-  /// The plain formula's is not, or not enough.
-  [[nodiscard]] bool plain_fails() const { return !is_within(plain_score); }
+  /// This program's error is a number within the bound, and it answers enough questions.
+  [[nodiscard]] bool holds() const { return is_within(own_score); }
+  /// The naive formula's error is above the bound, or it answers too few questions.
+  [[nodiscard]] bool naive_fails() const { return !is_within(naive_score); }
 
  private:
   [[nodiscard]] bool is_within(const HardScore& score) const {
-    return score.error <= bound && score.answered >= least_answered;
+    return score.error <= bound && score.answered >= min_answered;
   }
 };
 
-/// The row's figures with `ours` in place of what this program answers.
-[[nodiscard]] HardCase judged(const HardRow& row, const std::vector<HardAnswer>& ours);
+/// The row's figures with the answers `own` taken as those of this program.
+[[nodiscard]] HardCase judged(const HardRow& row, const std::vector<HardAnswer>& own);
 
-/// Works out all rows, in a few seconds; every random number has a fixed seed.
+/// Computes all rows, in a few seconds; every random number has a fixed seed.
 [[nodiscard]] std::vector<HardRow> hard_rows();
 
 /// The figures of all rows.

@@ -9,7 +9,7 @@
 namespace alltact {
 namespace {
 
-/// Brown's formula, as the textbook writes it: what `seen` becomes of the direction x.
+/// Brown's formula, as in the textbook: the distorted position of the direction x.
 Eigen::Vector2d brown(const std::vector<double>& k, const Eigen::Vector2d& x) {
   const auto at = [&](std::size_t i) { return i < k.size() ? k[i] : 0.0; };
   const double r2 = x.squaredNorm(), xy = x.x() * x.y();
@@ -41,36 +41,35 @@ CameraParameters full_hd(const std::vector<double>& distortion, double focal_px)
   return p;
 }
 
-/// Directions up to the corner of a Full HD picture, 85 degrees wide, found again from where they
-/// are seen.
+/// Directions up to the corner of a Full HD image, 85 degrees wide, recovered from their pixels.
 HardRow undistorting(const std::vector<double>& distortion, const char* what) {
   HardRow row{what, "fixed-point steps, 5 of them", "px", 1e-9};
   // The ray 46.4 degrees off the axis is seen in the corner.
   constexpr double kCorner = 1.0513;
   const CameraParameters p = full_hd(distortion, 1101.5 / brown(distortion, {kCorner, 0.0}).x());
   const auto camera = Camera::create(p);
-  constexpr int kRings = 40, kWays = 72;
+  constexpr int kRings = 40, kDirections = 72;
   for (int ring = 0; ring <= kRings; ++ring)
-    for (int way = 0; way < (ring == 0 ? 1 : kWays); ++way) {
-      const double angle = 2 * M_PI * way / kWays, radius = kCorner * ring / kRings;
+    for (int azimuth = 0; azimuth < (ring == 0 ? 1 : kDirections); ++azimuth) {
+      const double angle = 2 * M_PI * azimuth / kDirections, radius = kCorner * ring / kRings;
       const Eigen::Vector2d truth(radius * std::cos(angle), radius * std::sin(angle));
       const Eigen::Vector2d seen = brown(distortion, truth);
       const Eigen::Vector2d pixel(p.cx_px + p.fx_px * seen.x(), p.cy_px + p.fy_px * seen.y());
       if (pixel.minCoeff() < 0 || pixel.x() > p.width_px - 1 || pixel.y() > p.height_px - 1)
         continue;
       const auto ray = camera ? camera->unproject(pixel) : std::nullopt;
-      const Eigen::Vector2d plain = fixed_point(distortion, seen);
-      HardAnswer ours = refused("beyond the valid radius");
+      const Eigen::Vector2d naive = fixed_point(distortion, seen);
+      HardAnswer own = refused("beyond the valid radius");
       if (ray) {
         const Eigen::Vector2d found = ray->direction.head<2>() / ray->direction.z();
-        ours = {{found.x(), found.y()}, ""};
+        own = {{found.x(), found.y()}, ""};
       }
-      row.ask({{truth.x(), truth.y()}, {}, 1 / p.fx_px}, {{plain.x(), plain.y()}, ""}, ours);
+      row.ask({{truth.x(), truth.y()}, {}, 1 / p.fx_px}, {{naive.x(), naive.y()}, ""}, own);
     }
   return row;
 }
 
-/// Lenses that fold over inside the picture, beside such that do not.
+/// Lenses that fold over inside the image, and lenses that do not.
 HardRow fold() {
   HardRow row{"where lenses show a direction; refused by name where they fold over in the picture",
               "no look at the fold",
@@ -81,8 +80,8 @@ HardRow fold() {
   const Eigen::Vector2d x(0.6, 0.35);
   for (const std::vector<double>& k : std::vector<std::vector<double>>{
            {-0.32}, {-0.5}, {0.1, -0.4}, {-0.1, 0.02}, {0.1}, {-0.2, 0.1, 0.001, -0.002}}) {
-    // 1 + 3 k1 r^2 + 5 k2 r^4, the slope of the radius seen, must not vanish where a ray is seen
-    // in the corner, 1101.5 px from the middle.
+    // 1 + 3 k1 r^2 + 5 k2 r^4, the slope of the radius seen, must not vanish for a ray seen in the
+    // corner, 1101.5 px from the middle.
     bool folds = true;
     for (double r = 0; r < 2 && folds; r += 1e-4) {
       const double k2 = k.size() > 1 ? k[1] : 0;
@@ -92,16 +91,17 @@ HardRow fold() {
     const Eigen::Vector2d seen = brown(k, x);
     const std::vector<double> pixel{959.5 + kFocal * seen.x(), 539.5 + kFocal * seen.y()};
     const auto camera = Camera::create(full_hd(k, kFocal));
-    HardAnswer ours = refused(camera ? "not seen" : camera.error().what.english());
+    HardAnswer own = refused(camera ? "not seen" : camera.error().what.english());
     if (const auto found = camera ? camera->project({x.x(), x.y(), 1.0}) : std::nullopt)
-      ours = {{found->x(), found->y()}, ""};
+      own = {{found->x(), found->y()}, ""};
     row.ask(
-        folds ? wanted_refusal({"folds over"}) : HardQuestion{pixel, {}, 1e-9}, {pixel, ""}, ours);
+        folds ? expected_refusal({"folds over"}) : HardQuestion{pixel, {}, 1e-9}, {pixel, ""}, own);
   }
   return row;
 }
 
-/// A lens and boards of 9 x 7 corners in random places before it, seen with 0.2 px of noise.
+/// A lens and boards of 9 x 7 corners at random positions in front of it, seen with 0.2 px of
+/// noise.
 struct SeenBoards {
   CameraParameters lens;
   std::vector<BoardView> views;
@@ -120,35 +120,35 @@ SeenBoards seen_boards(std::size_t count, double tilt_deg, std::mt19937& random)
   std::uniform_real_distribution<double> unit(-1, 1);
   std::normal_distribution<double> noise(0, kNoisePx);
   while (seen.views.size() < count) {
-    const double way = M_PI * unit(random);
+    const double azimuth = M_PI * unit(random);
     const double tilt = tilt_deg * M_PI / 180 * std::sqrt(std::abs(unit(random)));
     BoardPose pose;
-    pose.turn = tilt * Eigen::Vector3d(std::cos(way), std::sin(way), 0);
+    pose.turn = tilt * Eigen::Vector3d(std::cos(azimuth), std::sin(azimuth), 0);
     const double z = 35 * (1 + 0.15 * unit(random));
     pose.shift_mm = Eigen::Vector3d(0.25 * z * unit(random), 0.2 * z * unit(random), z) -
                     pose.rotation() * Eigen::Vector3d(4 * kSquareMm, 3 * kSquareMm, 0);
     BoardView view;
     view.name = "view " + std::to_string(seen.views.size());
     view.edge_px = 1.5;
-    bool whole = true;
+    bool is_visible = true;
     for (int i = 0; i < 63; ++i) {
       const int row = i / 9, column = i % 9;
       view.board_mm.emplace_back(kSquareMm * column, kSquareMm * row, 0.0);
       const auto pixel = camera.project(pose(view.board_mm.back()));
-      whole &= pixel && pixel->minCoeff() >= 0 && pixel->x() <= seen.lens.width_px - 1 &&
-               pixel->y() <= seen.lens.height_px - 1;
+      is_visible &= pixel && pixel->minCoeff() >= 0 && pixel->x() <= seen.lens.width_px - 1 &&
+                    pixel->y() <= seen.lens.height_px - 1;
       const Eigen::Vector2d error(noise(random), noise(random));
       view.pixels.emplace_back(pixel.value_or(Eigen::Vector2d::Zero()) + error);
     }
-    if (!whole) continue;
+    if (!is_visible) continue;
     seen.views.push_back(std::move(view));
     seen.poses.push_back(pose);
   }
   return seen;
 }
 
-/// Corners are met to a quarter of a pixel however little the boards say of the lens: what is said
-/// of its error must be true.
+/// Corners fit to a quarter of a pixel however poorly the boards determine the lens: the reported
+/// error must be true.
 HardRow few_boards() {
   HardRow row{
       "focal length from 3 boards tilted by up to 15 degrees: its squared error over what "
@@ -156,7 +156,7 @@ HardRow few_boards() {
       "residual of the corners over half the picture",
       "of 1",
       0.15,
-      HardMeasure::kPromise};
+      HardMeasure::kSdAccuracy};
   std::mt19937 random(15);
   constexpr int kTrials = 400;
   for (int trial = 0; trial < kTrials; ++trial) {
@@ -165,8 +165,8 @@ HardRow few_boards() {
     start.lens = seen.lens;
     start.poses = seen.poses;
     const auto fit = fit_lens(seen.views, start, {}, Job{});
-    // Whoever is sure of nothing at all promises nothing false.
-    const HardQuestion question = wanted(seen.lens.fx_px);
+    // An infinite uncertainty makes no false statement.
+    const HardQuestion question = expected(seen.lens.fx_px);
     if (!fit) {
       row.ask(question, refused(fit.error().what.english()), refused(fit.error().what.english()));
       continue;
@@ -179,8 +179,8 @@ HardRow few_boards() {
   return row;
 }
 
-/// Of boards held straight the focal length is known to a tenth at best and must not be let pass;
-/// of ten boards tilted by up to 35 degrees to 0.14 %, 0.08 mm at 60 mm (one standard deviation).
+/// Boards held straight give the focal length to a tenth at best and must be refused. Ten boards
+/// tilted by up to 35 degrees give it to 0.14 %, 0.08 mm at 60 mm (one standard deviation).
 HardRow frontal_boards() {
   HardRow row{
       "lenses from 3 to 6 boards held nearly straight: let pass; from 10 tilted ones: not "
@@ -199,8 +199,8 @@ HardRow frontal_boards() {
     const auto found =
         calibrate_lens(seen.views, {seen.lens.width_px, seen.lens.height_px}, settings, Job{});
     const HardQuestion question =
-        is_straight ? wanted_refusal({"not fit", "unproven", "undetermined", "explain"})
-                    : wanted(settings.distance_mm, 5 * 0.08);
+        is_straight ? expected_refusal({"not fit", "unproven", "undetermined", "explain"})
+                    : expected(settings.distance_mm, 5 * 0.08);
     if (!found) {
       row.ask(
           question, refused(found.error().what.english()), refused(found.error().what.english()));

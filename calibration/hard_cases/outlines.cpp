@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kFocal = 1000.0;  // px
 
-/// Directions along part of a ball's outline, noisy in the picture.
+/// Directions along part of a ball's outline, noisy in the image.
 std::vector<Eigen::Vector3d> outline(const Eigen::Vector3d& centre,
                                      double radius,
                                      double arc_deg,
@@ -32,7 +32,7 @@ std::vector<Eigen::Vector3d> outline(const Eigen::Vector3d& centre,
   return directions;
 }
 
-/// The source paper's way: a circle in the picture, z from its radius, x and y from its middle.
+/// The source paper's method: a circle in the image, z from its radius, x and y from its middle.
 HardAnswer circle_ball(const std::vector<Eigen::Vector3d>& directions, double radius) {
   std::vector<Eigen::Vector2d> points;
   for (const auto& d : directions) points.emplace_back(kFocal * d.head<2>() / d.z());
@@ -43,7 +43,7 @@ HardAnswer circle_ball(const std::vector<Eigen::Vector3d>& directions, double ra
   return {{middle.x(), middle.y(), z}, ""};
 }
 
-/// Gauss-Newton on the distance of the centre from each ray, less the radius, in millimetres.
+/// Gauss-Newton on the distance of the centre from each ray, minus the radius, in millimetres.
 double millimetre_z(const std::vector<Eigen::Vector3d>& directions,
                     double radius,
                     Eigen::Vector3d c) {
@@ -86,8 +86,8 @@ HardRow exact_outline() {
   return row;
 }
 
-/// From 90 degrees of outline, 0.5 px noise. What an efficient estimate reaches
-/// at 40 mm: bias below 0.05 mm, standard deviation 0.25 mm to 15 %.
+/// From 90 degrees of outline, 0.5 px noise. An efficient estimate at 40 mm reaches a bias below
+/// 0.05 mm and a standard deviation of 0.25 mm to 15 %.
 std::vector<HardRow> noisy_outlines() {
   HardRow bias{"ball's distance from 90 degrees of outline, 0.5 px noise: bias",
                "distance to the rays in mm",
@@ -112,20 +112,20 @@ std::vector<HardRow> noisy_outlines() {
   };
   for (int i = 0; i < 800; ++i) {
     const auto directions = outline(c, 3.0, 90.0, 0.5, random);
-    const HardAnswer ours = distance(ball_of(directions, 3.0));
-    bias.ask(wanted(c.z(), 1), number(millimetre_z(directions, 3.0, c)), ours);
+    const HardAnswer own = distance(ball_of(directions, 3.0));
+    bias.ask(expected(c.z(), 1), number(millimetre_z(directions, 3.0, c)), own);
     const std::vector<Eigen::Vector3d> three{
         directions.front(), directions[directions.size() / 2], directions.back()};
-    spread.ask(wanted(c.z(), 0.25), distance(circle_ball(three, 3.0)), ours);
+    spread.ask(expected(c.z(), 0.25), distance(circle_ball(three, 3.0)), own);
     const auto seen_aside = outline(off_axis, 3.0, 90.0, 0.5, random);
-    aside.ask(wanted(off_axis.z(), 1),
+    aside.ask(expected(off_axis.z(), 1),
               distance(circle_ball(seen_aside, 3.0)),
               distance(ball_of(seen_aside, 3.0)));
   }
   return {bias, spread, aside};
 }
 
-/// Kasa: linear least squares of x^2 + y^2 = 2 a x + 2 b y + c, of points as they are.
+/// Kasa: linear least squares of x^2 + y^2 = 2 a x + 2 b y + c, of raw points.
 double kasa_radius(const std::vector<Eigen::Vector2d>& points) {
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
   Eigen::Vector3d pull = Eigen::Vector3d::Zero();
@@ -169,7 +169,7 @@ HardRow short_arc() {
   std::mt19937 random(6);
   for (int i = 0; i < 4000; ++i) {
     const auto points = arc({0.0, 0.0}, 75.0, 60.0, 0.5, random);
-    row.ask(wanted(75.0), number(kasa_radius(points)), radius_of(fit_circle_taubin(points)));
+    row.ask(expected(75.0), number(kasa_radius(points)), radius_of(fit_circle_taubin(points)));
   }
   return row;
 }
@@ -181,7 +181,7 @@ HardRow far_circle() {
               1e-10};
   std::mt19937 random(7);
   const auto points = arc({20000.0, 10000.0}, 75.0, 40.0, 0.0, random);
-  row.ask(wanted(75.0), number(kasa_radius(points)), radius_of(fit_circle(points)));
+  row.ask(expected(75.0), number(kasa_radius(points)), radius_of(fit_circle(points)));
   return row;
 }
 
@@ -195,8 +195,8 @@ HardRow straight_line() {
       0,
       HardMeasure::kWrong};
   constexpr double kArc = 3.0 * M_PI / 180.0, kRadius = 500.0;
-  for (int way = 0; way < 12; ++way) {
-    const double turn = M_PI * way / 12;
+  for (int step = 0; step < 12; ++step) {
+    const double turn = M_PI * step / 12;
     const Eigen::Vector2d along(std::cos(turn), std::sin(turn));
     std::vector<Eigen::Vector2d> line, arc;
     for (int i = 0; i < 40; ++i) {
@@ -206,8 +206,8 @@ HardRow straight_line() {
                        kRadius * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
     }
     for (const auto fit : {fit_circle, fit_circle_taubin}) {
-      row.ask(wanted_refusal({"no circle"}), number(kasa_radius(line)), radius_of(fit(line)));
-      row.ask(wanted(kRadius, 1e-6 * kRadius), number(kasa_radius(arc)), radius_of(fit(arc)));
+      row.ask(expected_refusal({"no circle"}), number(kasa_radius(line)), radius_of(fit(line)));
+      row.ask(expected(kRadius, 1e-6 * kRadius), number(kasa_radius(arc)), radius_of(fit(arc)));
     }
   }
   return row;

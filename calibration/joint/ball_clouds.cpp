@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kCloudDegree = 3;
 constexpr int kCloudBlockPx = 2;
-constexpr std::size_t kLeastOfCloud = 50;
+constexpr std::size_t kMinCloudSamples = 50;
 
 std::optional<MappingCurve> curve_through(const std::vector<BallCloud>& clouds,
                                           int coefficients,
@@ -59,7 +59,7 @@ Result<BallCloud> cloud_of_ball(const Press& press,
     cloud.x.push_back(sample.x);
     cloud.depth_mm.push_back(depth);
   }
-  if (cloud.x.size() < kLeastOfCloud)
+  if (cloud.x.size() < kMinCloudSamples)
     return Error{en::say("the ball that follows from the dark border hardly touches the face"),
                  press.name,
                  ""};
@@ -72,7 +72,7 @@ Result<BallCloud> cloud_of_ball(const Press& press,
   return cloud;
 }
 
-Result<Calibration> calibrate_through(const std::vector<BallCloud>& clouds,
+Result<Calibration> fit_cubic_mapping(const std::vector<BallCloud>& clouds,
                                       Calibration calibration) {
   double x_max = 0;
   for (const BallCloud& cloud : clouds)

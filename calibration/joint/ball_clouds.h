@@ -14,32 +14,32 @@
 
 namespace alltact {
 
-/// A ball, and what the face reads where it presses.
+/// A ball, and the brightness differences and depths of its samples.
 struct BallCloud {
   BallFit ball;
   std::vector<double> x, depth_mm;
 };
 
-/// The samples of a press, blocks of 2 px, that a circle in the picture holds.
+/// The samples of a press, blocks of 2 px, within a circle in the image.
 [[nodiscard]] std::vector<Sample> samples_inside(const Press& press,
                                                  const Face& face,
                                                  const Circle& circle);
 
-/// Depth of a ball over samples, where it presses at all: d = z_LUF - z_D, with the ball's point D
-/// on the line along z on which the source paper's p_CF = p_LUF - (0, 0, d) lies. Error: the ball
-/// presses fewer than 50 of them.
+/// Computes the depth of a ball over samples, where it presses at all: d = z_LUF - z_D. The ball's
+/// point D lies on the line along z of the source paper's p_CF = p_LUF - (0, 0, d). Error: the ball
+/// presses fewer than 50 samples.
 [[nodiscard]] Result<BallCloud> cloud_of_ball(const Press& press,
                                               const std::vector<Sample>& samples,
                                               const Eigen::Vector3d& centre_mm,
                                               bool cut_by_edge);
 
-/// The clouds of those presses for which `cloud_of` finds one; why the others have none is said in
-/// left_out.
+/// The clouds of the presses for which `cloud_of` finds one. `left_out` holds the reasons of the
+/// others.
 struct CloudsFound {
   std::vector<BallCloud> clouds;
   std::vector<Message> left_out;
-  Message reason;        ///< of the last one left out
-  bool stopped = false;  ///< not all were looked at
+  Message reason;        ///< of the last press left out
+  bool stopped = false;  ///< some presses were not processed
 };
 template <class Presses, class CloudOf>
 [[nodiscard]] CloudsFound clouds_of(const Presses& presses, CloudOf&& cloud_of, const Job& job) {
@@ -60,10 +60,10 @@ template <class Presses, class CloudOf>
   return found;
 }
 
-/// The cubic without constant through d of all clouds (at least one), written in the basis of
-/// MappingParameters; one of lower degree where the cubic does not increase, said in a remark. Adds
-/// mapping, balls and residuals to `calibration`. Error: no increasing curve.
-[[nodiscard]] Result<Calibration> calibrate_through(const std::vector<BallCloud>& clouds,
+/// Fits the cubic without constant through d of all clouds (at least one), in the basis of
+/// MappingParameters. Where the cubic does not increase, a lower degree is used and a remark states
+/// it. Adds mapping, balls and residuals to `calibration`. Error: no increasing curve.
+[[nodiscard]] Result<Calibration> fit_cubic_mapping(const std::vector<BallCloud>& clouds,
                                                     Calibration calibration);
 
 }  // namespace alltact

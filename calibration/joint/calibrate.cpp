@@ -50,10 +50,10 @@ double deepest_mm(const FoundBall& found, const Eigen::Vector3d& centre) {
   return depth;
 }
 
-/// Residuals are told of the part that surely touches, whatever part was read: they can be
+/// Residuals are those of the inner zone, whichever zone the fit read, so that fits can be
 /// compared.
-JointOptions surely_touching(JointOptions options) {
-  options.zone = kSureZone;
+JointOptions with_inner_zone(JointOptions options) {
+  options.zone = kInnerZone;
   return options;
 }
 
@@ -64,7 +64,7 @@ std::vector<BallFit> balls_of(const std::vector<FoundBall>& found,
                               const Job& job) {
   std::vector<const PressSamples*> presses;
   for (const FoundBall& f : found) presses.push_back(&f.fine);
-  const FitQuality quality = quality_of(presses, fit, surely_touching(choice.options));
+  const FitQuality quality = quality_of(presses, fit, with_inner_zone(choice.options));
   std::vector<BallFit> balls;
   for (std::size_t i = 0; i < found.size(); ++i) {
     BallFit ball;
@@ -77,22 +77,22 @@ std::vector<BallFit> balls_of(const std::vector<FoundBall>& found,
       ball.centre_sd_mm = covariance.covariance.diagonal().segment<3>(first).cwiseSqrt();
     }
     ball.depth_mm = deepest_mm(found[i], ball.centre_mm);
-    // As of presses left out, on the same samples.
+    // The same measure and samples as for held-out presses.
     const double error_mm =
         error_of_press(found[i].coarse, fit, fit.centres_mm[i], choice.options, job);
     ball.residual_mm = std::isfinite(error_mm) ? error_mm : quality.residual_mm[i];
     ball.held_out_mm = i < choice.held_out_mm.size() ? choice.held_out_mm[i] : 0.0;
     ball.tangent_arc_deg = found[i].tangent_arc_deg;
     ball.cut_by_edge = found[i].guess.cut_by_edge;
-    ball.told_depth = found[i].fine.told_depth;
-    ball.pressed_in_mm =
+    ball.given_depth = found[i].fine.given_depth;
+    ball.indentation_mm =
         ball.radius_mm - plane_below(*presses[i], ball.centre_mm).height_mm(ball.centre_mm);
     balls.push_back(std::move(ball));
   }
   return balls;
 }
 
-/// Why no mapping fits: what lies deeper than the layer is thick cannot be told by its darkness.
+/// Why no mapping fits: darkness does not show depths beyond the layer's thickness.
 Error no_mapping(const std::vector<FoundBall>& found, const Face& face) {
   constexpr double kTooDeep = 0.8;  // of the layer
   const FoundBall* deepest = nullptr;
@@ -129,30 +129,30 @@ double mean_of(const std::vector<BallFit>& balls, double BallFit::*member) {
   return mean;
 }
 
-/// Mean absolute error of depth over the domain, of a curve whose numbers are as uncertain.
+/// Mean absolute depth error over the domain of a curve with this covariance of its values.
 double mean_error_mm(const MappingCurve& curve, const Eigen::MatrixXd& covariance) {
-  constexpr int kPlaces = 12;
+  constexpr int kPoints = 12;
   Eigen::VectorXd gradient(curve.values().size());
   double mean = 0;
-  for (int i = 1; i <= kPlaces; ++i) {
-    (void)curve.depth_mm(curve.x_max() * i / kPlaces, gradient.data());
-    mean += kMeanOfSd * std::sqrt(std::max(0.0, gradient.dot(covariance * gradient))) / kPlaces;
+  for (int i = 1; i <= kPoints; ++i) {
+    (void)curve.depth_mm(curve.x_max() * i / kPoints, gradient.data());
+    mean += kMeanOfSd * std::sqrt(std::max(0.0, gradient.dot(covariance * gradient))) / kPoints;
   }
   return mean;
 }
 
 void sort_as_given(const std::vector<Press>& presses, std::vector<BallFit>* balls) {
-  const auto place = [&](const BallFit& ball) {
+  const auto given_order = [&](const BallFit& ball) {
     return std::find_if(
         presses.begin(), presses.end(), [&](const Press& p) { return p.name == ball.press; });
   };
   std::stable_sort(balls->begin(), balls->end(), [&](const BallFit& a, const BallFit& b) {
-    return place(a) < place(b);
+    return given_order(a) < given_order(b);
   });
 }
 
-/// The whole solution on the fine samples, first from brightness alone; it then says where the
-/// balls' outlines are to be looked for, and what is found joins in.
+/// Fits all fine samples, first by brightness alone. That fit shows where to search for the balls'
+/// outlines; a second fit includes the outlines found.
 JointFit fit_finely(std::vector<FoundBall>& found,
                     const ModelChoice& choice,
                     const Job& job,
@@ -160,18 +160,18 @@ JointFit fit_finely(std::vector<FoundBall>& found,
   std::vector<const PressSamples*> presses;
   for (const FoundBall& f : found) presses.push_back(&f.fine);
   JointOptions options = choice.options;
-  const std::function<void(int, double, const JointFit&)> tell =
+  const std::function<void(int, double, const JointFit&)> report_round =
       [&](int round, double change_mm, const JointFit& now) {
         job.report(0.9, en::say("solving: round {}, unknowns move by {:.1e} mm", round, change_mm));
         if (!on_round) return;
         double residual_mm = 0;
-        for (const double each_mm : quality_of(presses, now, surely_touching(options)).residual_mm)
+        for (const double each_mm : quality_of(presses, now, with_inner_zone(options)).residual_mm)
           residual_mm += each_mm / static_cast<double>(presses.size());
         on_round({round, residual_mm, change_mm});
       };
-  options.watch = &tell;
+  options.watch = &report_round;
   JointFit fit = fit_jointly(presses, choice.fit, options, job);
-  if (!fit.converged) return choice.fit;  // stopped: the best so far
+  if (!fit.converged) return choice.fit;  // stopped: returns the best so far
   bool seen = false;
   for (std::size_t i = 0; i < found.size(); ++i) {
     TangentArc arc =
@@ -185,7 +185,7 @@ JointFit fit_finely(std::vector<FoundBall>& found,
   return with_outlines.converged ? with_outlines : fit;
 }
 
-/// Takes away what was measured and contradicts the pictures.
+/// Removes measured depths and steps that contradict the images.
 void check_measured(std::vector<FoundBall>& found,
                     std::vector<StepSamples>& steps,
                     const CalibrationSettings& settings,
@@ -207,15 +207,15 @@ Result<Calibration> solve_jointly(std::vector<FoundBall> found,
                                   Calibration calibration) {
   std::vector<const PressSamples*> fine;
   for (const FoundBall& f : found) fine.push_back(&f.fine);
-  const PressedPart part = pressed_part(fine);
+  const PressedArea part = pressed_area(fine);
   for (FoundBall& f : found) {
-    place_within(part, &f.fine);
-    place_within(part, &f.coarse);
+    set_unit_positions(part, &f.fine);
+    set_unit_positions(part, &f.coarse);
   }
-  for (StepSamples& step : steps) place_within(part, &step.samples);
+  for (StepSamples& step : steps) set_unit_positions(part, &step.samples);
   check_measured(found, steps, settings, job, &calibration);
   ChoiceInput coarse;
-  coarse.most_rounds = settings.iterations;
+  coarse.max_rounds = settings.iterations;
   if (!steps.empty()) coarse.steps = &steps;
   for (const FoundBall& f : found) {
     coarse.presses.push_back(&f.coarse);
@@ -230,7 +230,7 @@ Result<Calibration> solve_jointly(std::vector<FoundBall> found,
   if (settings.family == FamilyChoice::kAuto && settings.degree == 0 && !job.stop_requested() &&
       fit.curve.family().kind == MappingKind::kPolynomial &&
       !increases(fit.curve, choice->options.along)) {
-    // A polynomial that just increased on some of the samples may not on all of them.
+    // A polynomial that increases on the coarse samples may decrease on the fine ones.
     CalibrationSettings simple = settings;
     simple.family = FamilyChoice::kLayer;
     if (auto safe = choose_model(coarse, simple, job)) {
@@ -249,9 +249,11 @@ Result<Calibration> solve_jointly(std::vector<FoundBall> found,
   if (covariance.covariance.size() > 0) {
     const Eigen::MatrixXd by_values = stored_form(fit.curve).by_values;
     const Eigen::MatrixXd by_residuals = covariance.covariance.topLeftCorner(n, n);
-    // Leaving presses out may show more than their residuals do.
-    const double more = std::max(1.0, choice->spread_mm / mean_error_mm(fit.curve, by_residuals));
-    const Eigen::MatrixXd stored = more * more * by_values * by_residuals * by_values.transpose();
+    // The jackknife may exceed the covariance of the residuals.
+    const double inflation =
+        std::max(1.0, choice->spread_mm / mean_error_mm(fit.curve, by_residuals));
+    const Eigen::MatrixXd stored =
+        inflation * inflation * by_values * by_residuals * by_values.transpose();
     calibration.mapping.covariance = 0.5 * (stored + stored.transpose());
   }
   if (const auto mapping = Mapping::create(calibration.mapping); !mapping)
@@ -259,9 +261,9 @@ Result<Calibration> solve_jointly(std::vector<FoundBall> found,
                  "",
                  en::say("more presses of different depth, or a lower degree")};
   if (covariance.covariance.size() > 0)
-    calibration.weakness = weakest_direction(fit.curve, covariance.covariance.topLeftCorner(n, n));
+    calibration.weakest = weakest_direction(fit.curve, covariance.covariance.topLeftCorner(n, n));
   if (!job.stop_requested())
-    calibration.radius_sense = sense_radius(coarse.presses, fit, choice->options, job);
+    calibration.radius_sensitivity = vary_radius(coarse.presses, fit, choice->options, job);
   if (!job.stop_requested())
     calibration.next_press = advise(coarse.presses, fit, choice->options, face_length_mm(found));
   calibration.balls = balls_of(found, *choice, fit, covariance, job);

@@ -1,10 +1,10 @@
 // From ball presses to the depth mapping: all presses solved together.
 //
 // BACKGROUND
-// A ball of known radius R is pressed into the face. Its picture, compared with that of the
-// untouched face, gives every pixel a relative darkening x = (I_ref - I) / I_ref. Where the ball's
-// centre c is known, geometry gives the press depth d at the same pixel. The mapping d = M(x) is
-// the curve through these pairs. Nobody measures c, so centres and curve are estimated together.
+// A ball of known radius R is pressed into the face. Its image and the contact-free image of the
+// face give every pixel a relative darkening x = (I_ref - I) / I_ref. Where the ball's centre c is
+// known, geometry gives the press depth d at the same pixel. The mapping d = M(x) is the curve
+// through these pairs. Nobody measures c, so centres and curve are estimated together.
 //
 // MODEL
 // With g the inverse of M, d_i(c) the depth of the skin over the ball at sample i (joint_fit.h,
@@ -15,31 +15,32 @@
 // + sum_p ((R - height_p(c) - h_p) / sigma_p)^2            measured depths h_p, where there are any
 // + sum_q ((step_q(M) - t_q) / sigma_q)^2                  steps t_q of punches, likewise
 // and priors of a layer's absorption and of the lift-off length, by iteratively reweighted least
-// squares; rho is the soft L1 loss. Samples are block means of the picture. Of the rays' residuals,
-// the part that moves ball and face apart along z counts no more than the face's own distance is
-// known, 0.05 mm. Only the part of a contact where skin and ball surely touch is read, and more
-// where that is needed and explained (contact_zone.h). The other methods (outline_methods.h) are
-// there to compare with.
+// squares; rho is the soft L1 loss. Samples are block means of the image. The face's own distance
+// is known to 0.05 mm. The component of the rays' residuals that moves ball and face apart along z
+// is weighted accordingly. Only the zone of a contact where skin and ball certainly touch is read,
+// and more where that is needed and explained (contact_zone.h). The other methods
+// (outline_methods.h) serve for comparison.
 //
 // GAUGE
 // Camera and face are held fixed: they give the frame (the camera's, in mm) and the untouched
-// surface; R gives the unit of depth. No direction is free then, but two are weak. An offset: balls
-// that all move along the normal are taken up by the curve's low end. M(0) = 0 is exact for this
-// reason, and presses of different depths hold the rest. A scale: only the contacts' curvature
-// gives it, so that a radius that is wrong by 1 % makes depths wrong by about as much, and
-// residuals hardly show it (Calibration::radius_sense); a measured depth or a step does. With one
-// press both directions are open, and a remark says so. Where the Jacobian is not of full rank the
-// covariance is empty, and another remark says that.
+// surface; R gives the unit of depth. No direction is free then, but two are weak. An offset: the
+// curve's low end takes up a common motion of all balls along the normal. M(0) = 0 is exact for
+// this reason, and presses of different depths constrain the rest. A scale: only the contacts'
+// curvature gives it. A radius that is wrong by 1 % makes depths wrong by about as much. Residuals
+// hardly show it (Calibration::radius_sensitivity); a measured depth or a step does. With one press
+// both directions are open, and a remark states it. Where the Jacobian is not of full rank the
+// covariance is empty, and another remark states it.
 //
 // WHAT IS ESTIMATED
 // Three numbers for each ball; the mapping's: two or three of a Kubelka-Munk layer, or up to eight
 // Chebyshev coefficients, and two more where it varies over the face; the skin's lift-off length.
-// Cross-validation over the presses chooses the family, along which thickness of the layer
-// brightness counts, and whether the mapping varies. Covariances of balls and mapping come with it.
+// Cross-validation over the presses chooses the family, the direction of the thickness that
+// brightness follows, and whether the mapping varies. Covariances of balls and mapping are
+// estimated, too.
 //
 // WHAT IS NOT ESTIMATED
-// Camera, lens distortion, layer thickness, the balls' radii, the face's shape in each picture and
-// the light: calibrate the lens first, measure the balls, correct the illumination. Errors in these
+// Camera, lens distortion, layer thickness, the balls' radii, the face's shape in each image and
+// the light. Calibrate the lens first, measure the balls, correct the illumination. Errors in these
 // enter the mapping and no covariance here contains them. Shear of the skin, hysteresis and
 // temperature are not modelled.
 //
@@ -80,21 +81,21 @@ struct BallFit {
   double radius_mm = 0;
   Eigen::Vector3d centre_mm;
   Eigen::Vector3d centre_sd_mm;
-  double depth_mm = 0;         ///< greatest press depth along z
-  double residual_mm = 0;      ///< joint method: error_of_press() of this mapping
-  double held_out_mm = 0;      ///< of one fitted without this press's position; 0: none was
+  double depth_mm = 0;     ///< greatest press depth along z
+  double residual_mm = 0;  ///< joint method: error_of_press() of this mapping
+  double held_out_mm = 0;  ///< of a mapping fitted without this press's position; 0: there was none
   double tangent_arc_deg = 0;  ///< of the outline that entered the fit; 0: brightness alone
   bool cut_by_edge = false;
-  std::optional<ToldDepth> told_depth = std::nullopt;  ///< as it was measured
-  double pressed_in_mm = 0;                            ///< what the solution says of that
+  std::optional<GivenDepth> given_depth = std::nullopt;  ///< measured by a gauge or a stage
+  double indentation_mm = 0;  ///< estimated, along the normal, as given_depth is
 };
 
 /// The punch of one press in the solution.
 struct StepFit {
   std::string press;
-  double step_mm = 0;   ///< as it was told
-  double reads_mm = 0;  ///< as the mapping reads it
-  double sd_mm = 0;     ///< of the reading by itself
+  double step_mm = 0;       ///< height of the step, as specified
+  double estimated_mm = 0;  ///< estimated by the mapping
+  double sd_mm = 0;         ///< of the estimate alone
 };
 
 struct Calibration {
@@ -103,24 +104,25 @@ struct Calibration {
   std::vector<StepFit> steps;  ///< joint method only
   double residual_mm = 0;
   double held_out_mm = 0;  ///< 0 when there was only one press
-  /// How far depth is off as a whole, mean absolute over the domain: the larger of what the mapping
-  /// changes when presses are left out (jackknife) and its covariance. The balls take this up, so
-  /// that held_out_mm cannot see it. 0 with one press and with methods other than the joint one.
+  /// Common error of all depths, mean absolute over the domain. It is the larger of the jackknife
+  /// over presses and the mapping's covariance. The balls take this error up, so held_out_mm does
+  /// not contain it. 0 with one press and with methods other than the joint one.
   double spread_mm = 0;
-  double condition = 0;              ///< of the scaled problem
-  Message degree_choice;             ///< why this family and degree, a sentence
-  std::vector<Message> left_out;     ///< presses not used, each with the reason
-  std::vector<Message> remarks;      ///< what the user should know (one press only, ...)
-  std::optional<Weakness> weakness;  ///< joint method, when the presses determine every unknown
-  std::optional<PressAdvice> next_press;    ///< joint method; absent when stopped before
-  std::optional<RadiusSense> radius_sense;  ///< the same
+  double condition = 0;           ///< of the scaled problem
+  Message degree_choice;          ///< why this family and degree, a sentence
+  std::vector<Message> left_out;  ///< presses not used, each with its reason
+  std::vector<Message> remarks;   ///< for the user (one press only, ...)
+  std::optional<WeakestDirection>
+      weakest;  ///< joint method, when the presses determine every unknown
+  std::optional<PressAdvice> next_press;                ///< joint method; empty when stopped before
+  std::optional<RadiusSensitivity> radius_sensitivity;  ///< joint method; empty when stopped before
 };
 
 /// Balls may be of several sizes; the order of the presses does not change the solution. Any
 /// thread. Errors: an impossible radius, no usable press (with each press's reason), a solution
 /// that is not finite or not increasing. A stopped job returns the best solution so far when there
-/// is one. `on_round` hears how the joint method's last solution settles; the other methods have no
-/// rounds.
+/// is one. `on_round` is called for each round of the joint method's last solution; the other
+/// methods have no rounds.
 [[nodiscard]] Result<Calibration> calibrate(const std::vector<Press>& presses,
                                             const Camera& camera,
                                             const Face& face,

@@ -14,11 +14,11 @@ namespace alltact {
 namespace {
 
 constexpr double kDarkPart = 0.4;  // of the darkest difference
-constexpr float kLeastDark = 0.02F;
+constexpr float kMinDark = 0.02F;
 constexpr int kOpeningPx = 5;
-constexpr std::size_t kLeastSamples = 50;
-constexpr double kZero_mm = 1e-3;    // what counts as no constant
-constexpr double kMostMisfit = 0.3;  // above, the cubic goes through noise
+constexpr std::size_t kMinSamples = 50;
+constexpr double kZero_mm = 1e-3;   // tolerance of a zero constant
+constexpr double kMaxMisfit = 0.3;  // above, the cubic fits noise
 
 Error no_circle(const Press& press, Message what) {
   return {std::move(what), press.name, en::say("pressing the ball in deeper, whole on the face")};
@@ -35,9 +35,8 @@ class CubicOfBall {
   struct Fit {
     double constant_mm, misfit;
   };
-  /// Over the samples that a line along z through them meets the ball of; nullopt where these are
-  /// less than nine tenths. Depths count with their sign, so that a ball off the face is seen as
-  /// such.
+  /// Uses the samples whose line along z meets the ball; nullopt where these are fewer than nine
+  /// tenths. Depths are signed, so that a ball off the face has a large misfit.
   [[nodiscard]] std::optional<Fit> operator()(const Eigen::Vector3d& centre_mm) const {
     Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
     Eigen::Vector4d right = Eigen::Vector4d::Zero();
@@ -55,8 +54,7 @@ class CubicOfBall {
       ++met;
     }
     const double spread = square - sum * sum / static_cast<double>(std::max<std::size_t>(1, met));
-    if (met < kLeastSamples || 10 * met < 9 * samples_.size() || !(spread > 0.0))
-      return std::nullopt;
+    if (met < kMinSamples || 10 * met < 9 * samples_.size() || !(spread > 0.0)) return std::nullopt;
     const Eigen::Vector4d c = normal.ldlt().solve(right);
     const double left = std::max(0.0, square - c.dot(right));
     if (!c.allFinite()) return std::nullopt;
@@ -69,7 +67,7 @@ class CubicOfBall {
   double x_max_ = 0;
 };
 
-/// One press, its circles and their cubics.
+/// The circles of one press and their cubics.
 class CirclesOfPress {
  public:
   CirclesOfPress(const Press& press,
@@ -82,7 +80,7 @@ class CirclesOfPress {
         radius_mm_(press.ball_radius_mm),
         cubic_(press, samples) {}
 
-  /// At one middle, the size without a constant; of several the one whose cubic fits best.
+  /// The size without a constant at one middle; of several the one whose cubic fits best.
   [[nodiscard]] std::optional<SearchedCircle> at(const Eigen::Vector2d& middle_px) const {
     const auto local = shape_.at(middle_px.x(), middle_px.y());
     if (!local) return std::nullopt;
@@ -102,7 +100,7 @@ class CirclesOfPress {
     return best;
   }
 
-  /// A little more than the ball's radius in the picture.
+  /// 1.2 times the ball's radius in the image.
   [[nodiscard]] double reach_px(const Eigen::Vector2d& middle_px) const {
     const auto local = shape_.at(middle_px.x(), middle_px.y());
     return local ? 1.2 * radius_mm_ / camera_.mm_per_px_at(local->view_point_mm.z()) : 0.0;
@@ -114,7 +112,7 @@ class CirclesOfPress {
     SearchedCircle circle;
   };
 
-  /// Bisection; the sign may change at a pole or where samples come and go, which is no zero.
+  /// Bisection. A change of sign at a pole, or where samples appear or vanish, is no zero.
   [[nodiscard]] std::optional<SearchedCircle> between(const Eigen::Vector2d& middle_px,
                                                       const FaceShape::Local& local,
                                                       AtDepth from,
@@ -130,7 +128,7 @@ class CirclesOfPress {
     return to.circle;
   }
 
-  /// The circle of the ball in the middle's direction that goes into the face by about `depth_mm`.
+  /// The circle of the ball in the middle's direction that is pressed in by about `depth_mm`.
   [[nodiscard]] std::optional<SearchedCircle> with_depth(const Eigen::Vector2d& middle_px,
                                                          const FaceShape::Local& local,
                                                          double depth_mm) const {
@@ -144,7 +142,7 @@ class CirclesOfPress {
     return SearchedCircle{*circle, *ball, fit->constant_mm, fit->misfit};
   }
 
-  /// The size for which ball_of_circle() gives that distance.
+  /// The size for which ball_of_circle() returns that distance.
   [[nodiscard]] std::optional<Circle> circle_at(const Eigen::Vector2d& middle_px,
                                                 double z_mm,
                                                 double depth_mm) const {
@@ -155,14 +153,14 @@ class CirclesOfPress {
     }
     const auto sight = camera_.unproject(middle_px);
     if (!sight) return std::nullopt;
-    // The size changes evenly enough with the distance that a secant settles in a few steps.
-    const double wanted_mm = z_mm;
+    // The size depends so smoothly on the distance that a secant converges in a few steps.
+    const double target_mm = z_mm;
     double size = radius_mm_ / z_mm * camera_.parameters().fy_px;
     for (int step = 0; step < 30; ++step) {
       const auto ball = ball_of_circle({middle_px, size, 0.0}, camera_, radius_mm_, 0.0);
       if (!ball) return std::nullopt;
-      if (std::abs(ball->z() - wanted_mm) < 1e-9 * wanted_mm) break;
-      size *= ball->z() / wanted_mm;
+      if (std::abs(ball->z() - target_mm) < 1e-9 * target_mm) break;
+      size *= ball->z() / target_mm;
     }
     return Circle{middle_px, size, 0.0};
   }
@@ -189,14 +187,14 @@ Result<Circle> dark_circle(const Press& press, const Camera& camera) {
       cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * kOpeningPx + 1, 2 * kOpeningPx + 1});
   cv::morphologyEx(x, x, cv::MORPH_OPEN, disc);
   double darkest = 0;
-  cv::Point place;
-  cv::minMaxLoc(x, nullptr, &darkest, nullptr, &place);
-  if (!(darkest >= static_cast<double>(kLeastDark)))
+  cv::Point darkest_px;
+  cv::minMaxLoc(x, nullptr, &darkest, nullptr, &darkest_px);
+  if (!(darkest >= static_cast<double>(kMinDark)))
     return no_circle(press, en::say("nothing is dark enough for a ball that presses"));
   std::vector<std::vector<cv::Point>> borders;
   cv::findContours(x > kDarkPart * darkest, borders, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
   const auto around = std::find_if(borders.begin(), borders.end(), [&](const auto& border) {
-    return cv::pointPolygonTest(border, cv::Point2f(place), false) >= 0;
+    return cv::pointPolygonTest(border, cv::Point2f(darkest_px), false) >= 0;
   });
   std::vector<Eigen::Vector2d> points;
   if (around != borders.end())
@@ -233,20 +231,20 @@ Result<SearchedCircle> search_circle(const Press& press,
                                      const Face& face) {
   const CirclesOfPress search(press, samples, camera, face);
   std::optional<SearchedCircle> best;
-  const auto look = [&](const Eigen::Vector2d& middle, double reach_px, int steps) {
+  const auto scan = [&](const Eigen::Vector2d& middle, double reach_px, int steps) {
     for (int i = -steps; i <= steps; ++i)
       for (int j = -steps; j <= steps; ++j) {
         const auto here = search.at(middle + reach_px / steps * Eigen::Vector2d(i, j));
         if (here && (!best || here->misfit < best->misfit)) best = here;
       }
   };
-  // Over an inclined face the ball's middle is seen beside the dark disc.
+  // Over an inclined face the ball's middle lies next to the dark disc.
   double reach_px = search.reach_px(dark.centre);
   constexpr int kSteps = 10;
-  look(dark.centre, reach_px, kSteps);
+  scan(dark.centre, reach_px, kSteps);
   if (!best) return no_circle(press, en::say("no circle gives a cubic whose constant is zero"));
-  for (reach_px /= kSteps; reach_px > 0.05; reach_px /= 2) look(best->circle.centre, reach_px, 2);
-  if (best->misfit > kMostMisfit)
+  for (reach_px /= kSteps; reach_px > 0.05; reach_px /= 2) scan(best->circle.centre, reach_px, 2);
+  if (best->misfit > kMaxMisfit)
     return no_circle(press,
                      en::say("the cubic without a constant leaves {:.0f} % of the depths' spread: "
                              "its contact is too faint, small or steep",

@@ -13,9 +13,8 @@ using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::Ro
 
 }  // namespace
 
-CompressedCost::CompressedCost(std::unique_ptr<ceres::CostFunction> whole)
-    : whole_(std::move(whole)) {
-  *mutable_parameter_block_sizes() = whole_->parameter_block_sizes();
+CompressedCost::CompressedCost(std::unique_ptr<ceres::CostFunction> full) : full_(std::move(full)) {
+  *mutable_parameter_block_sizes() = full_->parameter_block_sizes();
   for (const int size : parameter_block_sizes()) columns_ += size;
   set_num_residuals(columns_ + 1);
 }
@@ -23,11 +22,11 @@ CompressedCost::CompressedCost(std::unique_ptr<ceres::CostFunction> whole)
 bool CompressedCost::Evaluate(double const* const* parameters,
                               double* residuals,
                               double** jacobians) const {
-  const int rows = whole_->num_residuals();
+  const int rows = full_->num_residuals();
   Eigen::Map<Eigen::VectorXd> few(residuals, num_residuals());
   Eigen::VectorXd many(rows);
   if (jacobians == nullptr) {
-    if (!whole_->Evaluate(parameters, many.data(), nullptr)) return false;
+    if (!full_->Evaluate(parameters, many.data(), nullptr)) return false;
     few.setZero();
     few[columns_] = many.norm();
     return true;
@@ -40,8 +39,8 @@ bool CompressedCost::Evaluate(double const* const* parameters,
     parts[i].resize(rows, sizes[i]);
     pointers[i] = parts[i].data();
   }
-  if (!whole_->Evaluate(parameters, many.data(), pointers.data())) return false;
-  // Constant blocks stay zero columns, and a block with fewer samples than columns gets zero rows.
+  if (!full_->Evaluate(parameters, many.data(), pointers.data())) return false;
+  // Constant blocks stay zero columns. A block with fewer samples than columns gets zero rows.
   Eigen::MatrixXd all = Eigen::MatrixXd::Zero(std::max(rows, num_residuals()), num_residuals());
   for (std::size_t i = 0, column = 0; i < sizes.size();
        column += static_cast<std::size_t>(sizes[i++]))

@@ -1,4 +1,4 @@
-// A cost function with many residuals and few parameters, handed to the solver as one with few.
+// Reduces a cost function with many residuals and few parameters to one with few residuals.
 #pragma once
 
 #include <memory>
@@ -8,20 +8,20 @@
 namespace alltact {
 
 /// With [J r] = Q [R z] (Householder), the rows of R and z give the solver the same cost, gradient
-/// and Gauss-Newton matrix as those of J and r: |z| = |r|, R' z = J' r, R' R = J' J. Orthogonal, so
-/// nothing of the problem's condition is lost, and a problem of blocks that share few parameters
-/// then costs what its parameters cost rather than what its samples do. Where no derivatives are
-/// asked for, all of |r| stands in the last residual: between two evaluations only the cost means
-/// anything. Not for loss functions, which would have to see single residuals.
+/// and Gauss-Newton matrix as those of J and r: |z| = |r|, R' z = J' r, R' R = J' J. The
+/// transformation is orthogonal and retains the problem's condition. The time for a problem of
+/// blocks with few shared parameters then depends on its parameters, not on its samples. Without
+/// derivatives all of |r| stands in the last residual; only the cost has a meaning then. Not for
+/// loss functions, which need the single residuals.
 class CompressedCost final : public ceres::CostFunction {
  public:
-  explicit CompressedCost(std::unique_ptr<ceres::CostFunction> whole);
+  explicit CompressedCost(std::unique_ptr<ceres::CostFunction> full);
   bool Evaluate(double const* const* parameters,
                 double* residuals,
                 double** jacobians) const override;
 
  private:
-  std::unique_ptr<ceres::CostFunction> whole_;
+  std::unique_ptr<ceres::CostFunction> full_;
   int columns_ = 0;  ///< of all parameter blocks
 };
 

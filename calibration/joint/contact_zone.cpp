@@ -11,13 +11,14 @@
 namespace alltact {
 namespace {
 
-constexpr double kQuietRingMm = 0.002;    // mean residual of a ring that is never held against it
-constexpr double kRingExcess = 1.5;       // times the scatter of a ring's sectors
-constexpr double kCertainPart = 0.01;     // of the depth: what chance leaves open is little enough
-constexpr double kShortOfContact = 0.03;  // of the rim's radius: no skin is quite that membrane
+constexpr double kQuietRingMm = 0.002;  // mean residual of a ring that is always accepted
+constexpr double kRingExcess = 1.5;     // times the scatter of a ring's sectors
+constexpr double kSmallSd = 0.01;       // of the depth: small enough a standard deviation by chance
+// of the rim's radius: the skin is not exactly that membrane
+constexpr double kContactMargin = 0.03;
 
-/// What a covariance leaves uncertain of the depth at the end of the domain, as a part of it.
-double uncertain_part(const JointFit& fit, const Eigen::MatrixXd& all) {
+/// Standard deviation of the depth at the end of the domain, as a fraction of that depth.
+double relative_depth_sd(const JointFit& fit, const Eigen::MatrixXd& all) {
   if (all.size() == 0) return std::numeric_limits<double>::infinity();
   Eigen::VectorXd gradient(fit.curve.values().size());
   const double depth = fit.curve.depth_mm(fit.curve.x_max(), gradient.data());
@@ -25,15 +26,15 @@ double uncertain_part(const JointFit& fit, const Eigen::MatrixXd& all) {
   return std::sqrt(std::max(0.0, gradient.dot(all.topLeftCorner(n, n) * gradient))) / depth;
 }
 
-/// Whether what the rings of a contact are off by, in all presses alike, is chance, and so little
-/// of them has lifted off that its form does not matter.
+/// Whether the mean residuals of the rings, common to all presses, are chance, and the skin has
+/// lifted off so little that its form does not matter.
 bool rings_agree(const FitQuality& quality) {
   const double chance_mm = std::max(kQuietRingMm, kRingExcess * quality.scatter_mm);
   return quality.ring_mm <= chance_mm && quality.lifted_sd_mm <= kQuietRingMm;
 }
 
-/// Which part of their rims' radius the contacts reach before the skin leaves the ball, on average.
-double touching_part(const ChoiceInput& input, const JointFit& fit) {
+/// Mean over presses of the contact radius, where the skin leaves the ball, over the rim's radius.
+double contact_fraction(const ChoiceInput& input, const JointFit& fit) {
   double sum = 0;
   for (std::size_t i = 0; i < input.presses.size(); ++i) {
     const PressSamples& press = *input.presses[i];
@@ -59,32 +60,33 @@ JointFit choose_zone(const ChoiceInput& input,
                      JointOptions* options,
                      Message* remark,
                      const Job& job) {
-  options->zone = kSureZone;
+  options->zone = kInnerZone;
   fit = fit_jointly(input.presses, as_family(fit, kLayerFamily), *options, job);
   *remark = inner_sentence(options->zone);
-  // Any skin touches there: what it does further out is read only where it is needed.
-  if (uncertain_part(fit, chance_covariance_of(input.presses, fit, *options).covariance) <
-      kCertainPart)
+  // Any skin is in contact there. The zone further out is read only where it is needed.
+  if (relative_depth_sd(fit, chance_covariance_of(input.presses, fit, *options).covariance) <
+      kSmallSd)
     return fit;
   const double inner_part =
-      uncertain_part(fit, covariance_of(input.presses, fit, *options).covariance);
+      relative_depth_sd(fit, covariance_of(input.presses, fit, *options).covariance);
   JointFit start = fit;
-  start.lift_mm = kUsualLiftMm;
+  start.lift_mm = kTypicalLiftMm;
   JointOptions wider = *options;
   wider.zone = 1.0;
   wider.free_lift = true;
-  const double touching = touching_part(input, fit_jointly(input.presses, start, wider, job));
+  const double touching = contact_fraction(input, fit_jointly(input.presses, start, wider, job));
   for (const double zone : {1.0, 0.93, 0.85, 0.75}) {
-    if (zone > touching - kShortOfContact) continue;
+    if (zone > touching - kContactMargin) continue;
     wider.zone = zone;
     const JointFit next = fit_jointly(input.presses, start, wider, job);
     if (job.stop_requested()) break;
     const FitQuality quality = quality_of(input.presses, next, wider);
     if (!next.converged || !rings_agree(quality)) continue;
-    const double part = uncertain_part(next, covariance_of(input.presses, next, wider).covariance);
+    const double part =
+        relative_depth_sd(next, covariance_of(input.presses, next, wider).covariance);
     if (part >= inner_part) continue;
     *options = wider;
-    // Further in the length shows in nothing, and is what it was believed to be.
+    // Further in the length has no effect and stays at its prior.
     constexpr double kShownMm = 1e-4;
     *remark = quality.lifted_sd_mm > kShownMm
                   ? en::say(

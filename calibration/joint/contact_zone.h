@@ -1,4 +1,4 @@
-// How far out each contact is believed: the zone, as a part of the contact's radius.
+// Which zone of each contact the fit reads, as a fraction of the contact's radius.
 #pragma once
 
 #include "calibration/joint/starting_curve.h"
@@ -8,11 +8,11 @@
 namespace alltact {
 
 /// Fits as much of each contact as ball and lift-off explain, from the rim inwards, by the family
-/// of layers; leaves in `options` which part that is, and in `remark` a sentence of it. The inner
-/// part alone leaves an offset between balls and mapping open, which a curve that is not quite the
-/// layer's then fills; near the rim the offset is seen. The rim itself tells how far the skin
-/// follows the ball, but not in which form it comes back. Where rings show that the skin does there
-/// what lift_off.h does not know, its error would be taken up by the scale, ten times larger.
+/// of layers. Stores the zone in `options`, and a sentence on it in `remark`. The inner zone alone
+/// leaves an offset between balls and mapping open. A curve that is not quite the layer's takes
+/// that offset up; near the rim it shows. The rim shows how far the skin follows the ball, but not
+/// the form in which it leaves it. Where rings show a form that lift_off.h does not model, the
+/// scale would take up ten times its error.
 [[nodiscard]] JointFit choose_zone(
     const ChoiceInput& input, JointFit fit, JointOptions* options, Message* remark, const Job& job);
 

@@ -13,19 +13,19 @@
 namespace alltact {
 namespace {
 
-constexpr double kTiePart = 0.1;  // of the better one: errors closer than this are the same
+constexpr double kTiePart = 0.1;  // of the better error: closer errors are ties
 
-/// Where a press's contact lies on the face, by the ball that was fitted to it.
+/// The contact's position on the face, by the ball fitted to it.
 ContactSpot spot_of(const PressSamples& press, const Eigen::Vector3d& centre_mm) {
   const Sample* nearest = nearest_sample(press, centre_mm);
   if (nearest == nullptr) return {};
   const double height_mm = plane_below(press, centre_mm).height_mm(centre_mm);
   const double rim2 = (press.ball_radius_mm - height_mm) * (press.ball_radius_mm + height_mm);
-  return {nearest->place_mm.x(), nearest->place_mm.y(), std::sqrt(std::max(0.0, rim2)), 0};
+  return {nearest->position_mm.x(), nearest->position_mm.y(), std::sqrt(std::max(0.0, rim2)), 0};
 }
 
-/// The position of each press, numbered from 0; each its own where there are so few that leaving
-/// one out would leave a single one, which tells no scale.
+/// The position of each press, numbered from 0. With fewer than three positions each press has its
+/// own: one press alone does not show the scale.
 std::vector<int> positions_of(const ChoiceInput& input, const JointFit& all) {
   std::vector<ContactSpot> spots;
   for (std::size_t i = 0; i < input.presses.size(); ++i)
@@ -44,15 +44,15 @@ double error_of_press(const PressSamples& press,
                       const Eigen::Vector3d& centre_mm,
                       const JointOptions& options,
                       const Job& job) {
-  // By the part that surely touches: what the rim does is not the mapping's shape.
-  JointOptions alone = options;
-  alone.fix_mapping = true;
-  alone.zone = kSureZone;
-  alone.watch = nullptr;
+  // The inner zone only: the rim does not show the mapping's shape.
+  JointOptions ball_only = options;
+  ball_only.fix_mapping = true;
+  ball_only.zone = kInnerZone;
+  ball_only.watch = nullptr;
   const std::vector<const PressSamples*> one{&press};
   const JointFit ball =
-      fit_jointly(one, {mapping.curve, {centre_mm}, false, mapping.lift_mm}, alone, job);
-  return ball.converged ? quality_of(one, ball, alone).residual_mm.front()
+      fit_jointly(one, {mapping.curve, {centre_mm}, false, mapping.lift_mm}, ball_only, job);
+  return ball.converged ? quality_of(one, ball, ball_only).residual_mm.front()
                         : std::numeric_limits<double>::infinity();
 }
 
@@ -93,12 +93,12 @@ double spread_of(const std::vector<MappingCurve>& curves) {
   const auto n = static_cast<double>(curves.size());
   if (curves.size() < 2) return 0;
   double spread = 0;
-  for (int i = 1; i <= kDomainPlaces; ++i) {
-    const double x = curves.front().x_max() * i / kDomainPlaces;
+  for (int i = 1; i <= kDomainPoints; ++i) {
+    const double x = curves.front().x_max() * i / kDomainPoints;
     double mean = 0, squares = 0;
     for (const MappingCurve& curve : curves) mean += curve.depth_mm(x) / n;
     for (const MappingCurve& curve : curves) squares += std::pow(curve.depth_mm(x) - mean, 2);
-    spread += kMeanOfSd * std::sqrt(squares * (n - 1) / n) / kDomainPlaces;
+    spread += kMeanOfSd * std::sqrt(squares * (n - 1) / n) / kDomainPoints;
   }
   return spread;
 }
@@ -119,7 +119,7 @@ Excess excess_of(const std::vector<double>& a, const std::vector<double>& b) {
   return {mean, std::sqrt(variance / n)};
 }
 
-bool as_good(const std::vector<double>& a, const std::vector<double>& b) {
+bool is_no_worse(const std::vector<double>& a, const std::vector<double>& b) {
   const Excess excess = excess_of(a, b);
   return excess.mean <= std::max({kTieMm, kTiePart * mean_mm(b), excess.standard_error});
 }

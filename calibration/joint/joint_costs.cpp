@@ -12,7 +12,7 @@
 
 namespace alltact {
 
-PressCost::PressCost(const Weighted& weighted,
+PressCost::PressCost(const WeightedPress& weighted,
                      const MappingCurve& curve,
                      const JointOptions& options,
                      bool lifts_off)
@@ -44,19 +44,19 @@ bool PressCost::Evaluate(double const* const* parameters,
                                        &by_centre,
                                        &by_lift);
     if (!std::isfinite(depth)) return false;
-    const bool wants_values = jacobians != nullptr && jacobians[1] != nullptr;
+    const bool needs_values = jacobians != nullptr && jacobians[1] != nullptr;
     const auto [x, slope_mm] = curve_.inverse(parameters[1],
                                               depth + weighted_.blur_mm[i],
-                                              sample.place,
+                                              sample.unit_position,
                                               sample.x,
-                                              wants_values ? by_values.data() : nullptr);
+                                              needs_values ? by_values.data() : nullptr);
     if (!std::isfinite(x)) return false;
     residuals[i] = weight * (sample.x - x);
     if (jacobians == nullptr) continue;
     if (jacobians[0] != nullptr)
       Eigen::Map<Eigen::Vector3d>(jacobians[0] + 3 * i) = -weight / slope_mm * by_centre;
     if (jacobians[2] != nullptr) jacobians[2][i] = -weight / slope_mm * by_lift * lift_mm;
-    if (wants_values)
+    if (needs_values)
       for (int k = 0; k < n; ++k)
         jacobians[1][static_cast<std::size_t>(n) * i + static_cast<std::size_t>(k)] =
             -weight * by_values[static_cast<std::size_t>(k)];
@@ -64,7 +64,7 @@ bool PressCost::Evaluate(double const* const* parameters,
   return true;
 }
 
-OutlineCost::OutlineCost(const Weighted& weighted) : weighted_(weighted) {
+OutlineCost::OutlineCost(const WeightedPress& weighted) : weighted_(weighted) {
   set_num_residuals(static_cast<int>(weighted.outline.size()));
   mutable_parameter_block_sizes()->push_back(3);
 }
@@ -84,30 +84,30 @@ bool OutlineCost::Evaluate(double const* const* parameters,
       Eigen::Map<Eigen::Vector3d>(jacobians[0] + 3 * i) = weight * by_centre;
   }
   const auto n = static_cast<Eigen::Index>(weighted_.outline.size());
-  weighted_.take_out_apart(Eigen::Map<Eigen::VectorXd>(residuals, n));
+  weighted_.damp_along_z(Eigen::Map<Eigen::VectorXd>(residuals, n));
   if (jacobians == nullptr || jacobians[0] == nullptr) return true;
   Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>> rows(jacobians[0], n, 3);
   for (int k = 0; k < 3; ++k) {
     Eigen::VectorXd column = rows.col(k);
-    weighted_.take_out_apart(column);
+    weighted_.damp_along_z(column);
     rows.col(k) = column;
   }
   return true;
 }
 
-ToldDepthCost::ToldDepthCost(const Weighted& weighted) : weighted_(weighted) {
-  assert(weighted.told_depth);
+GivenDepthCost::GivenDepthCost(const WeightedPress& weighted) : weighted_(weighted) {
+  assert(weighted.given_depth);
   set_num_residuals(1);
   mutable_parameter_block_sizes()->push_back(3);
 }
 
-bool ToldDepthCost::Evaluate(double const* const* parameters,
-                             double* residuals,
-                             double** jacobians) const {
+bool GivenDepthCost::Evaluate(double const* const* parameters,
+                              double* residuals,
+                              double** jacobians) const {
   const Eigen::Vector3d centre(parameters[0]);
   const double depth_mm = weighted_.ball_radius_mm - weighted_.plane.height_mm(centre);
-  const double root_weight = kRootWeightOfKnown / weighted_.told_depth->sd_mm;
-  residuals[0] = root_weight * (depth_mm - weighted_.told_depth->mm);
+  const double root_weight = kRootWeightOfKnown / weighted_.given_depth->sd_mm;
+  residuals[0] = root_weight * (depth_mm - weighted_.given_depth->mm);
   if (jacobians == nullptr || jacobians[0] == nullptr) return true;
   Eigen::Map<Eigen::Vector3d> by_centre(jacobians[0]);
   by_centre = -root_weight * weighted_.plane.normal;
@@ -157,7 +157,7 @@ LiftCost::LiftCost() {
 bool LiftCost::Evaluate(double const* const* parameters,
                         double* residuals,
                         double** jacobians) const {
-  residuals[0] = kRootWeightOfKnown * (parameters[0][0] - std::log(kUsualLiftMm));
+  residuals[0] = kRootWeightOfKnown * (parameters[0][0] - std::log(kTypicalLiftMm));
   if (jacobians != nullptr && jacobians[0] != nullptr) jacobians[0][0] = kRootWeightOfKnown;
   return true;
 }
@@ -169,7 +169,7 @@ double outline_angle_rad(const Eigen::Vector3d& direction,
   const double distance = centre_mm.norm();
   if (!(distance > radius_mm)) return std::numeric_limits<double>::quiet_NaN();
   if (by_centre != nullptr) {
-    // Moving the centre away from the ray widens the angle between them by 1 / |c|; moving it back
+    // Moving the centre away from the ray widens the angle between them by 1 / |c|. Moving it back
     // along its own direction narrows the ball.
     const Eigen::Vector3d axis = centre_mm / distance;
     const Eigen::Vector3d aside = axis.cross(direction.cross(axis));  // of the ray

@@ -13,7 +13,7 @@
 namespace alltact {
 namespace {
 
-/// One press at the solution: what each sample's residual is and how the unknowns move it.
+/// One press at the solution: each sample's residual and its derivatives by the unknowns.
 struct Linear {
   // Weighted, a sample each: mapping values, this press's centre, the lift-off's logarithm.
   Eigen::MatrixXd rows;
@@ -21,20 +21,20 @@ struct Linear {
   Eigen::VectorXd weight;    // 1/mm
   Eigen::VectorXd bend;
   std::vector<double> lifted_sd_mm;
-  Eigen::VectorXd optics_sd_mm;  // what the optics' blur leaves open, in all samples alike
+  Eigen::VectorXd optics_sd_mm;  // sd by the optics' blur, common to all samples
   std::vector<int> patch;
-  double taken = 0;                        // how many numbers the residuals were fitted with
-  std::vector<std::pair<int, int>> place;  // column and row of the sample's block
-  Eigen::MatrixXd outline_rows;            // weighted, by the centre
+  double taken = 0;                       // how many numbers were fitted to the residuals
+  std::vector<std::pair<int, int>> cell;  // column and row of the sample's block
+  Eigen::MatrixXd outline_rows;           // weighted, by the centre
   Eigen::VectorXd outline_residual;
-  Eigen::Vector3d told_row;  // of a depth that was measured, weighted, by the centre; else 0
+  Eigen::Vector3d depth_row;  // of a measured depth, weighted, by the centre; else 0
 };
 
 Linear linearised(const PressSamples& press,
                   const JointFit& fit,
                   const Eigen::Vector3d& centre,
                   const JointOptions& options) {
-  const Weighted weighted = weigh(press, fit, centre, options);
+  const WeightedPress weighted = weight_samples(press, fit, centre, options);
   const ContactDisc disc(press, options.along, centre);
   const Eigen::Index n_map = fit.curve.values().size();
   const auto count = static_cast<Eigen::Index>(weighted.samples.size());
@@ -48,20 +48,21 @@ Linear linearised(const PressSamples& press,
   linear.residual.resize(count);
   linear.weight = Eigen::Map<const Eigen::VectorXd>(weighted.root_weight.data(), count);
   linear.bend = Eigen::Map<const Eigen::VectorXd>(weighted.bend.data(), count);
-  // As the solver saw them, by rows.
+  // By rows, as the solver stores them.
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   Rows by_centre(count, 3), by_values(count, n_map), by_log_lift(count, 1);
   const double log_lift = fit.lift_mm > 0.0 ? std::log(fit.lift_mm) : 0.0;
   const double* at[] = {centre.data(), fit.curve.values().data(), &log_lift};
   double* jacobians[] = {by_centre.data(), by_values.data(), by_log_lift.data()};
-  [[maybe_unused]] const bool is_told = PressCost(weighted, fit.curve, options, fit.lift_mm > 0.0)
-                                            .Evaluate(at, linear.residual.data(), jacobians);
-  assert(is_told);  // weigh() leaves out what has no residual
+  [[maybe_unused]] const bool is_evaluated =
+      PressCost(weighted, fit.curve, options, fit.lift_mm > 0.0)
+          .Evaluate(at, linear.residual.data(), jacobians);
+  assert(is_evaluated);  // weight_samples() excludes samples without a residual
   linear.rows << by_values, by_centre, by_log_lift;
   for (const Sample* sample : weighted.samples) {
-    linear.patch.push_back(disc.place_of(*sample).patch);
-    linear.place.emplace_back(std::lround(std::floor(sample->pixel.x() / press.block_px)),
-                              std::lround(std::floor(sample->pixel.y() / press.block_px)));
+    linear.patch.push_back(disc.position_of(*sample).patch);
+    linear.cell.emplace_back(std::lround(std::floor(sample->pixel.x() / press.block_px)),
+                             std::lround(std::floor(sample->pixel.y() / press.block_px)));
   }
   const auto points = static_cast<Eigen::Index>(weighted.outline.size());
   Rows by_outline(points, 3);
@@ -70,17 +71,17 @@ Linear linearised(const PressSamples& press,
   if (points > 0)
     (void)OutlineCost(weighted).Evaluate(at, linear.outline_residual.data(), outline_jacobians);
   linear.outline_rows = by_outline;
-  linear.told_row.setZero();
-  if (weighted.told_depth) {
+  linear.depth_row.setZero();
+  if (weighted.given_depth) {
     double residual = 0;
-    double* by_told[] = {linear.told_row.data()};
-    (void)ToldDepthCost(weighted).Evaluate(at, &residual, by_told);
+    double* by_depth[] = {linear.depth_row.data()};
+    (void)GivenDepthCost(weighted).Evaluate(at, &residual, by_depth);
   }
   return linear;
 }
 
-/// Takes each ring's mean residual out: what a ring is off by as a whole is told apart.
-void take_out_rings(Linear& linear) {
+/// Subtracts each ring's mean residual. The common error of a ring is a separate term.
+void subtract_rings(Linear& linear) {
   Eigen::VectorXd pull = Eigen::VectorXd::Zero(ContactDisc::kRings), weight2 = pull;
   const auto ring_of = [&](Eigen::Index k) {
     return linear.patch[static_cast<std::size_t>(k)] / ContactDisc::kSectors;
@@ -94,21 +95,20 @@ void take_out_rings(Linear& linear) {
   linear.taken = static_cast<double>((weight2.array() > 0.0).count()) + 2.0;  // and a tilt
 }
 
-/// Sums of products of the residuals of neighbouring samples, over their squares.
-class Sharing {
+/// Correlation of the residuals of neighbouring samples.
+class NoiseCorrelation {
  public:
   void add(const Linear& linear) {
-    if (linear.place.empty()) return;
-    auto [low, high] = std::pair(linear.place.front(), linear.place.front());
-    for (const auto& [column, row] : linear.place) {
+    if (linear.cell.empty()) return;
+    auto [low, high] = std::pair(linear.cell.front(), linear.cell.front());
+    for (const auto& [column, row] : linear.cell) {
       low = {std::min(low.first, column), std::min(low.second, row)};
       high = {std::max(high.first, column), std::max(high.second, row)};
     }
     Eigen::MatrixXd grid = Eigen::MatrixXd::Zero(high.first - low.first + 1 + 2 * kReach,
                                                  high.second - low.second + 1 + 2 * kReach);
-    for (std::size_t k = 0; k < linear.place.size(); ++k)
-      grid(linear.place[k].first - low.first + kReach,
-           linear.place[k].second - low.second + kReach) =
+    for (std::size_t k = 0; k < linear.cell.size(); ++k)
+      grid(linear.cell[k].first - low.first + kReach, linear.cell[k].second - low.second + kReach) =
           linear.residual[static_cast<Eigen::Index>(k)];
     const Eigen::Index columns = grid.rows() - 2 * kReach, rows = grid.cols() - 2 * kReach;
     const auto middle = grid.block(kReach, kReach, columns, rows);
@@ -116,7 +116,7 @@ class Sharing {
       for (int v = -kReach; v <= kReach; ++v)
         products_ += middle.cwiseProduct(grid.block(kReach + u, kReach + v, columns, rows)).sum();
     squares_ += middle.squaredNorm();
-    count_ += static_cast<double>(linear.place.size());
+    count_ += static_cast<double>(linear.cell.size());
     taken_ += linear.taken;
     taken_products_ += products_taken(linear, low, columns, rows);
   }
@@ -127,24 +127,24 @@ class Sharing {
     const double taken = std::min(0.5, taken_products_ / count_);
     return std::max(1.0, products_ / squares_ / (1.0 - taken));
   }
-  /// What the squares of the residuals are too small by.
-  [[nodiscard]] double few() const {
+  /// Correction of the residuals' squares for the number of fitted parameters.
+  [[nodiscard]] double dof_factor() const {
     return count_ / std::max(0.5 * count_, count_ - samples_as_one() * taken_);
   }
 
  private:
-  /// What taking out means has taken out of the products: of each pair within a ring one over the
-  /// ring's samples, and the same for the tilt and the press as a whole.
+  /// What subtracting means has removed from the products: of each pair within a ring one over the
+  /// ring's samples, and the same for the tilt and the mean of the press.
   static double products_taken(const Linear& linear,
                                const std::pair<int, int>& low,
                                Eigen::Index columns,
                                Eigen::Index rows) {
     Eigen::MatrixXi rings = Eigen::MatrixXi::Constant(columns + 2 * kReach, rows + 2 * kReach, -1);
     std::array<double, ContactDisc::kRings> samples{}, pairs{};
-    for (std::size_t k = 0; k < linear.place.size(); ++k) {
+    for (std::size_t k = 0; k < linear.cell.size(); ++k) {
       const int ring = linear.patch[k] / ContactDisc::kSectors;
-      rings(linear.place[k].first - low.first + kReach,
-            linear.place[k].second - low.second + kReach) = ring;
+      rings(linear.cell[k].first - low.first + kReach,
+            linear.cell[k].second - low.second + kReach) = ring;
       ++samples[static_cast<std::size_t>(ring)];
     }
     for (Eigen::Index u = kReach; u < columns + kReach; ++u)
@@ -164,10 +164,10 @@ class Sharing {
   double products_ = 0, squares_ = 0, count_ = 0, taken_ = 0, taken_products_ = 0;
 };
 
-/// Sums over one press's patches.
+/// Sums over the patches of one press.
 struct PatchSums {
-  Eigen::MatrixXd rows;     // what an offset of 1 mm pulls, a patch each
-  Eigen::MatrixXd lifted;   // what the form of the lift-off pulls
+  Eigen::MatrixXd rows;     // gradient by an offset of 1 mm, a patch each
+  Eigen::MatrixXd lifted;   // gradient by the form of the lift-off
   Eigen::VectorXd pull;     // of weight * residual
   Eigen::VectorXd square;   // of its squares
   Eigen::VectorXd weight2;  // of weight^2
@@ -209,18 +209,18 @@ bool invert(const Eigen::MatrixXd& matrix, Eigen::MatrixXd* inverse, double* con
   return true;
 }
 
-/// What rings are off by in all presses alike, root mean square. Few rings tell little of that:
-/// only what is clearly more than is always reckoned with counts.
+/// Root mean square over rings of their mean residuals, common to all presses. Few rings are weak
+/// evidence, so only a clear excess over the assumed error counts.
 double ring_error_mm(const std::vector<const PressSamples*>& presses,
                      const JointFit& fit,
                      const JointOptions& options) {
   const FitQuality quality = quality_of(presses, fit, options);
   const double shown_mm2 = std::pow(quality.ring_mm, 2) - std::pow(quality.scatter_mm, 2);
   const double ring_mm = shown_mm2 > 2.0 * kFloorMm * kFloorMm ? std::sqrt(shown_mm2) : kFloorMm;
-  return options.zone > kSureZone ? std::hypot(ring_mm, quality.scatter_mm) : ring_mm;
+  return options.zone > kInnerZone ? std::hypot(ring_mm, quality.scatter_mm) : ring_mm;
 }
 
-/// One observation from elsewhere, off by as much as it claims; `row`: its weighted derivative by
+/// Adds one observation from elsewhere with its own stated error. `row`: its weighted derivative by
 /// some unknowns, of which `first` is the first.
 void add_known(const Eigen::VectorXd& row,
                Eigen::Index first,
@@ -232,7 +232,7 @@ void add_known(const Eigen::VectorXd& row,
   spread->block(first, first, n, n) += kRootWeightOfKnown * kRootWeightOfKnown * square;
 }
 
-/// ring_mm: what rings are off by in all presses alike; 0: nothing that they share counts.
+/// ring_mm: error of the rings common to all presses; 0: no common error is included.
 JointCovariance spread_of(const std::vector<const PressSamples*>& presses,
                           const JointFit& fit,
                           const JointOptions& options,
@@ -244,33 +244,33 @@ JointCovariance spread_of(const std::vector<const PressSamples*>& presses,
   const Eigen::Index unknowns = n - first - (free_lift ? 0 : 1);
   std::vector<Linear> linear;
   std::vector<PatchSums> patches;
-  Sharing sharing;
+  NoiseCorrelation correlation;
   int observations = 0;
   double scatter = 0, by_noise = 0, reach = 0, patch_count = 0, taken = 0;
   for (std::size_t i = 0; i < presses.size(); ++i) {
     linear.push_back(linearised(*presses[i], fit, fit.centres_mm[i], options));
-    take_out_rings(linear.back());
+    subtract_rings(linear.back());
     taken += linear.back().taken;
     patches.emplace_back(linear.back());
-    sharing.add(linear.back());
+    correlation.add(linear.back());
     patch_count += static_cast<double>((patches.back().weight2.array() > 0.0).count());
     observations += linear.back().outline_rows.rows() > 0;
   }
   observations += static_cast<int>(patch_count);
   JointCovariance result;
   if (observations <= unknowns) return result;
-  const double as_one = sharing.samples_as_one();
-  const double few = patch_count / std::max(0.5 * patch_count, patch_count - taken);
+  const double as_one = correlation.samples_as_one();
+  const double dof_factor = patch_count / std::max(0.5 * patch_count, patch_count - taken);
   for (const PatchSums& sums : patches) {
-    scatter += few * sums.pull.squaredNorm();
-    by_noise += sharing.few() * as_one * sums.square.sum();
+    scatter += dof_factor * sums.pull.squaredNorm();
+    by_noise += correlation.dof_factor() * as_one * sums.square.sum();
     reach += sums.weight2.squaredNorm();
   }
-  // Only what is more than chance: twice the standard deviation of a sum of squares.
+  // Only the excess over chance counts: twice the standard deviation of a sum of squares.
   const double chance = 1.0 + 2.0 * std::sqrt(2.0 / std::max(1.0, patch_count));
   const double patch_mm2 = scatter > chance * by_noise ? (scatter - by_noise) / reach : 0.0;
 
-  // Hessian of the robust loss, and what the errors pull at it.
+  // Hessian of the robust loss, and the spread of its gradient by the errors.
   Eigen::MatrixXd hessian = Eigen::MatrixXd::Zero(n, n), spread = hessian;
   Eigen::MatrixXd ring_pull = Eigen::MatrixXd::Zero(n, ContactDisc::kRings), lift_pull = ring_pull;
   Eigen::VectorXd optics_pull = Eigen::VectorXd::Zero(n);
@@ -294,12 +294,12 @@ JointCovariance spread_of(const std::vector<const PressSamples*>& presses,
       ring_pull.col(p / ContactDisc::kSectors) += ring_mm * all * sums.rows.col(p);
       lift_pull.col(p / ContactDisc::kSectors) += all * sums.lifted.col(p);
     }
-    // The outline is one observation more: what it is off by, it is off by as a whole.
+    // The outline is one more observation; its points share one error.
     const Eigen::Vector3d outline_pull = press.outline_rows.transpose() * press.outline_residual;
     const auto corner = n_map + 3 * static_cast<Eigen::Index>(i);
     hessian.block<3, 3>(corner, corner) += press.outline_rows.transpose() * press.outline_rows;
     spread.block<3, 3>(corner, corner) += outline_pull * outline_pull.transpose();
-    add_known(press.told_row, corner, &hessian, &spread);
+    add_known(press.depth_row, corner, &hessian, &spread);
   }
   if (options.steps != nullptr)
     for (const StepSamples& step : *options.steps) {
@@ -313,7 +313,7 @@ JointCovariance spread_of(const std::vector<const PressSamples*>& presses,
   spread += ring_pull * ring_pull.transpose() + lift_pull * lift_pull.transpose();
   if (ring_mm > 0.0) spread += optics_pull * optics_pull.transpose();
   if (fit.curve.family().absorbs()) {
-    // What is known of the absorption beforehand, and is off by as much as it claims.
+    // The prior of the absorption, with its own stated error.
     add_known(Eigen::VectorXd::Constant(1, kRootWeightOfKnown / AbsorptionCost::kSd),
               2,
               &hessian,

@@ -13,10 +13,10 @@
 namespace alltact {
 namespace {
 
-// The weights change after every round: solving each to the last digit would be for nothing.
+// Weights change after every round, so that one round needs no full precision.
 constexpr int kStepsARound = 20;
 constexpr double kLeftARound = 1e-8;       // of the sum of squares
-constexpr std::size_t kFewestForBall = 5;  // samples: its centre is three numbers
+constexpr std::size_t kFewestForBall = 5;  // samples: a centre has three numbers
 constexpr std::size_t kFewestForAll = 6;
 
 class StopWithJob final : public ceres::IterationCallback {
@@ -30,8 +30,8 @@ class StopWithJob final : public ceres::IterationCallback {
   const Job& job_;
 };
 
-/// One weighted least-squares problem, solved to the end. False when nothing could be evaluated.
-bool solve(const std::vector<Weighted>& weighted,
+/// Solves one weighted least-squares problem. False when nothing could be evaluated.
+bool solve(const std::vector<WeightedPress>& weighted,
            const JointOptions& options,
            const Job& job,
            JointFit* fit) {
@@ -42,7 +42,7 @@ bool solve(const std::vector<Weighted>& weighted,
   for (std::size_t i = 0; i < weighted.size(); ++i) {
     if (weighted[i].samples.size() < (options.fix_mapping ? kFewestForBall : kFewestForAll))
       return false;
-    // Hundreds of samples a press, and five to a dozen unknowns that they depend on.
+    // CompressedCost: hundreds of samples a press, but only five to a dozen unknowns.
     problem.AddResidualBlock(
         new CompressedCost(std::make_unique<PressCost>(weighted[i], family, options, lifts_off)),
         nullptr,
@@ -51,8 +51,8 @@ bool solve(const std::vector<Weighted>& weighted,
         &log_lift);
     if (!weighted[i].outline.empty())
       problem.AddResidualBlock(new OutlineCost(weighted[i]), nullptr, fit->centres_mm[i].data());
-    if (weighted[i].told_depth)
-      problem.AddResidualBlock(new ToldDepthCost(weighted[i]), nullptr, fit->centres_mm[i].data());
+    if (weighted[i].given_depth)
+      problem.AddResidualBlock(new GivenDepthCost(weighted[i]), nullptr, fit->centres_mm[i].data());
   }
   if (options.steps != nullptr && !options.fix_mapping)
     for (const StepSamples& step : *options.steps)
@@ -100,11 +100,11 @@ JointFit fit_jointly(const std::vector<const PressSamples*>& presses,
                      const Job& job) {
   JointFit fit = std::move(start);
   fit.converged = false;
-  for (int round = 0; round < options.most_rounds && !job.stop_requested(); ++round) {
-    std::vector<Weighted> weighted;
+  for (int round = 0; round < options.max_rounds && !job.stop_requested(); ++round) {
+    std::vector<WeightedPress> weighted;
     weighted.reserve(presses.size());
     for (std::size_t i = 0; i < presses.size(); ++i)
-      weighted.push_back(weigh(*presses[i], fit, fit.centres_mm[i], options));
+      weighted.push_back(weight_samples(*presses[i], fit, fit.centres_mm[i], options));
     JointFit next = fit;
     if (!solve(weighted, options, job, &next) || !is_finite(next)) return fit;
     const double change = change_between(next, fit);

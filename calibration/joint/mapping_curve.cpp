@@ -12,36 +12,37 @@ namespace {
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kSmall = 1e-3;  // below, three terms of a series are exact to 1e-13
 
-double plain(double value) {
+double scalar_of(double value) {
   return value;
 }
 template <class T, int N>
-double plain(const ceres::Jet<T, N>& value) {
+double scalar_of(const ceres::Jet<T, N>& value) {
   return value.a;
 }
 
-/// cosh(sqrt z), sinh(sqrt z) / sqrt z and atanh(sqrt z) / sqrt z: smooth through zero, below which
-/// they are those of the circle.
+/// cosh(sqrt z), sinh(sqrt z) / sqrt z and atanh(sqrt z) / sqrt z. They are smooth through zero;
+/// below it they are the circular functions.
 template <class T>
 T cosh_root(const T& z) {
   using std::cos, std::cosh, std::sqrt;
-  if (std::abs(plain(z)) < kSmall) return 1.0 + z * (0.5 + z * (1.0 / 24.0 + z * (1.0 / 720.0)));
-  return plain(z) > 0.0 ? cosh(sqrt(z)) : cos(sqrt(-z));
+  if (std::abs(scalar_of(z)) < kSmall)
+    return 1.0 + z * (0.5 + z * (1.0 / 24.0 + z * (1.0 / 720.0)));
+  return scalar_of(z) > 0.0 ? cosh(sqrt(z)) : cos(sqrt(-z));
 }
 template <class T>
 T sinh_root(const T& z) {
   using std::sin, std::sinh, std::sqrt;
-  if (std::abs(plain(z)) < kSmall)
+  if (std::abs(scalar_of(z)) < kSmall)
     return 1.0 + z * (1.0 / 6.0 + z * (1.0 / 120.0 + z * (1.0 / 5040.0)));
-  if (plain(z) > 0.0) return sinh(sqrt(z)) / sqrt(z);
+  if (scalar_of(z) > 0.0) return sinh(sqrt(z)) / sqrt(z);
   return sin(sqrt(-z)) / sqrt(-z);
 }
 template <class T>
 T atanh_root(const T& z) {
   using std::atan, std::log, std::sqrt;
-  if (std::abs(plain(z)) < kSmall)
+  if (std::abs(scalar_of(z)) < kSmall)
     return 1.0 + z * (1.0 / 3.0 + z * (0.2 + z * (1.0 / 7.0 + z * (1.0 / 9.0))));
-  if (plain(z) < 0.0) {
+  if (scalar_of(z) < 0.0) {
     const T root = sqrt(-z);
     return T(2.0) * atan(root / (1.0 + sqrt(1.0 - z))) / root;
   }
@@ -49,19 +50,20 @@ T atanh_root(const T& z) {
   return 0.5 * log((1.0 + root) / (1.0 - root)) / root;
 }
 
-/// A Kubelka-Munk layer over black, of thickness `thickness_mm` when untouched: with s its
-/// scattering, k absorption over scattering, A = 1 + k, B^2 = k (k + 2) and t the part of the layer
-/// that is left, R(t) = sinh(B s t) / (A sinh(B s t) + B cosh(B s t)) and x = 1 - R(t) / R(1).
+/// A Kubelka-Munk layer over black, of thickness `thickness_mm` when untouched. s is its
+/// scattering, k absorption over scattering, A = 1 + k, B^2 = k (k + 2) and t the remaining
+/// fraction of the layer: R(t) = sinh(B s t) / (A sinh(B s t) + B cosh(B s t)) and x = 1 - R(t) /
+/// R(1).
 template <class T>
 struct AbsorbingLayer {
-  T thickness_mm, s, a, b2, whole;  // whole: R(1) / s
+  T thickness_mm, s, a, b2, full;  // R(1) / s
 
   AbsorbingLayer(const T& slope_mm, const T& scattering, const T& absorption)
       : thickness_mm(slope_mm / (1.0 + scattering)),
         s(scattering),
         a(1.0 + absorption),
         b2(absorption * (absorption + 2.0)),
-        whole(part(T(1.0))) {}
+        full(part(T(1.0))) {}
   /// R(t) / s
   T part(const T& t) const {
     const T z = b2 * s * s * t * t;
@@ -69,20 +71,20 @@ struct AbsorbingLayer {
     return sinh / (a * s * sinh + cosh_root(z));
   }
   [[nodiscard]] bool is_possible() const {
-    const double scattering = plain(s), r = plain(whole);
-    return plain(thickness_mm) > 0.0 && scattering > -0.9 && plain(a) > 0.5 && plain(a) < 4.0 &&
-           r > 0.0 && plain(a) * scattering * r < 1.0;
+    const double scattering = scalar_of(s), r = scalar_of(full);
+    return scalar_of(thickness_mm) > 0.0 && scattering > -0.9 && scalar_of(a) > 0.5 &&
+           scalar_of(a) < 4.0 && r > 0.0 && scalar_of(a) * scattering * r < 1.0;
   }
   T depth_mm(const T& x) const {
-    const T u = (1.0 - x) * whole;
+    const T u = (1.0 - x) * full;
     const T n = u / (1.0 - a * s * u);
     const T z = b2 * s * s * n * n;
-    if (!(plain(z) < 1.0)) return T(kNaN);
+    if (!(scalar_of(z) < 1.0)) return T(kNaN);
     return thickness_mm * (1.0 - n * atanh_root(z));
   }
   T slope_mm(const T& x) const {
-    const T u = (1.0 - x) * whole;
-    return thickness_mm * whole / (1.0 - 2.0 * a * s * u + s * s * u * u);
+    const T u = (1.0 - x) * full;
+    return thickness_mm * full / (1.0 - 2.0 * a * s * u + s * s * u * u);
   }
 };
 
@@ -98,16 +100,16 @@ Message CurveFamily::name() const {
 
 double MappingCurve::evaluate(const double* values,
                               double x,
-                              const Eigen::Vector2d& place,
+                              const Eigen::Vector2d& unit_position,
                               double* gradient) const {
   const double depth = curve(values, x, gradient);
   if (!family_.varies) return depth;
   const double* part = values + family_.coefficients;
-  const double factor = 1.0 + part[0] * place.x() + part[1] * place.y();
+  const double factor = 1.0 + part[0] * unit_position.x() + part[1] * unit_position.y();
   if (gradient != nullptr) {
     for (int k = 0; k < family_.coefficients; ++k) gradient[k] *= factor;
-    gradient[family_.coefficients] = depth * place.x();
-    gradient[family_.coefficients + 1] = depth * place.y();
+    gradient[family_.coefficients] = depth * unit_position.x();
+    gradient[family_.coefficients + 1] = depth * unit_position.y();
   }
   return depth * factor;
 }
@@ -147,11 +149,12 @@ double MappingCurve::curve(const double* values, double x, double* gradient) con
 
 MappingCurve::Inverse MappingCurve::inverse(const double* values,
                                             double depth_mm,
-                                            const Eigen::Vector2d& place,
+                                            const Eigen::Vector2d& unit_position,
                                             double near,
                                             double* gradient) const {
   const double* part = values + family_.coefficients;
-  const double factor = family_.varies ? 1.0 + part[0] * place.x() + part[1] * place.y() : 1.0;
+  const double factor =
+      family_.varies ? 1.0 + part[0] * unit_position.x() + part[1] * unit_position.y() : 1.0;
   const double depth = depth_mm / factor;
   double x = kNaN;
   if (!(depth > 0.0)) {
@@ -159,7 +162,7 @@ MappingCurve::Inverse MappingCurve::inverse(const double* values,
   } else if (family_.absorbs()) {
     const AbsorbingLayer<double> layer(values[0], values[1], values[2]);
     const double left = 1.0 - depth / layer.thickness_mm;
-    if (layer.is_possible() && left > 0.0) x = 1.0 - layer.part(left) / layer.whole;
+    if (layer.is_possible() && left > 0.0) x = 1.0 - layer.part(left) / layer.full;
   } else if (family_.kind == MappingKind::kMoebius) {
     const double below = values[0] - values[1] * depth;
     if (below > 1e-3 * values[0]) x = depth / below;
@@ -168,7 +171,7 @@ MappingCurve::Inverse MappingCurve::inverse(const double* values,
   }
   const Inverse found{x, factor * slope(values, x)};
   if (gradient != nullptr) {
-    if (!std::isfinite(evaluate(values, x, place, gradient))) return {kNaN, kNaN};
+    if (!std::isfinite(evaluate(values, x, unit_position, gradient))) return {kNaN, kNaN};
     for (int k = 0; k < family_.numbers(); ++k) gradient[k] /= -found.slope_mm;
   }
   if (!std::isfinite(found.x) || !(found.slope_mm > 0.0)) return {kNaN, kNaN};
@@ -176,9 +179,9 @@ MappingCurve::Inverse MappingCurve::inverse(const double* values,
 }
 
 double MappingCurve::polynomial_inverse(const double* values, double depth, double near) const {
-  constexpr int kMostSteps = 40;
+  constexpr int kMaxSteps = 40;
   double x = std::clamp(near, 0.0, x_max_);
-  for (int i = 0; i < kMostSteps; ++i) {
+  for (int i = 0; i < kMaxSteps; ++i) {
     const double rise = slope(values, x);
     if (!(rise > 0.0)) return kNaN;
     const double step = std::clamp((depth - curve(values, x, nullptr)) / rise, -0.5, 0.5);
@@ -220,11 +223,12 @@ StoredCurve stored_form(const MappingCurve& curve) {
   const CurveFamily family = curve.family();
   if (!family.absorbs())
     return {curve, Eigen::MatrixXd::Identity(family.numbers(), family.numbers())};
-  constexpr int kFewest = 4, kMost = 12, kPlaces = 200;
+  constexpr int kFewest = 4, kMax = 12, kPoints = 200;
   constexpr double kCloseMm = 2e-5;
   const double x_max = curve.x_max();
   for (int n = kFewest;; n += 4) {
-    // Chebyshev's sums over the zeros of T_n: exact for what a polynomial of n numbers can follow.
+    // Chebyshev's sums over the zeros of T_n: exact for all that a polynomial of n numbers can
+    // represent.
     MappingCurve stored({MappingKind::kPolynomial, n, family.varies}, x_max);
     Eigen::MatrixXd by_values = Eigen::MatrixXd::Zero(stored.values().size(), family.numbers());
     Eigen::VectorXd gradient(family.numbers());
@@ -241,12 +245,12 @@ StoredCurve stored_form(const MappingCurve& curve) {
       stored.values().tail<2>() = curve.values().tail<2>();
       by_values.bottomRightCorner<2, 2>().setIdentity();
     }
-    double apart_mm = 0;
-    for (int i = 1; i <= kPlaces; ++i) {
-      const double x = x_max * i / kPlaces;
-      apart_mm = std::max(apart_mm, std::abs(stored.depth_mm(x) - curve.depth_mm(x)));
+    double deviation_mm = 0;
+    for (int i = 1; i <= kPoints; ++i) {
+      const double x = x_max * i / kPoints;
+      deviation_mm = std::max(deviation_mm, std::abs(stored.depth_mm(x) - curve.depth_mm(x)));
     }
-    if (apart_mm < kCloseMm || n >= kMost) return {stored, by_values};
+    if (deviation_mm < kCloseMm || n >= kMax) return {stored, by_values};
   }
 }
 

@@ -1,5 +1,4 @@
-// The mapping as the fits see it: a family of curves with derivatives, without the checks of
-// Mapping.
+// The mapping in the fits: a family of curves with derivatives, without the checks of Mapping.
 #pragma once
 
 #include "core/finger/mapping.h"
@@ -12,12 +11,12 @@
 namespace alltact {
 
 /// A kind of curve and how many numbers it has. A Moebius curve with a third number is that of a
-/// Kubelka-Munk layer which absorbs besides scattering: (a, b, k), k = absorption / scattering;
-/// with k = 0 it is the Moebius curve d = a x / (1 + b x).
+/// Kubelka-Munk layer which absorbs besides scattering: (a, b, k), k = absorption / scattering.
+/// With k = 0 it is the Moebius curve d = a x / (1 + b x).
 struct CurveFamily {
   MappingKind kind = MappingKind::kMoebius;
   int coefficients = 2;  ///< 2 or 3 for Moebius
-  bool varies = false;   ///< over the face (FaceVariation): two numbers more
+  bool varies = false;   ///< over the face (FaceVariation): two more numbers
 
   [[nodiscard]] int numbers() const { return coefficients + (varies ? 2 : 0); }
   [[nodiscard]] bool absorbs() const { return kind == MappingKind::kMoebius && coefficients == 3; }
@@ -25,9 +24,9 @@ struct CurveFamily {
   bool operator==(const CurveFamily&) const = default;
 };
 
-/// d = M(x) (1 + part . p) with M(0) = 0 and p the place on the face, from -1 to 1 along and across
-/// it where there are presses. Below zero M goes on straight, so that a bulge next to the contact
-/// counts as skin above the ball.
+/// d = M(x) (1 + part . p) with M(0) = 0. p is the unit position, from -1 to 1 along and across the
+/// area of the face with presses. Below zero M continues as a straight line, so that a bulge next
+/// to the contact counts as skin above the ball.
 class MappingCurve {
  public:
   MappingCurve(CurveFamily family, double x_max)
@@ -35,48 +34,51 @@ class MappingCurve {
 
   [[nodiscard]] const CurveFamily& family() const { return family_; }
   [[nodiscard]] double x_max() const { return x_max_; }
-  /// (a, b), (a, b, k) or the Chebyshev coefficients; and then part, if the family varies.
+  /// (a, b), (a, b, k) or the Chebyshev coefficients; then `part`, if the family varies.
   [[nodiscard]] Eigen::VectorXd& values() { return values_; }
   [[nodiscard]] const Eigen::VectorXd& values() const { return values_; }
 
-  /// The straight line d = slope * x in this family.
+  /// Sets the straight line d = slope * x in this family.
   void set_line(double slope_mm) {
     values_.setZero();
     values_[0] = slope_mm;
   }
 
-  /// In the middle of the face. NaN where a Moebius curve has passed its pole. `gradient` (by
-  /// values(), may be null) has numbers() entries.
+  /// In the middle of the face. NaN beyond the pole of a Moebius curve. `gradient` (by values(),
+  /// may be null) has numbers() entries.
   [[nodiscard]] double depth_mm(double x, double* gradient = nullptr) const {
     return depth_mm(x, Eigen::Vector2d::Zero(), gradient);
   }
   [[nodiscard]] double depth_mm(double x,
-                                const Eigen::Vector2d& place,
+                                const Eigen::Vector2d& unit_position,
                                 double* gradient = nullptr) const {
-    return evaluate(values_.data(), x, place, gradient);
+    return evaluate(values_.data(), x, unit_position, gradient);
   }
   /// In the middle of the face.
   [[nodiscard]] double slope_mm(double x) const { return slope(values_.data(), x); }
 
-  /// The same for numbers that stand elsewhere (a solver's).
+  /// The same for values stored elsewhere (in a solver).
   [[nodiscard]] double evaluate(const double* values,
                                 double x,
-                                const Eigen::Vector2d& place,
+                                const Eigen::Vector2d& unit_position,
                                 double* gradient) const;
 
-  /// The difference x at which the mapping gives a depth, and how it moves.
+  /// The difference x at which the mapping gives a depth, and the slope there.
   struct Inverse {
     double x = 0;         ///< NaN where no x gives the depth
     double slope_mm = 0;  ///< dM/dx there
   };
-  /// `near`: where to look first. `gradient` (dx by the values, may be null) has numbers() entries.
+  /// `near`: where the search starts. `gradient` (dx by the values, may be null) has numbers()
+  /// entries.
   [[nodiscard]] Inverse inverse(const double* values,
                                 double depth_mm,
-                                const Eigen::Vector2d& place,
+                                const Eigen::Vector2d& unit_position,
                                 double near,
                                 double* gradient = nullptr) const;
-  [[nodiscard]] Inverse inverse(double depth_mm, const Eigen::Vector2d& place, double near) const {
-    return inverse(values_.data(), depth_mm, place, near);
+  [[nodiscard]] Inverse inverse(double depth_mm,
+                                const Eigen::Vector2d& unit_position,
+                                double near) const {
+    return inverse(values_.data(), depth_mm, unit_position, near);
   }
 
  private:
@@ -89,8 +91,8 @@ class MappingCurve {
   Eigen::VectorXd values_;
 };
 
-/// A curve as finger files know it: itself, or, of a layer that absorbs, the polynomial that runs
-/// within 0.0006 mm of it, and what its coefficients change by those of the curve.
+/// A curve as finger files store it. For an absorbing layer it is a polynomial within 0.0006 mm of
+/// the curve. `by_values`: derivative of the stored coefficients by the curve's values.
 struct StoredCurve {
   MappingCurve curve;
   Eigen::MatrixXd by_values;

@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kFar = 4.0;  // standard deviations
 
-bool is_far(double told, double seen, double told_sd, double seen_sd) {
-  return std::abs(told - seen) > kFar * std::hypot(told_sd, seen_sd);
+bool is_far(double measured, double seen, double measured_sd, double seen_sd) {
+  return std::abs(measured - seen) > kFar * std::hypot(measured_sd, seen_sd);
 }
 
 }  // namespace
@@ -47,46 +47,46 @@ std::vector<Message> drop_contradicting(const std::vector<MeasuredPress>& presse
                                         const CalibrationSettings& settings,
                                         const Job& job) {
   const bool any_depth = std::any_of(presses.begin(), presses.end(), [](const MeasuredPress& one) {
-    return one.fine->told_depth.has_value();
+    return one.fine->given_depth.has_value();
   });
   if (!any_depth && steps.empty()) return {};
-  ChoiceInput alone;
-  std::vector<PressSamples> plain;
+  ChoiceInput images_only;
+  std::vector<PressSamples> without_depths;
   for (const MeasuredPress& one : presses) {
-    plain.push_back(*one.coarse);
-    plain.back().told_depth.reset();
-    alone.centres_mm.push_back(one.centre_mm);
+    without_depths.push_back(*one.coarse);
+    without_depths.back().given_depth.reset();
+    images_only.centres_mm.push_back(one.centre_mm);
   }
-  for (const PressSamples& samples : plain) alone.presses.push_back(&samples);
-  const auto choice = choose_model(alone, settings, job);
+  for (const PressSamples& samples : without_depths) images_only.presses.push_back(&samples);
+  const auto choice = choose_model(images_only, settings, job);
   if (!choice) return {};
   const Eigen::MatrixXd covariance =
-      covariance_of(alone.presses, choice->fit, choice->options).covariance;
+      covariance_of(images_only.presses, choice->fit, choice->options).covariance;
   if (covariance.size() == 0) return {};
 
   std::vector<Message> reasons;
   const Eigen::Index numbers = choice->fit.curve.values().size();
   for (std::size_t i = 0; i < presses.size(); ++i) {
-    const auto& told = presses[i].fine->told_depth;
-    if (!told) continue;
+    const auto& measured = presses[i].fine->given_depth;
+    if (!measured) continue;
     const Eigen::Vector3d& centre = choice->fit.centres_mm[i];
-    const PressedPlane plane = plane_below(plain[i], centre);
+    const PressedPlane plane = plane_below(without_depths[i], centre);
     const auto first = numbers + 3 * static_cast<Eigen::Index>(i);
-    const double seen_mm = plain[i].ball_radius_mm - plane.height_mm(centre);
+    const double seen_mm = without_depths[i].ball_radius_mm - plane.height_mm(centre);
     const double seen_sd_mm = std::sqrt(
         std::max(0.0, plane.normal.dot(covariance.block<3, 3>(first, first) * plane.normal)));
-    if (!is_far(told->mm, seen_mm, told->sd_mm, seen_sd_mm)) continue;
+    if (!is_far(measured->mm, seen_mm, measured->sd_mm, seen_sd_mm)) continue;
     reasons.push_back(en::at(
         Message::typed(presses[i].name),
         en::say("its measured depth of {:.3f} +- {:.3f} mm was left out, because the pictures say "
                 "{:.3f} +- {:.3f} mm; it counts from where the ball first touches, normal to the "
                 "face",
-                told->mm,
-                told->sd_mm,
+                measured->mm,
+                measured->sd_mm,
                 seen_mm,
                 seen_sd_mm)));
-    presses[i].coarse->told_depth.reset();
-    presses[i].fine->told_depth.reset();
+    presses[i].coarse->given_depth.reset();
+    presses[i].fine->given_depth.reset();
   }
   std::erase_if(steps, [&](const StepSamples& step) {
     const MappingCurve& curve = choice->fit.curve;

@@ -1,5 +1,5 @@
-// What is known of presses beside their pictures: depths that a stage or a gauge tells, and punches
-// with a step. Either settles the scale of all depths; either may be wrong.
+// Measurements of presses besides their images: depths by a stage or a gauge, and punches with a
+// step. Either fixes the scale of all depths; either may be wrong.
 #pragma once
 
 #include "calibration/joint/calibrate.h"
@@ -15,12 +15,12 @@
 
 namespace alltact {
 
-/// The punches among the presses; why one cannot be used goes to `left_out`.
+/// Finds the punches among the presses. `left_out` receives the reasons of unusable ones.
 [[nodiscard]] std::vector<StepSamples> find_steps(const std::vector<Press>& presses,
                                                   const Face& face,
                                                   std::vector<Message>* left_out);
 
-/// How a fitted curve reads them.
+/// The steps as a fitted curve measures them.
 [[nodiscard]] std::vector<StepFit> steps_of(const std::vector<StepSamples>& steps,
                                             const MappingCurve& curve,
                                             MappingAlong along);
@@ -28,14 +28,13 @@ namespace alltact {
 /// A press of a ball, thinned twice.
 struct MeasuredPress {
   std::string name;
-  Eigen::Vector3d centre_mm;  ///< where to begin
+  Eigen::Vector3d centre_mm;  ///< start of the fit
   PressSamples* coarse;
   PressSamples* fine;
 };
-/// Solves from the pictures alone and takes away every measured depth and every step that lies
-/// further from that than four standard deviations of both: a gauge that was not set to zero must
-/// not stretch all depths. Gives the reasons. Nothing is taken away where the pictures alone leave
-/// the depth open.
+/// Solves from the images alone and drops measured depths and steps that contradict the solution.
+/// The limit is four standard deviations of both: a gauge that was not set to zero must not stretch
+/// all depths. Returns the reasons. Drops nothing where the images alone leave the depth open.
 [[nodiscard]] std::vector<Message> drop_contradicting(const std::vector<MeasuredPress>& presses,
                                                       std::vector<StepSamples>& steps,
                                                       const CalibrationSettings& settings,

@@ -1,4 +1,4 @@
-// Which mapping to fit, and how much of each contact to believe: decided by the presses themselves.
+// Chooses the mapping's family and the zone of the contacts by the presses themselves.
 #pragma once
 
 #include "calibration/joint/calibration_settings.h"
@@ -12,24 +12,25 @@
 namespace alltact {
 
 struct ModelChoice {
-  JointOptions options;             ///< along and zone
-  JointFit fit;                     ///< of the chosen family, to go on from
-  std::vector<double> held_out_mm;  ///< one a press; empty with one press
+  JointOptions options;             ///< `along` and `zone`
+  JointFit fit;                     ///< of the chosen family, as a start
+  std::vector<double> held_out_mm;  ///< one for each press; empty with one press
   double spread_mm = 0;             ///< see Calibration::spread_mm; 0 with one press
-  Message sentence;                 ///< why
+  Message sentence;                 ///< the reason
   std::vector<Message> remarks;
 };
 
-/// The mean absolute error inside a contact of a press that the mapping was fitted without, only
-/// its ball being fitted to it, decides between families; among those within one standard error of
-/// the best the simplest wins, Moebius before polynomials of two and more coefficients.
+/// Families are compared by their mean absolute error inside the contact of a held-out press, to
+/// which only the ball is fitted. Among those within one standard error of the best the simplest
+/// wins, Moebius before polynomials of two and more coefficients.
+///
 /// Contacts are read within 0.65 of their rim, where skin and ball touch on any material (Hertz:
-/// 0.71); where chance leaves more than a hundredth of the depth open then, as far out as skin and
-/// ball touch by the lift-off (lift_off.h) that all presses tell, and as what all show alike, ring
-/// by ring, is explained. Along which thickness counts is told first, by the family of layers. With
-/// five presses and more the mapping may vary over the face, when presses left out agree clearly
-/// better then. nullopt when no family gave an increasing curve, or the job was stopped before one
-/// had.
+/// 0.71). Where chance leaves more than a hundredth of the depth open then, the zone is wider. It
+/// reaches as far out as skin and ball touch by the lift-off (lift_off.h) that all presses
+/// determine, and as the common residuals of the rings are explained. The direction of the
+/// thickness is chosen first, by the family of layers. With five presses and more the mapping may
+/// vary over the face, when held-out presses agree clearly better then. nullopt when no family gave
+/// an increasing curve, or the job was stopped before one had.
 [[nodiscard]] std::optional<ModelChoice> choose_model(const ChoiceInput& input,
                                                       const CalibrationSettings& settings,
                                                       const Job& job);

@@ -16,9 +16,10 @@
 namespace alltact {
 namespace {
 
-constexpr double kLeastArcDeg = 40;  // of an outline that a ball follows from
+constexpr double kMinArcDeg = 40;  // of the outline; less does not determine a ball
 
-/// Steepest fall of x along rays from the middle of the dark disc, around its 40 % contour.
+/// The circle of the steepest fall of x along rays from the dark disc's middle, around its 40 %
+/// contour.
 std::optional<Circle> border_circle(const cv::Mat& x,
                                     const Eigen::Vector2d& middle,
                                     double radius_px) {
@@ -29,15 +30,15 @@ std::optional<Circle> border_circle(const cv::Mat& x,
     const double angle = 2.0 * M_PI * i / kRays;
     const Eigen::Vector2d out(std::cos(angle), std::sin(angle));
     double steepest = 0;
-    double place = 0;
+    double steepest_at = 0;
     for (double r = 0.6 * radius_px; r < 1.6 * radius_px; r += 0.5) {
       const double fall =
           bilinear(x, middle + (r - kStep) * out) - bilinear(x, middle + (r + kStep) * out);
       if (!(fall > steepest)) continue;
       steepest = fall;
-      place = r;
+      steepest_at = r;
     }
-    if (place > 0.0) points.emplace_back(middle + place * out);
+    if (steepest_at > 0.0) points.emplace_back(middle + steepest_at * out);
   }
   auto circle = fit_circle(points);
   if (!circle) return std::nullopt;
@@ -48,7 +49,7 @@ std::optional<Circle> border_circle(const cv::Mat& x,
   return fit_circle(points);
 }
 
-/// What there is to work with for one press.
+/// The border of one press's disc, with its position on the face.
 struct Border {
   const Press& press;
   const BallGuess& guess;
@@ -70,15 +71,15 @@ Result<Border> border_of(const OutlinePress& input) {
   return Border{press, input.guess, *circle, *middle};
 }
 
-/// The ball that leaves the face at the circle, taken as an ellipse would be: by its mean radius.
+/// The ball that leaves the face at the circle, by the circle's mean radius.
 Result<Eigen::Vector3d> by_contact_line(const Border& border, const Face& face) {
-  constexpr int kPlaces = 72;
+  constexpr int kPoints = 72;
   const Eigen::Vector3d foot =
       untouched_point_mm(border.middle, face.layer_mm, MappingAlong::kNormal);
   double radius_mm = 0;
   int seen = 0;
-  for (int i = 0; i < kPlaces; ++i) {
-    const double turn = 2.0 * M_PI * i / kPlaces;
+  for (int i = 0; i < kPoints; ++i) {
+    const double turn = 2.0 * M_PI * i / kPoints;
     const Eigen::Vector2d at =
         border.circle.centre +
         border.circle.radius * Eigen::Vector2d(std::cos(turn), std::sin(turn));
@@ -96,17 +97,17 @@ Result<Eigen::Vector3d> by_contact_line(const Border& border, const Face& face) 
                                     border.middle.normal);
 }
 
-/// The ball whose outline is seen.
+/// The ball by its visible outline.
 Result<Eigen::Vector3d> by_cone(const OutlinePress& input) {
   const Press& press = *input.press;
   const TangentArc arc = find_tangent_arc(press, input.guess.centre_mm, press.ball_radius_mm);
-  if (arc.arc_deg < kLeastArcDeg)
+  if (arc.arc_deg < kMinArcDeg)
     return no_ball(
         press,
         en::say("{:.0f} degrees of the ball's outline are seen, a cone needs {:.0f}; the "
                 "rest of the dark border is where the skin leaves the ball",
                 arc.arc_deg,
-                kLeastArcDeg));
+                kMinArcDeg));
   std::vector<Eigen::Vector3d> directions;
   for (const OutlinePoint& point : arc.points) directions.push_back(point.direction);
   const auto centre = fit_ball_to_outline(directions, press.ball_radius_mm);
@@ -143,7 +144,7 @@ Result<Calibration> calibrate_by_outline(const std::vector<OutlinePress>& presse
                  "",
                  en::say("the joint method, which fits the ball itself")};
   std::move(found.left_out.begin(), found.left_out.end(), std::back_inserter(calibration.left_out));
-  return calibrate_through(found.clouds, std::move(calibration));
+  return fit_cubic_mapping(found.clouds, std::move(calibration));
 }
 
 }  // namespace alltact

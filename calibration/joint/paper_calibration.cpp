@@ -33,7 +33,7 @@ Result<Calibration> calibrate_as_paper(const std::vector<Press>& presses,
                  en::say("the joint method, which fits the ball itself")};
   Calibration calibration;
   calibration.left_out = std::move(found.left_out);
-  return calibrate_through(found.clouds, std::move(calibration));
+  return fit_cubic_mapping(found.clouds, std::move(calibration));
 }
 
 }  // namespace alltact

@@ -1,4 +1,4 @@
-// The source paper's calibration: each press's circle searched by itself, then one cubic without
+// The source paper's calibration: each press's circle searched separately, then one cubic without
 // constant through all of them.
 #pragma once
 
@@ -11,9 +11,9 @@
 
 namespace alltact {
 
-/// `presses`: measured by the paper's own steps (PaperMethod), or the figures are a hybrid's.
-/// Presses whose circle cannot be found are left out with their reason. Errors: no press with a
-/// circle, no increasing curve.
+/// `presses` must be measured by the paper's own steps (PaperMethod); otherwise the results mix two
+/// methods. Presses whose circle cannot be found are left out with their reason. Errors: no press
+/// with a circle, no increasing curve.
 [[nodiscard]] Result<Calibration> calibrate_as_paper(const std::vector<Press>& presses,
                                                      const Camera& camera,
                                                      const Face& face,

@@ -1,19 +1,19 @@
-// How a calibration settles, round by round.
+// Progress of the joint fit, round by round.
 #pragma once
 
 #include <functional>
 
 namespace alltact {
 
-/// How far the joint solution has come.
+/// State after one round of the joint fit.
 struct Round {
-  int number = 1;          ///< from 1; begins anew with each stretch of the calculation
+  int number = 1;          ///< from 1; restarts with each stage of the calculation
   double residual_mm = 0;  ///< mean absolute inside the contacts, of the solution so far
   double change_mm = 0;    ///< how much the unknowns moved in this round
 };
 
-/// Called on the calibrating thread, which waits for it. Empty where nobody wants to know: what a
-/// round costs to tell is not worked out then.
+/// Called on the calibrating thread, which waits for it. Empty: the figures of a round are not
+/// computed.
 using RoundListener = std::function<void(const Round& round)>;
 
 }  // namespace alltact

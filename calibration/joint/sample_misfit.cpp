@@ -10,18 +10,19 @@
 
 #include <Eigen/Dense>
 
-// What is done to every sample stands here together with the loops over samples that do it, the
-// weights and the quality of a fit: these are where the time of a calibration goes.
+// This file holds the computations for every sample and the loops over samples, because a
+// calibration spends its time here.
 
 namespace alltact {
 namespace {
 
-constexpr double kGrazing = 0.25;  // cosine; lines that meet the ball flatter than this say little
-constexpr double kRobustAt = 2.0;  // standard deviations where the loss turns linear
+// cosine; lines that meet the ball flatter than this carry little information
+constexpr double kGrazing = 0.25;
+constexpr double kRobustAt = 2.0;  // standard deviations from which the loss is linear
 constexpr double kTaper = 0.02;    // half width of the zone's soft border
 
-/// Cosine of the angle at which a sample's line meets the ball; NaN where it misses. Along a line
-/// that grazes, a small error across the ball's surface is a large one of depth.
+/// Cosine of the angle at which a sample's line meets the ball; NaN where it misses. Along a
+/// grazing line a small error across the ball's surface is a large one of depth.
 double facing_of(const Sample& sample,
                  MappingAlong along,
                  const Eigen::Vector3d& centre,
@@ -33,10 +34,12 @@ double facing_of(const Sample& sample,
   return std::sqrt((radius_mm - distance) * (radius_mm + distance)) / radius_mm;
 }
 
-/// The outline's weights, robust against points that lie on something else.
-void weigh_outline(const PressSamples& press, const Eigen::Vector3d& centre, Weighted* weighted) {
-  // Samples beside each other share their errors: only a patch is one observation. The outline's
-  // points are so far apart that each is one.
+/// Weights of the outline's points, robust against points on something else.
+void weight_outline(const PressSamples& press,
+                    const Eigen::Vector3d& centre,
+                    WeightedPress* weighted) {
+  // Neighbouring samples share their errors: only a patch is one observation. The outline's points
+  // are so far apart that each is one.
   const double each = std::sqrt(
       std::max(1.0, static_cast<double>(weighted->samples.size()) / ContactDisc::kPatches));
   for (const OutlinePoint& point : press.outline) {
@@ -48,18 +51,18 @@ void weigh_outline(const PressSamples& press, const Eigen::Vector3d& centre, Wei
         each / (point.sd_rad * std::pow(1.0 + z * z / (kRobustAt * kRobustAt), 0.25)));
   }
   const auto count = static_cast<Eigen::Index>(weighted->outline.size());
-  Eigen::VectorXd apart(count);
+  Eigen::VectorXd along_z(count);
   for (Eigen::Index k = 0; k < count; ++k) {
     const auto i = static_cast<std::size_t>(k);
     Eigen::Vector3d by_centre;
     (void)outline_angle_rad(
         weighted->outline[i]->direction, centre, press.ball_radius_mm, &by_centre);
-    apart[k] = weighted->outline_root_weight[i] * by_centre.z();
+    along_z[k] = weighted->outline_root_weight[i] * by_centre.z();
   }
-  const double length = apart.norm();
+  const double length = along_z.norm();
   if (!(length > 0.0)) return;
-  weighted->outline_apart = apart / length;
-  weighted->outline_left = 1.0 / std::hypot(1.0, length / each * kFaceSdMm);
+  weighted->outline_along_z = along_z / length;
+  weighted->outline_z_gain = 1.0 / std::hypot(1.0, length / each * kFaceSdMm);
 }
 
 }  // namespace
@@ -127,7 +130,7 @@ double blur_mm(const Sample& sample,
     laplacian += before + after - 2 * depth;
     slope2 += std::pow(0.5 * (after - before), 2);
   }
-  const double x = curve.inverse(depth, sample.place, sample.x).x;
+  const double x = curve.inverse(depth, sample.unit_position, sample.x).x;
   const double h = 0.01 * curve.x_max(), slope = curve.slope_mm(x);
   const double bend = (curve.slope_mm(x + h) - curve.slope_mm(x - h)) / (2 * h);
   const double blur = 0.5 * press.blur_px2 * (laplacian - bend / (slope * slope) * slope2);
@@ -144,7 +147,7 @@ Misfit misfit_of(const Sample& sample,
   const double depth =
       skin_depth_mm(sample, along, centre_mm, press.ball_radius_mm, plane, lift_mm);
   const double blur = blur_mm(sample, press, curve, along, centre_mm, plane, lift_mm);
-  const auto [x, slope_mm] = curve.inverse(depth + blur, sample.place, sample.x);
+  const auto [x, slope_mm] = curve.inverse(depth + blur, sample.unit_position, sample.x);
   Misfit misfit{slope_mm * (sample.x - x), slope_mm, blur, 0.0};
   if (lift_mm > 0.0)
     misfit.lifted_mm =
@@ -161,39 +164,40 @@ ContactDisc::ContactDisc(const PressSamples& press,
       plane_(plane_below(press, centre_mm)) {
   // Height over the face's plane there, so that a middle beyond the face's edge counts as well.
   const double height = press.samples.empty() ? radius_mm_ : plane_.height_mm(centre_mm);
-  // A ball that no longer touches keeps a speck of a rim, so that a fit can come back.
+  // A ball without contact retains a tiny rim, so that a fit can recover.
   rim2_ = std::max((radius_mm_ - height) * (radius_mm_ + height), 1e-3 * radius_mm_ * radius_mm_);
 }
 
-ContactDisc::Place ContactDisc::place_of(const Sample& sample) const {
+ContactDisc::Position ContactDisc::position_of(const Sample& sample) const {
   const bool normal = along_ == MappingAlong::kNormal;
   const double depth = ball_depth_mm(
       sample, normal ? MappingAlong::kNormal : MappingAlong::kZ, centre_mm_, radius_mm_);
   if (!std::isfinite(depth)) return {std::numeric_limits<double>::infinity(), kPatches - 1};
-  Eigen::Vector3d touched = normal ? sample.untouched_n : sample.untouched_z;
-  touched -= depth * (normal ? sample.normal : Eigen::Vector3d(0.0, 0.0, 1.0));
-  const Eigen::Vector3d from = touched - centre_mm_;
+  Eigen::Vector3d contact_point = normal ? sample.untouched_n : sample.untouched_z;
+  contact_point -= depth * (normal ? sample.normal : Eigen::Vector3d(0.0, 0.0, 1.0));
+  const Eigen::Vector3d from = contact_point - centre_mm_;
   const Eigen::Vector3d aside = from - from.dot(sample.normal) * sample.normal;
-  Place place{std::sqrt(aside.squaredNorm() / rim2_), 0};
+  Position position{std::sqrt(aside.squaredNorm() / rim2_), 0};
   int ring = 0;
-  while (ring + 1 < kRings && place.radius > kRingRadius[ring]) ++ring;
+  while (ring + 1 < kRings && position.radius > kRingRadius[ring]) ++ring;
   const double turn = (std::atan2(aside.y(), aside.x()) + M_PI) / (2.0 * M_PI);
-  place.patch = ring * kSectors + std::min(kSectors - 1, static_cast<int>(turn * kSectors));
-  return place;
+  position.patch = ring * kSectors + std::min(kSectors - 1, static_cast<int>(turn * kSectors));
+  return position;
 }
 
-Weighted weigh(const PressSamples& press,
-               const JointFit& fit,
-               const Eigen::Vector3d& centre,
-               const JointOptions& options) {
+WeightedPress weight_samples(const PressSamples& press,
+                             const JointFit& fit,
+                             const Eigen::Vector3d& centre,
+                             const JointOptions& options) {
   const ContactDisc disc(press, options.along, centre);
-  Weighted weighted;
+  WeightedPress weighted;
   weighted.plane = disc.plane();
   weighted.ball_radius_mm = press.ball_radius_mm;
-  weighted.told_depth = press.told_depth;
+  weighted.given_depth = press.given_depth;
   std::vector<double> normed, taper, sigma;
   for (const Sample& sample : press.samples) {
-    const double inside = (options.zone + kTaper - disc.place_of(sample).radius) / (2.0 * kTaper);
+    const double inside =
+        (options.zone + kTaper - disc.position_of(sample).radius) / (2.0 * kTaper);
     if (!(inside > 0.0)) continue;
     const double facing = facing_of(sample, options.along, centre, press.ball_radius_mm);
     if (!(facing > kGrazing)) continue;
@@ -220,7 +224,7 @@ Weighted weigh(const PressSamples& press,
     weighted.root_weight.push_back(std::sqrt(weight) / (sigma[i] * scale));
     weighted.bend.push_back(1.0 / (1.0 + z * z));
   }
-  weigh_outline(press, centre, &weighted);
+  weight_outline(press, centre, &weighted);
   return weighted;
 }
 
@@ -242,8 +246,8 @@ FitQuality quality_of(const std::vector<const PressSamples*>& presses,
     double absolute = 0;
     int count = 0;
     for (const Sample& sample : presses[i]->samples) {
-      const ContactDisc::Place place = disc.place_of(sample);
-      if (!(place.radius <= options.zone)) continue;
+      const ContactDisc::Position position = disc.position_of(sample);
+      if (!(position.radius <= options.zone)) continue;
       const Misfit misfit = misfit_of(sample,
                                       *presses[i],
                                       fit.curve,
@@ -254,7 +258,7 @@ FitQuality quality_of(const std::vector<const PressSamples*>& presses,
       if (!std::isfinite(misfit.mm)) continue;
       absolute += std::abs(misfit.mm);
       ++count;
-      Patch& patch = patches[static_cast<std::size_t>(place.patch)];
+      Patch& patch = patches[static_cast<std::size_t>(position.patch)];
       patch.sum += misfit.mm;
       patch.lifted += kLiftPart * misfit.lifted_mm;
       ++patch.count;
@@ -282,7 +286,7 @@ FitQuality quality_of(const std::vector<const PressSamples*>& presses,
       ring_scatter.push_back(variance / n);
     }
   }
-  // A ring's mean over all presses: what every press shows alike is the skin leaving the ball.
+  // A ring's mean over all presses: their common residual is the skin leaving the ball.
   double sum = 0;
   for (const auto& values : ring_values) {
     if (values.empty()) continue;

@@ -1,5 +1,5 @@
-// What one sample of a press differs by from its ball: how deep ball and skin are there, and where
-// in the contact it lies.
+// The misfit of one sample of a press to its ball: depths of ball and skin there, and the sample's
+// position in the contact.
 #pragma once
 
 #include "calibration/joint/lift_off.h"
@@ -10,7 +10,7 @@
 
 namespace alltact {
 
-/// How deep a ball presses in at a sample, mm, in the sense of `along`, negative where the ball
+/// How deep a ball presses in at a sample, mm, in the direction of `along`, negative where the ball
 /// is off the face; with its derivative by the centre. NaN where the line misses the ball.
 [[nodiscard]] double ball_depth_mm(const Sample& sample,
                                    MappingAlong along,
@@ -18,8 +18,8 @@ namespace alltact {
                                    double radius_mm,
                                    Eigen::Vector3d* by_centre = nullptr);
 
-/// How deep the skin is pressed in at a sample by a ball that it leaves as lift_off.h says, in the
-/// sense of `along`; with derivatives by the centre and by the lift-off length (may be null).
+/// How deep the skin is pressed in at a sample by a ball, with the lift-off of lift_off.h, in the
+/// direction of `along`. Derivatives by the centre and by the lift-off length (may be null).
 [[nodiscard]] double skin_depth_mm(const Sample& sample,
                                    MappingAlong along,
                                    const Eigen::Vector3d& centre_mm,
@@ -29,12 +29,12 @@ namespace alltact {
                                    Eigen::Vector3d* by_centre = nullptr,
                                    double* by_lift = nullptr);
 
-/// What a sample reads a ball deeper by than the ball is at its middle, mm: it is a mean over some
-/// pixels (PressSamples::blur_px2), and a mean over what is curved is not its middle. By the second
-/// derivatives of x = g(d) over the picture, g the curve's inverse:
+/// How much deeper a sample reads than the ball is at its middle, mm. A sample is a mean over some
+/// pixels (PressSamples::blur_px2), and the mean of a curved function is not its middle value. By
+/// the second derivatives of x = g(d) over the image, g the curve's inverse:
 ///   blur / 2 (laplacian d - M'' / M'^2 |gradient d|^2).
-/// Two thousandths of a millimetre in the middle of a contact are a hundredth in the scale of all
-/// depths, because the ball gives way. 0 where the ball's edge is near.
+/// Two thousandths of a millimetre in the middle of a contact become a hundredth in the scale of
+/// all depths, because the ball's centre yields. 0 where the ball's edge is near.
 [[nodiscard]] double blur_mm(const Sample& sample,
                              const PressSamples& press,
                              const MappingCurve& curve,
@@ -43,13 +43,13 @@ namespace alltact {
                              const PressedPlane& plane = {},
                              double lift_mm = 0.0);
 
-/// What a sample differs by from the ball: slope (x - g(d)), the noise of x as depth, mm. NaN where
-/// the ball or the curve gives none.
+/// Misfit of a sample to the ball: slope (x - g(d)), the noise of x as depth, mm. NaN where the
+/// ball or the curve gives none.
 struct Misfit {
   double mm = 0;
   double slope_mm = 0;   ///< dM/dx where M gives the ball's depth
   double blur_mm = 0;    ///< see blur_mm()
-  double lifted_mm = 0;  ///< what the skin is off the ball by, outwards of where they part
+  double lifted_mm = 0;  ///< distance of the skin from the ball, outside the contact
 };
 [[nodiscard]] Misfit misfit_of(const Sample& sample,
                                const PressSamples& press,
@@ -59,18 +59,19 @@ struct Misfit {
                                const PressedPlane& plane = {},
                                double lift_mm = 0.0);
 
-/// Where in the contact the samples lie: 0 at its middle, 1 at the rim of the ball's cap, where
-/// face and ball part if the skin followed the ball to the end.
+/// Position of samples in the contact: 0 at its middle, 1 at the rim of the ball's cap, where the
+/// skin would leave the ball without lift-off.
 class ContactDisc {
  public:
   ContactDisc(const PressSamples& press, MappingAlong along, const Eigen::Vector3d& centre_mm);
 
-  /// Where the skin over a sample touches the ball.
-  struct Place {
-    double radius;  ///< part of the rim's; infinite where the sample's line misses the ball
-    int patch;      ///< 0..kPatches-1: rings as below, 8 sectors each
+  /// Position in the contact of the skin over a sample.
+  struct Position {
+    /// fraction of the rim's radius; infinite where the sample's line misses the ball
+    double radius;
+    int patch;  ///< 0..kPatches-1: rings as below, 8 sectors each
   };
-  [[nodiscard]] Place place_of(const Sample& sample) const;
+  [[nodiscard]] Position position_of(const Sample& sample) const;
   /// The untouched face below the ball.
   [[nodiscard]] const PressedPlane& plane() const { return plane_; }
   static constexpr int kRings = 7;
@@ -87,8 +88,8 @@ class ContactDisc {
   double rim2_ = 1;  ///< squared radius of the cap's rim
 };
 
-/// Part of the rim's radius within which skin and ball touch on any material (Hertz: 0.71).
-constexpr double kSureZone = 0.65;
-constexpr double kFloorMm = 0.003;  ///< no sample is believed better than this, across the ball
+/// Fraction of the rim's radius within which skin and ball touch on any material (Hertz: 0.71).
+constexpr double kInnerZone = 0.65;
+constexpr double kFloorMm = 0.003;  ///< smallest standard deviation of a sample, across the ball
 
 }  // namespace alltact

@@ -1,13 +1,12 @@
-// How every least-squares problem here is solved: one place for what "solved" means.
+// Settings of all least-squares problems here.
 #pragma once
 
 #include <ceres/solver.h>
 
 namespace alltact {
 
-/// Iterates until nothing changes any more: the solver's own tolerances stop far too early for
-/// numbers that are to be trusted to many digits. Problems are small and dense; parameters are to
-/// be scaled to about 1.
+/// Iterates until convergence: the solver's default tolerances stop too early for numbers of many
+/// digits. Problems are small and dense; parameters must be scaled to about 1.
 [[nodiscard]] inline ceres::Solver::Options solver_settings() {
   ceres::Solver::Options solver;
   solver.linear_solver_type = ceres::DENSE_QR;

@@ -1,7 +1,7 @@
 #include "calibration/joint/starting_balls.h"
 
 #include "calibration/joint/sample_misfit.h"
-#include "calibration/presses/placed_ball.h"
+#include "calibration/presses/manual_ball.h"
 
 #include <algorithm>
 #include <cstring>
@@ -11,11 +11,12 @@
 namespace alltact {
 namespace {
 
-constexpr int kFineSamples = 1500;            // a press, for the solution
-constexpr int kCoarseSamples = 400;           // a press, for choosing what to fit
-constexpr std::ptrdiff_t kLeastSamples = 16;  // of these where the skin surely touches the ball
+constexpr int kFineSamples = 1500;   // a press, for the solution
+constexpr int kCoarseSamples = 400;  // a press, for the choice of the model
+// of these in the inner zone, where skin and ball touch
+constexpr std::ptrdiff_t kMinSamples = 16;
 
-bool same_picture(const Press& a, const Press& b) {
+bool same_image(const Press& a, const Press& b) {
   const cv::Mat& x = a.difference.x;
   const cv::Mat& y = b.difference.x;
   if (x.size() != y.size() || x.type() != y.type()) return false;
@@ -25,15 +26,14 @@ bool same_picture(const Press& a, const Press& b) {
   return true;
 }
 
-std::ptrdiff_t touching_samples(const PressSamples& press, const Eigen::Vector3d& centre_mm) {
+std::ptrdiff_t contact_samples(const PressSamples& press, const Eigen::Vector3d& centre_mm) {
   const ContactDisc disc(press, MappingAlong::kNormal, centre_mm);
   return std::count_if(press.samples.begin(), press.samples.end(), [&](const Sample& sample) {
-    return disc.place_of(sample).radius < kSureZone;
+    return disc.position_of(sample).radius < kInnerZone;
   });
 }
 
-/// An order that depends on what was measured only, so that results do not depend on the order the
-/// presses were given in.
+/// An order by the measurements only, so that results do not depend on the order of the presses.
 bool before(const FoundBall& a, const FoundBall& b) {
   const auto key = [](const FoundBall& f) {
     double sum = 0;
@@ -55,16 +55,16 @@ std::vector<FoundBall> find_balls(const std::vector<Press>& presses,
     if (press.step_mm) continue;
     job.report(0.2 * static_cast<double>(i) / static_cast<double>(presses.size()),
                en::say("looking for the ball in {}", press.name));
-    const auto twin = std::find_if(presses.begin(),
-                                   presses.begin() + static_cast<std::ptrdiff_t>(i),
-                                   [&](const Press& p) { return same_picture(p, press); });
-    if (twin != presses.begin() + static_cast<std::ptrdiff_t>(i)) {
+    const auto duplicate = std::find_if(presses.begin(),
+                                        presses.begin() + static_cast<std::ptrdiff_t>(i),
+                                        [&](const Press& p) { return same_image(p, press); });
+    if (duplicate != presses.begin() + static_cast<std::ptrdiff_t>(i)) {
       unusable->push_back(en::at(Message::typed(press.name),
-                                 en::say("the same picture as {}, counted once", twin->name)));
+                                 en::say("the same picture as {}, counted once", duplicate->name)));
       continue;
     }
     auto guess =
-        press.ball_mm ? guess_of_placed_ball(press, face, *press.ball_mm) : find_ball(press, face);
+        press.ball_mm ? guess_of_manual_ball(press, face, *press.ball_mm) : find_ball(press, face);
     if (!guess) {
       unusable->push_back(guess.error().message());
       continue;
@@ -75,7 +75,7 @@ std::vector<FoundBall> find_balls(const std::vector<Press>& presses,
                   *guess,
                   sample_around(press, face, centre, reach, kFineSamples),
                   sample_around(press, face, centre, reach, kCoarseSamples)};
-    if (touching_samples(one.coarse, centre) < kLeastSamples) {
+    if (contact_samples(one.coarse, centre) < kMinSamples) {
       unusable->push_back(Error{en::say("the contact covers too few pixels"),
                                 press.name,
                                 en::say("pressing deeper, or a larger picture")}

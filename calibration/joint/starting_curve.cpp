@@ -7,7 +7,7 @@
 namespace alltact {
 namespace {
 
-/// Nearly the largest of some differences: a few may be wrong.
+/// Nearly the largest of some differences: a few may be outliers.
 double largest_of(std::vector<double> x) {
   if (x.empty()) return 0.0;
   const auto at =
@@ -30,7 +30,7 @@ double domain_of(const ChoiceInput& input, MappingAlong along) {
     const ContactDisc disc(*input.presses[i], along, input.centres_mm[i]);
     std::vector<double> x;
     for (const Sample& sample : input.presses[i]->samples)
-      if (disc.place_of(sample).radius < kSureZone) x.push_back(sample.x);
+      if (disc.position_of(sample).radius < kInnerZone) x.push_back(sample.x);
     x_max = std::max(x_max, largest_of(std::move(x)));
   }
   return std::min(x_max, 1.0);
@@ -42,7 +42,7 @@ JointFit straight_start(const ChoiceInput& input, MappingAlong along, double x_m
   for (std::size_t i = 0; i < input.presses.size(); ++i) {
     const ContactDisc disc(*input.presses[i], along, input.centres_mm[i]);
     for (const Sample& sample : input.presses[i]->samples) {
-      if (disc.place_of(sample).radius > kSureZone) continue;
+      if (disc.position_of(sample).radius > kInnerZone) continue;
       const double depth =
           ball_depth_mm(sample, along, input.centres_mm[i], input.presses[i]->ball_radius_mm);
       if (!std::isfinite(depth)) continue;

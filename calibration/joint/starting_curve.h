@@ -1,4 +1,4 @@
-// Where the joint fit starts from: the balls as found, and the mapping that follows from them.
+// Start of the joint fit: the balls as found, and the mapping that follows from them.
 #pragma once
 
 #include "calibration/joint/joint_fit.h"
@@ -9,26 +9,26 @@
 
 namespace alltact {
 
-/// Presses and where to start: the balls as found, one a press, and punches beside them.
+/// Presses and their start: the balls as found, one a press, and the punches.
 struct ChoiceInput {
   std::vector<const PressSamples*> presses;
   std::vector<Eigen::Vector3d> centres_mm;
   const std::vector<StepSamples>* steps = nullptr;  ///< see JointOptions
-  int most_rounds = 60;                             ///< likewise
+  int max_rounds = 60;                              ///< likewise
 };
 
 inline constexpr CurveFamily kMoebiusFamily{MappingKind::kMoebius, 2};
 inline constexpr CurveFamily kLayerFamily{MappingKind::kMoebius, 3};
 
-/// The largest difference at which the contacts' inner parts and the punches' levels are seen: the
-/// end of the domain. 0: nothing is seen darker than the reference.
+/// The end of the domain: the largest difference in the inner zones of the contacts and on the
+/// punches' levels. 0: nothing is darker than the reference.
 [[nodiscard]] double domain_of(const ChoiceInput& input, MappingAlong along);
 
 /// A straight line through the balls as found, over the domain up to `x_max`.
 [[nodiscard]] JointFit straight_start(const ChoiceInput& input, MappingAlong along, double x_max);
 
-/// The same curve in another family where that holds it, else the straight line to its end; balls
-/// and lift-off length as they are.
+/// The same curve in another family where that contains it, else the straight line to its end.
+/// Balls and lift-off length stay.
 [[nodiscard]] JointFit as_family(const JointFit& fit, CurveFamily family);
 
 }  // namespace alltact

@@ -4,7 +4,7 @@ namespace alltact {
 
 MappingParameters mapping_parameters(const MappingCurve& curve,
                                      MappingAlong along,
-                                     const PressedPart& part) {
+                                     const PressedArea& part) {
   MappingParameters parameters;
   const MappingCurve stored = stored_form(curve).curve;
   parameters.kind = stored.family().kind;

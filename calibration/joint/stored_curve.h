@@ -1,4 +1,4 @@
-// A fitted curve as the finger keeps it.
+// A fitted curve as a finger file stores it.
 #pragma once
 
 #include "calibration/joint/mapping_curve.h"
@@ -6,12 +6,12 @@
 
 namespace alltact {
 
-/// What is stored of a fitted curve; `part`: the face that its variation is of.
+/// The stored form of a fitted curve; `part`: the area of the face that its variation refers to.
 [[nodiscard]] MappingParameters mapping_parameters(const MappingCurve& curve,
                                                    MappingAlong along,
-                                                   const PressedPart& part = {});
+                                                   const PressedArea& part = {});
 
-/// Whether a fitted curve is a mapping: increasing over its whole domain.
+/// Whether a fitted curve is a mapping: increasing over its entire domain.
 [[nodiscard]] bool increases(const MappingCurve& curve, MappingAlong along);
 
 }  // namespace alltact

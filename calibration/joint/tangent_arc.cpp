@@ -13,35 +13,36 @@
 namespace alltact {
 namespace {
 
-constexpr double kLeastHiddenMm = 0.05;  // of the layer's normal: less is no jump in brightness
-constexpr int kHalf = 12;                // samples of a profile on each side
-constexpr double kStepPx = 0.5;          // between them
-constexpr double kReachPx = 3.0;         // the jump may lie this far from where it is expected
-constexpr double kLeastArcDeg = 20.0;
-constexpr double kJumpSd = 5.0;   // a jump stands out of the noise by this much
-constexpr double kClearly = 2.0;  // times the squared error of the best jump has the best fade
-constexpr double kApartPx = 3.5;  // pictures are smoothed over about a pixel: 2 sqrt(pi) of its sd
+// along the layer's normal: less gives no jump in brightness
+constexpr double kMinHiddenMm = 0.05;
+constexpr int kHalf = 12;         // samples of a profile on each side
+constexpr double kStepPx = 0.5;   // between them
+constexpr double kReachPx = 3.0;  // the jump lies within this distance of its expected position
+constexpr double kMinArcDeg = 20.0;
+constexpr double kJumpSd = 5.0;         // a jump exceeds the noise by this factor
+constexpr double kMinErrorRatio = 2.0;  // squared error of the best fade over that of the best jump
+constexpr double kSpacingPx = 3.5;  // images are smoothed over about a pixel: 2 sqrt(pi) of its sd
 constexpr std::array<double, 3> kBlursPx{0.7, 1.1, 1.6};
 
 using Profile = Eigen::Matrix<double, 2 * kHalf + 1, 1>;  // inside to outside
 
-double place_of(int i) {
+double offset_px(int i) {
   return (i - kHalf) * kStepPx;
 }
 
 std::optional<Profile> profile_at(const cv::Mat& x, const HorizonPoint& horizon) {
   Profile profile;
   for (int i = 0; i <= 2 * kHalf; ++i)
-    profile[i] = bilinear(x, horizon.pixel + place_of(i) * horizon.outward);
+    profile[i] = bilinear(x, horizon.pixel + offset_px(i) * horizon.outward);
   if (!profile.allFinite()) return std::nullopt;
   return profile;
 }
 
 enum class Border { kJump, kFade };
 
-/// What a border at `at_px` may look like before blurring, as columns: what lies outside; inside of
-/// a jump its height, the square root in which a ball's surface turns away from sight, and a slope;
-/// inside of a fade, which has no height, its first three powers.
+/// Basis of a border at `at_px` before blurring, as columns: the level outside; inside of a jump
+/// its height, the square root in which a ball's surface turns away from sight, and a slope; inside
+/// of a fade, which has no height, its first three powers.
 constexpr int kColumns = 4;
 using Columns = Eigen::Matrix<double, 2 * kHalf + 1, kColumns>;
 
@@ -55,7 +56,7 @@ Columns columns_of(Border border, double at_px, double blur_px) {
     for (int k = -reach; k <= reach; ++k) {
       const double off = k * kStepPx / kFine;
       const double weight = std::exp(-0.5 * off * off / (blur_px * blur_px));
-      const double inside = at_px - (place_of(i) + off);
+      const double inside = at_px - (offset_px(i) + off);
       sum += weight;
       if (inside <= 0.0) continue;
       const double root = std::sqrt(inside);
@@ -68,7 +69,7 @@ Columns columns_of(Border border, double at_px, double blur_px) {
   return columns;
 }
 
-/// All places a border may lie at, ready to be fitted.
+/// A candidate position of a border, with its factorised basis.
 struct Candidate {
   double at_px;
   Columns columns;
@@ -90,10 +91,10 @@ struct BorderFit {
   double at_px = 0;
   double height = 0;         ///< of the jump
   double squared_error = 0;  ///< over the profile
-  double curvature = 0;      ///< of the squared error by the place, 1/px^2
+  double curvature = 0;      ///< of the squared error by the position, 1/px^2
 };
 
-/// The best place on the grid and, by the parabola through it and its neighbours, between. nullopt
+/// The best position on the grid, refined by the parabola through it and its neighbours. nullopt
 /// where the best lies at an end.
 std::optional<BorderFit> fit_border(const std::vector<Candidate>& candidates, const Profile& x) {
   std::vector<double> errors;
@@ -119,7 +120,7 @@ std::optional<BorderFit> fit_border(const std::vector<Candidate>& candidates, co
   return fit;
 }
 
-/// The borders of one kind along the whole arc with the blur that suits them all best.
+/// The borders of one kind along the entire arc, with the one blur that suits them best.
 struct ArcFit {
   std::vector<std::optional<BorderFit>> borders;
   double squared_error = std::numeric_limits<double>::infinity();
@@ -145,13 +146,13 @@ ArcFit fit_arc(Border border, const std::vector<Profile>& profiles) {
 
 }  // namespace
 
-std::vector<HorizonPoint> hiding_horizon(const FaceShape& shape,
-                                         const Eigen::Vector3d& centre_mm,
-                                         double radius_mm,
-                                         double step_deg) {
-  std::vector<HorizonPoint> hiding;
+std::vector<HorizonPoint> occluding_horizon(const FaceShape& shape,
+                                            const Eigen::Vector3d& centre_mm,
+                                            double radius_mm,
+                                            double step_deg) {
+  std::vector<HorizonPoint> occluding;
   const Camera& camera = shape.camera();
-  if (!camera.is_central()) return hiding;
+  if (!camera.is_central()) return occluding;
   const auto middle = camera.project(centre_mm);
   const int count = static_cast<int>(std::lround(360.0 / step_deg));
   const auto horizon = ball_horizon_mm(true, centre_mm, radius_mm, count);
@@ -165,13 +166,13 @@ std::vector<HorizonPoint> hiding_horizon(const FaceShape& shape,
     if (!local) continue;
     const double beyond_view = local->normal.dot(horizon[i] - local->view_point_mm);
     const double hidden_mm = shape.face().layer_mm - beyond_view;
-    if (!(hidden_mm > kLeastHiddenMm && beyond_view > 0.0)) continue;
+    if (!(hidden_mm > kMinHiddenMm && beyond_view > 0.0)) continue;
     const Eigen::Vector2d tangent = (*after - *before).normalized();
     Eigen::Vector2d outward(tangent.y(), -tangent.x());
     if (outward.dot(*pixel - *middle) < 0.0) outward = -outward;
-    hiding.push_back({horizon[i], *pixel, outward, hidden_mm});
+    occluding.push_back({horizon[i], *pixel, outward, hidden_mm});
   }
-  return hiding;
+  return occluding;
 }
 
 TangentArc find_tangent_arc(const Press& press,
@@ -180,35 +181,35 @@ TangentArc find_tangent_arc(const Press& press,
   // Pieces so far apart that they share no noise.
   const double radius_px = radius_mm / press.shape.camera().mm_per_px_at(centre_mm.z());
   const double step_deg =
-      360.0 / std::clamp(std::floor(2.0 * M_PI * radius_px / kApartPx), 12.0, 180.0);
+      360.0 / std::clamp(std::floor(2.0 * M_PI * radius_px / kSpacingPx), 12.0, 180.0);
   std::vector<HorizonPoint> horizon;
   std::vector<Profile> profiles;
-  for (const HorizonPoint& point : hiding_horizon(press.shape, centre_mm, radius_mm, step_deg)) {
+  for (const HorizonPoint& point : occluding_horizon(press.shape, centre_mm, radius_mm, step_deg)) {
     const auto profile = profile_at(press.difference.x, point);
     if (!profile) continue;
     horizon.push_back(point);
     profiles.push_back(*profile);
   }
   TangentArc arc;
-  if (static_cast<double>(profiles.size()) * step_deg < kLeastArcDeg) return arc;
+  if (static_cast<double>(profiles.size()) * step_deg < kMinArcDeg) return arc;
   const ArcFit jump = fit_arc(Border::kJump, profiles);
   const ArcFit fade = fit_arc(Border::kFade, profiles);
-  if (!(fade.squared_error > kClearly * jump.squared_error)) return arc;
+  if (!(fade.squared_error > kMinErrorRatio * jump.squared_error)) return arc;
   const double noise2 =
       jump.squared_error / (static_cast<double>(profiles.size()) * (2 * kHalf + 1 - kColumns - 1));
   for (std::size_t i = 0; i < horizon.size(); ++i) {
     const auto& border = jump.borders[i];
     if (!border || !(border->height > kJumpSd * std::sqrt(noise2))) continue;
-    const Eigen::Vector2d place = horizon[i].pixel + border->at_px * horizon[i].outward;
-    const auto ray = press.shape.camera().unproject(place);
-    const auto further = press.shape.camera().unproject(place + horizon[i].outward);
+    const Eigen::Vector2d border_px = horizon[i].pixel + border->at_px * horizon[i].outward;
+    const auto ray = press.shape.camera().unproject(border_px);
+    const auto further = press.shape.camera().unproject(border_px + horizon[i].outward);
     if (!ray || !further) continue;
     const double rad_per_px = angle_between(further->direction, ray->direction);
-    const double sd_px = std::sqrt(2.0 * noise2 / border->curvature * (kApartPx / kStepPx));
+    const double sd_px = std::sqrt(2.0 * noise2 / border->curvature * (kSpacingPx / kStepPx));
     arc.points.push_back({ray->direction, rad_per_px * sd_px});
   }
   arc.arc_deg = step_deg * static_cast<double>(arc.points.size());
-  if (arc.arc_deg < kLeastArcDeg) return {};
+  if (arc.arc_deg < kMinArcDeg) return {};
   return arc;
 }
 

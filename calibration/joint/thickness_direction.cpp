@@ -10,8 +10,8 @@
 namespace alltact {
 namespace {
 
-/// How well presses left out are told if thickness counts `along`; all ways over the same part of
-/// the contacts, or what the rim makes of one would decide.
+/// Held-out errors with the thickness in direction `along`. All directions use one zone of the
+/// contacts, or their rims would decide.
 std::vector<double> held_out_along(const ChoiceInput& input,
                                    CurveFamily family,
                                    MappingAlong along,
@@ -22,7 +22,7 @@ std::vector<double> held_out_along(const ChoiceInput& input,
   options.zone = kZone;
   options.settled_mm = kSettledMm;
   options.steps = input.steps;
-  options.most_rounds = input.most_rounds;
+  options.max_rounds = input.max_rounds;
   const double x_max = domain_of(input, along);
   if (!(x_max > 0.0)) return {};
   const JointFit start =
@@ -37,22 +37,22 @@ double finite_mean_mm(std::vector<double> errors) {
   return mean_mm(errors);
 }
 
-/// Whether errors a are larger than b, and not by chance, on the presses of which both tell. How
-/// much larger depends on a press's incline, so that the scatter between presses is no measure of
-/// chance alone.
-bool is_surely_worse(const std::vector<double>& a, const std::vector<double>& b) {
+/// Whether errors a are larger than b, and not by chance, on the presses with both errors. The
+/// excess depends on a press's incline, so the scatter between presses is more than chance.
+bool is_significantly_worse(const std::vector<double>& a, const std::vector<double>& b) {
   constexpr double kPart = 0.25;  // of the better one
-  std::vector<double> a_told, b_told;
+  std::vector<double> a_finite, b_finite;
   for (std::size_t i = 0; i < a.size(); ++i)
-    if (std::isfinite(a[i]) && std::isfinite(b[i])) a_told.push_back(a[i]), b_told.push_back(b[i]);
-  if (a_told.size() < 2) return false;
-  const Excess excess = excess_of(a_told, b_told);
-  return excess.mean > std::max({kTieMm, kPart * mean_mm(b_told), excess.standard_error});
+    if (std::isfinite(a[i]) && std::isfinite(b[i]))
+      a_finite.push_back(a[i]), b_finite.push_back(b[i]);
+  if (a_finite.size() < 2) return false;
+  const Excess excess = excess_of(a_finite, b_finite);
+  return excess.mean > std::max({kTieMm, kPart * mean_mm(b_finite), excess.standard_error});
 }
 
-/// How far apart along the face the two ways place what presses, at the presses' middles: their
-/// mean, mm.
-double apart_mm(const ChoiceInput& input) {
+/// Distance along the face between the contact positions by the two directions, mean over the
+/// presses, mm.
+double separation_mm(const ChoiceInput& input) {
   double sum = 0;
   for (std::size_t i = 0; i < input.presses.size(); ++i)
     if (const Sample* sample = nearest_sample(*input.presses[i], input.centres_mm[i])) {
@@ -71,24 +71,25 @@ MappingAlong choose_along(const ChoiceInput& input,
   const auto by_normal = held_out_along(input, family, MappingAlong::kNormal, job);
   MappingAlong chosen = MappingAlong::kNormal;
   std::vector<double> best = by_normal;
-  std::vector<double> rival;  // of another way that is no worse for sure
+  std::vector<double> rival;  // of another direction that is not significantly worse
   for (const MappingAlong along : {MappingAlong::kZ, MappingAlong::kProjected}) {
     const auto other = held_out_along(input, family, along, job);
     if (job.stop_requested() || other.size() < input.presses.size()) continue;
-    if (!best.empty() && !is_surely_worse(best, other)) {
-      if (!is_surely_worse(other, best)) rival = other;
+    if (!best.empty() && !is_significantly_worse(best, other)) {
+      if (!is_significantly_worse(other, best)) rival = other;
       continue;
     }
     chosen = along;
     best = other;
   }
-  const Message way = chosen == MappingAlong::kZ ? en::say("along z")
-                                                 : en::say("along z projected onto its normal");
+  const Message direction = chosen == MappingAlong::kZ
+                                ? en::say("along z")
+                                : en::say("along z projected onto its normal");
   if (chosen != MappingAlong::kNormal && !by_normal.empty())
     *remark = en::say(
         "brightness follows the layer's thickness {}: {:.4f} mm on presses left out, against "
         "{:.4f} mm along its normal",
-        way,
+        direction,
         finite_mean_mm(best),
         finite_mean_mm(by_normal));
   if (chosen == MappingAlong::kNormal && !by_normal.empty() && !rival.empty())
@@ -100,7 +101,7 @@ MappingAlong choose_along(const ChoiceInput& input,
         "where the face is steep and where it is flat",
         finite_mean_mm(by_normal),
         finite_mean_mm(rival),
-        apart_mm(input));
+        separation_mm(input));
   return chosen;
 }
 

@@ -8,12 +8,11 @@
 
 namespace alltact {
 
-/// Along which thickness counts, by the presses left out that `family` is fitted without, and a
-/// remark where that is not the normal or is not sure. That is what a layer that scatters light
-/// does, so it is left only for what chance does not explain: one shallow press on a steep place
-/// would else decide, and the depth of all others change with the incline. Where another way is as
-/// good, the remark says so: the two place what presses layer_mm tan(incline) apart. For two
-/// presses and more.
+/// Chooses the direction of the thickness by the held-out errors of `family`. The default is the
+/// normal, as in a layer that scatters light; another direction needs evidence beyond chance.
+/// Otherwise one shallow press on a steep face would decide, and all other depths would change with
+/// the incline. `remark` reports another direction than the normal, or one that is equally good.
+/// The two displace positions on the face by layer_mm tan(incline). For two presses and more.
 [[nodiscard]] MappingAlong choose_along(const ChoiceInput& input,
                                         CurveFamily family,
                                         Message* remark,

@@ -42,7 +42,7 @@ Status set_board_size(Board& board, std::string_view text) {
 }
 
 Result<BoardView> find_board(const cv::Mat& grey, const Board& board) {
-  // OpenCV's finders throw on pictures they did not expect.
+  // OpenCV's finders throw on unexpected images.
   try {
     auto view = board.pattern == BoardPattern::kDots      ? find_dots(grey, board)
                 : board.pattern == BoardPattern::kCharuco ? find_charuco(grey, board)

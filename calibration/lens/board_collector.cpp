@@ -11,22 +11,22 @@
 namespace alltact {
 namespace {
 
-using Places = std::map<std::pair<double, double>, Eigen::Vector2d>;
+using CornerPixels = std::map<std::pair<double, double>, Eigen::Vector2d>;
 
-/// Of the corners that both show, px; infinite where they share too few to tell.
-double median_way_px(const Places& a, const Places& b) {
-  std::vector<double> ways;
-  for (const auto& [place, pixel] : b) {
-    const auto same = a.find(place);
-    if (same != a.end()) ways.push_back((same->second - pixel).norm());
+/// Of the corners in both views, px; infinite where they share too few.
+double median_shift_px(const CornerPixels& a, const CornerPixels& b) {
+  std::vector<double> shifts;
+  for (const auto& [corner, pixel] : b) {
+    const auto same = a.find(corner);
+    if (same != a.end()) shifts.push_back((same->second - pixel).norm());
   }
   constexpr std::size_t kFewest = 4;
-  return ways.size() < kFewest ? std::numeric_limits<double>::infinity() : upper_median(ways);
+  return shifts.size() < kFewest ? std::numeric_limits<double>::infinity() : upper_median(shifts);
 }
 
-/// By their numbers along and across; `turned`: as of a board that is turned by half a circle.
-Places places_of(const BoardView& view, const Board& board, bool turned) {
-  Places places;
+/// Keys are numbers along and across; `turned`: as of a board turned by 180 degrees.
+CornerPixels corner_pixels(const BoardView& view, const Board& board, bool turned) {
+  CornerPixels corners;
   for (std::size_t i = 0; i < view.board_mm.size(); ++i) {
     double column = std::round(view.board_mm[i].x() / board.square_mm);
     double row = std::round(view.board_mm[i].y() / board.square_mm);
@@ -34,47 +34,47 @@ Places places_of(const BoardView& view, const Board& board, bool turned) {
       column = board.columns - 1 - column;
       row = board.rows - 1 - row;
     }
-    places[{column, row}] = view.pixels[i];
+    corners[{column, row}] = view.pixels[i];
   }
-  return places;
+  return corners;
 }
 
-/// Many boards look the same turned by half a circle, and are found either way.
-double corner_way_px(const BoardView& a, const BoardView& b, const Board& board) {
-  const Places first = places_of(a, board, false);
-  return std::min(median_way_px(first, places_of(b, board, false)),
-                  median_way_px(first, places_of(b, board, true)));
+/// Many boards look the same turned by 180 degrees, and are found in either orientation.
+double corner_shift_px(const BoardView& a, const BoardView& b, const Board& board) {
+  const CornerPixels first = corner_pixels(a, board, false);
+  return std::min(median_shift_px(first, corner_pixels(b, board, false)),
+                  median_shift_px(first, corner_pixels(b, board, true)));
 }
 
 }  // namespace
 
-BoardLook BoardCollector::look(const FramePtr& frame) {
-  BoardLook look;
-  look.frame = frame;
+BoardAnalysis BoardCollector::analyse(const FramePtr& frame) {
+  BoardAnalysis analysis;
+  analysis.frame = frame;
   auto found = find_board(frame->grey, board_);
   if (!found) {
-    look.why_none = found.error().what;
+    analysis.no_board_reason = found.error().what;
     last_.reset();
-    return look;
+    return analysis;
   }
-  const double least = kNew_part * frame->grey.cols;
-  look.is_new = std::all_of(views_.begin(), views_.end(), [&](const BoardView& kept) {
-    return corner_way_px(kept, *found, board_) > least;
+  const double min_px = kNew_part * frame->grey.cols;
+  analysis.is_new = std::all_of(views_.begin(), views_.end(), [&](const BoardView& stored) {
+    return corner_shift_px(stored, *found, board_) > min_px;
   });
-  look.is_still = last_ && corner_way_px(*last_, *found, board_) <= kStill_px;
-  look.is_sharp = found->edge_px <= kSharp_px;
+  analysis.is_still = last_ && corner_shift_px(*last_, *found, board_) <= kStill_px;
+  analysis.is_sharp = found->edge_px <= kSharp_px;
   last_ = *found;
-  look.view = std::move(*found);
-  return look;
+  analysis.view = std::move(*found);
+  return analysis;
 }
 
-void BoardCollector::keep(BoardLook look) {
-  if (!look.view) return;
-  auto frame = std::make_shared<Frame>(*look.frame);
+void BoardCollector::add(BoardAnalysis analysis) {
+  if (!analysis.view) return;
+  auto frame = std::make_shared<Frame>(*analysis.frame);
   frame->name = fmt::format("board_{:02}", ++named_);
   frame->jpeg.reset();
-  look.view->name = frame->name;
-  views_.push_back(std::move(*look.view));
+  analysis.view->name = frame->name;
+  views_.push_back(std::move(*analysis.view));
   frames_.push_back(std::move(frame));
 }
 

@@ -2,7 +2,7 @@
 
 #include "calibration/lens/lens_start.h"
 #include "calibration/lens/lens_verdict.h"
-#include "calibration/lens/odd_views.h"
+#include "calibration/lens/outlier_views.h"
 #include "core/numerics/median.h"
 
 namespace alltact {
@@ -23,20 +23,20 @@ LensViewReport& report_of(LensCalibration& calibration, const std::string& name)
                        [&](const LensViewReport& report) { return report.name == name; });
 }
 
-void put_aside(LensCalibration& calibration, std::size_t index, const Message& reason) {
+void reject_view(LensCalibration& calibration, std::size_t index, const Message& reason) {
   const auto at = static_cast<std::ptrdiff_t>(index);
-  report_of(calibration, calibration.used[index].name).put_aside = reason;
+  report_of(calibration, calibration.used[index].name).rejection = reason;
   calibration.used.erase(calibration.used.begin() + at);
   if (index < calibration.fit.poses.size())
     calibration.fit.poses.erase(calibration.fit.poses.begin() + at);
 }
 
-/// Mean distance of the corners that both views have; infinite when they share too few.
+/// Mean distance of the corners in both views; infinite when they share too few.
 double distance_between(const BoardView& a, const BoardView& b) {
   double sum = 0;
   int shared = 0;
   for (std::size_t i = 0, k = 0; i < a.board_mm.size(); ++i) {
-    // The corners of both stand in the same order; some may be missing.
+    // The corners of both have the same order; some may be missing.
     std::size_t found = k;
     while (found < b.board_mm.size() && b.board_mm[found] != a.board_mm[i]) ++found;
     if (found == b.board_mm.size()) continue;
@@ -49,7 +49,7 @@ double distance_between(const BoardView& a, const BoardView& b) {
   return sum / shared;
 }
 
-void put_repeats_aside(LensCalibration& calibration, cv::Size size) {
+void reject_repeats(LensCalibration& calibration, cv::Size size) {
   const double limit = 0.005 * std::hypot(size.width, size.height);
   for (std::size_t i = 1; i < calibration.used.size();) {
     const auto same = std::find_if(calibration.used.begin(),
@@ -60,12 +60,12 @@ void put_repeats_aside(LensCalibration& calibration, cv::Size size) {
     if (calibration.used.begin() + static_cast<std::ptrdiff_t>(i) == same) {
       ++i;
     } else {
-      put_aside(calibration, i, en::say("shows the board just where {} shows it", same->name));
+      reject_view(calibration, i, en::say("shows the board just where {} shows it", same->name));
     }
   }
 }
 
-/// First poses for the first lens; views that it cannot have seen are put aside.
+/// Estimates first poses with the first lens; rejects views that it cannot have seen.
 Status start(LensCalibration& calibration, cv::Size size, CameraModel model) {
   const auto lens = first_lens(calibration.used, model, size);
   if (!lens) return lens.error();
@@ -74,7 +74,7 @@ Status start(LensCalibration& calibration, cv::Size size, CameraModel model) {
   for (std::size_t i = 0; i < calibration.used.size();) {
     const auto poses = poses_of(calibration.used[i], camera);
     if (poses.empty()) {
-      put_aside(calibration, i, en::say("no flat board can look so"));
+      reject_view(calibration, i, en::say("no flat board can look so"));
       continue;
     }
     calibration.fit.poses.push_back(poses.front());
@@ -84,8 +84,8 @@ Status start(LensCalibration& calibration, cv::Size size, CameraModel model) {
   return {};
 }
 
-/// Numbers of coefficients worth trying, most first.
-std::vector<int> ladder(CameraModel model) {
+/// Numbers of coefficients to try, largest first.
+std::vector<int> coefficient_counts(CameraModel model) {
   if (model == CameraModel::kFisheye) return {4, 2, 1, 0};
   return {5, 4, 2, 0};
 }
@@ -94,15 +94,15 @@ bool is_sound(const LensFit& fit) {
   return Camera::create(fit.lens).ok();
 }
 
-/// Fits with as many coefficients as the views bear. The first one alone prepares the way.
-Status fit_with_ladder(LensCalibration& calibration, LensFitOptions& options, const Job& job) {
+/// Fits as many coefficients as the views determine. A fit of the first one alone gives the start.
+Status fit_stepwise(LensCalibration& calibration, LensFitOptions& options, const Job& job) {
   LensFitOptions first;
   first.coefficients = 1;
   if (const auto rough = fit_lens(calibration.used, calibration.fit, first, job);
       rough && is_sound(*rough))
     calibration.fit = *rough;
   Error problem;
-  for (const int coefficients : ladder(calibration.fit.lens.model)) {
+  for (const int coefficients : coefficient_counts(calibration.fit.lens.model)) {
     options.coefficients = coefficients;
     LensFit begin = calibration.fit;
     if (coefficients == 0) begin.lens.distortion.clear();
@@ -123,16 +123,16 @@ Status fit_with_ladder(LensCalibration& calibration, LensFitOptions& options, co
   return problem;
 }
 
-/// A small board looks nearly the same tilted either way; with the lens known the better of the
-/// two can be told.
+/// A small board looks nearly the same in two tilts. The fitted lens shows which pose is
+/// better.
 bool turn_wrong_poses(LensCalibration& calibration) {
   const auto camera = Camera::create(calibration.fit.lens);
   if (!camera) return false;
   bool turned = false;
   LensFit& fit = calibration.fit;
   for (std::size_t i = 0; i < calibration.used.size(); ++i) {
-    BoardPose kept = fit.poses[i];
-    const double now = fit_pose(calibration.used[i], fit.lens, fit.weights[i], kept);
+    BoardPose current = fit.poses[i];
+    const double now = fit_pose(calibration.used[i], fit.lens, fit.weights[i], current);
     for (BoardPose other : poses_of(calibration.used[i], *camera)) {
       if (!(fit_pose(calibration.used[i], fit.lens, fit.weights[i], other) < 0.999 * now)) continue;
       fit.poses[i] = other;
@@ -151,24 +151,22 @@ Status fit_again(LensCalibration& calibration, const LensFitOptions& options, co
   return {};
 }
 
-Status fit_without_odd_views(LensCalibration& calibration,
-                             LensFitOptions& options,
-                             const Job& job) {
-  constexpr int kMostRounds = 4;
-  for (int round = 0; round < kMostRounds; ++round) {
-    if (const Status status = fit_with_ladder(calibration, options, job); !status) return status;
+Status fit_without_outliers(LensCalibration& calibration, LensFitOptions& options, const Job& job) {
+  constexpr int kMaxRounds = 4;
+  for (int round = 0; round < kMaxRounds; ++round) {
+    if (const Status status = fit_stepwise(calibration, options, job); !status) return status;
     if (turn_wrong_poses(calibration))
       if (const Status status = fit_again(calibration, options, job); !status) return status;
-    const auto odd = odd_views(calibration.used, calibration.fit);
-    if (odd.empty()) return {};
-    for (auto view = odd.rbegin(); view != odd.rend(); ++view)
-      put_aside(calibration, view->index, view->reason);
+    const auto outliers = outlier_views(calibration.used, calibration.fit);
+    if (outliers.empty()) return {};
+    for (auto view = outliers.rbegin(); view != outliers.rend(); ++view)
+      reject_view(calibration, view->index, view->reason);
     if (calibration.used.size() < kFewestViews) return too_few(calibration.used.size());
   }
-  return fit_with_ladder(calibration, options, job);
+  return fit_stepwise(calibration, options, job);
 }
 
-/// Dots: measured centres become true ones, and the lens is fitted to those.
+/// Dots: replaces measured centres by true ones, and fits the lens to those.
 Status fit_without_dot_bias(LensCalibration& calibration,
                             const LensFitOptions& options,
                             const Job& job) {
@@ -234,12 +232,12 @@ void judge(LensCalibration& calibration,
 }
 
 void remark(LensCalibration& calibration, const LensFitOptions& options, const Job& job) {
-  const int most = ladder(calibration.fit.lens.model).front();
-  if (options.coefficients < most)
+  const int max_count = coefficient_counts(calibration.fit.lens.model).front();
+  if (options.coefficients < max_count)
     calibration.remarks.push_back(
         en::say("with {} coefficients of distortion the lens folds over inside the picture or "
                 "stays undetermined; {} are used",
-                most,
+                max_count,
                 options.coefficients));
   if (const Message shape = board_problem(calibration.used, calibration.fit, options, job);
       !shape.empty())
@@ -300,7 +298,7 @@ BoardView without_dot_bias(const BoardView& view,
   for (std::size_t i = 0; i < view.pixels.size(); ++i) {
     const auto centre = project_by(lens.model, row, pose(view.board_mm[i]));
     if (!centre) continue;
-    // Centroid of the outline's polygon; the origin is near it so that nothing cancels.
+    // Centroid of the outline's polygon; the origin is near it against cancellation.
     std::vector<Eigen::Vector2d> outline;
     for (int side = 0; side < kSides; ++side) {
       const double turn = 2 * M_PI * side / kSides;
@@ -338,7 +336,7 @@ Result<LensCalibration> calibrate_lens(std::vector<BoardView> views,
   calibration.used = std::move(views);
   const std::size_t given = calibration.used.size();
   if (given < kFewestViews) return too_few(given);
-  put_repeats_aside(calibration, size);
+  reject_repeats(calibration, size);
   if (calibration.used.size() < kFewestViews) {
     if (calibration.used.size() == 1)
       return Error{en::say("all {} views show the board in the same place", given),
@@ -351,7 +349,7 @@ Result<LensCalibration> calibrate_lens(std::vector<BoardView> views,
     return status.error();
   job.report(0.2, en::say("fitting the lens"));
   LensFitOptions options;
-  if (const Status status = fit_without_odd_views(calibration, options, job); !status)
+  if (const Status status = fit_without_outliers(calibration, options, job); !status)
     return status.error();
   if (const Status status = fit_without_dot_bias(calibration, options, job); !status)
     return status.error();

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kFewestCorners = 6;
 
-BoardView whole_view(const Board& board, const std::vector<cv::Point2f>& corners) {
+BoardView full_view(const Board& board, const std::vector<cv::Point2f>& corners) {
   BoardView view;
   for (int i = 0; i < static_cast<int>(corners.size()); ++i) {
     view.board_mm.push_back(board.point_mm(i));
@@ -23,11 +23,11 @@ BoardView whole_view(const Board& board, const std::vector<cv::Point2f>& corners
   return view;
 }
 
-constexpr double kHalfWay = 0.5;
+constexpr double kHalfSpacing = 0.5;
 
-/// Half windows for the refinement of each corner, `reach` of the way to the next corner at most:
-/// on a chessboard up to the middle of the shortest edge that meets
-/// in it, where the next corner's own edges begin to pull. A longer edge tells a place better, but
+/// Half windows for the refinement of each corner, at most `reach` of the distance to the next
+/// corner. On a chessboard that is up to the middle of the shortest edge that meets in it, where
+/// the next corner's own edges begin to interfere. A longer edge gives a more precise position, but
 /// a lens bends it, which kLongest bounds.
 std::vector<int> windows_px(const std::vector<cv::Point2f>& corners, double reach) {
   constexpr int kShortest = 2, kLongest = 10;
@@ -53,18 +53,18 @@ void refine(const cv::Mat& grey, std::vector<cv::Point2f>& corners, double reach
 }
 
 bool find_corners(const cv::Mat& grey, cv::Size size, std::vector<cv::Point2f>& corners) {
-  // Its own places are good to a tenth of a pixel on sharp pictures only.
+  // The finder's own corners are precise to a tenth of a pixel on sharp images only.
   if (cv::findChessboardCornersSB(grey, size, corners, cv::CALIB_CB_EXHAUSTIVE) ||
       cv::findChessboardCornersSB(
           grey, size, corners, cv::CALIB_CB_EXHAUSTIVE | cv::CALIB_CB_NORMALIZE_IMAGE)) {
-    refine(grey, corners, kHalfWay);
+    refine(grey, corners, kHalfSpacing);
     return true;
   }
-  // The classic finder sees some strongly bent boards that the other misses.
+  // The classic finder detects some strongly bent boards that the other misses.
   constexpr int kClassic = cv::CALIB_CB_ADAPTIVE_THRESH | cv::CALIB_CB_NORMALIZE_IMAGE |
                            cv::CALIB_CB_FILTER_QUADS | cv::CALIB_CB_FAST_CHECK;
   if (!cv::findChessboardCorners(grey, size, corners, kClassic)) return false;
-  refine(grey, corners, kHalfWay);
+  refine(grey, corners, kHalfSpacing);
   return true;
 }
 
@@ -147,7 +147,7 @@ Result<BoardView> find_chessboard(const cv::Mat& grey, const Board& board) {
   std::vector<cv::Point2f> corners;
   if (!find_corners(grey, {board.columns, board.rows}, corners))
     return no_board(grey, board, en::say("chessboard"));
-  return whole_view(board, corners);
+  return full_view(board, corners);
 }
 
 Result<BoardView> find_charuco(const cv::Mat& grey, const Board& board) {
@@ -176,12 +176,12 @@ Result<BoardView> find_charuco(const cv::Mat& grey, const Board& board) {
                          kFewestCorners),
                  "",
                  en::say("more of the board in the picture, sharp and evenly lit")};
-  // Its markers stand in the squares around: up to them.
+  // Markers fill the squares around a corner, so the window ends before them.
   refine(grey, corners, 0.5 * (1 - board.marker_part));
   BoardView view;
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    const cv::Point3f& place = charuco->chessboardCorners[static_cast<std::size_t>(ids[i])];
-    view.board_mm.emplace_back(place.x, place.y, 0.0);
+    const cv::Point3f& corner_mm = charuco->chessboardCorners[static_cast<std::size_t>(ids[i])];
+    view.board_mm.emplace_back(corner_mm.x, corner_mm.y, 0.0);
     view.pixels.emplace_back(corners[i].x, corners[i].y);
   }
   if (!spans_a_plane(view.board_mm))

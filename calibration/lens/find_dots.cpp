@@ -1,4 +1,4 @@
-// Dot grids: blobs put in order by OpenCV, each then measured by the grey it holds.
+// Dot grids: OpenCV orders the blobs, then each dot is measured by its grey values.
 #include "calibration/lens/find_board.h"
 #include "core/numerics/median.h"
 
@@ -13,7 +13,7 @@ namespace {
 bool find_grid(const cv::Mat& dark_dots, const Board& board, std::vector<cv::Point2f>& centres) {
   cv::SimpleBlobDetector::Params how;
   how.minArea = 12;
-  // A dot that is as wide as its share of a picture filled by the board.
+  // The largest dot of a board that fills the image.
   how.maxArea = static_cast<float>(dark_dots.total()) /
                 static_cast<float>(std::min(board.columns * board.rows, 100));
   how.minDistBetweenBlobs = 4;
@@ -33,8 +33,8 @@ struct Dot {
   double area_px2 = 0;
 };
 
-/// The paper around a dot: light falls unevenly on a board, and a dot whose paper is taken for even
-/// is drawn towards its darker side.
+/// Brightness of the paper around a dot, as a plane. Illumination of a board is uneven, and an even
+/// paper level would shift a dot towards its darker side.
 class Paper {
  public:
   /// From the pixels of a ring; neighbouring dots that reach into it are left out.
@@ -45,7 +45,7 @@ class Paper {
     const double median = upper_median(levels);
     plane_ = {median, 0, 0};
     for (double& level : levels) level = std::abs(level - median);
-    double most = 3 * kSdOfMedian * std::max(upper_median(levels), 1.0);
+    double max_off = 3 * kSdOfMedian * std::max(upper_median(levels), 1.0);
     constexpr int kRounds = 3;
     for (int round = 0; round < kRounds; ++round) {
       Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
@@ -54,7 +54,7 @@ class Paper {
       for (const cv::Point& at : ring) {
         const Eigen::Vector3d row = row_of(at.x, at.y);
         const double level = grey.at<std::uint8_t>(at), off = level - row.dot(plane_);
-        if (std::abs(off) > most) continue;
+        if (std::abs(off) > max_off) continue;
         information += row * row.transpose();
         pull += row * level;
         square += off * off, ++used;
@@ -62,7 +62,7 @@ class Paper {
       const Eigen::LDLT<Eigen::Matrix3d> solver(information);
       if (used < 8 || !solver.isPositive() || !(solver.rcond() > 1e-9)) return;
       plane_ = solver.solve(pull);
-      most = 3 * std::max(1.0, std::sqrt(square / used));
+      max_off = 3 * std::max(1.0, std::sqrt(square / used));
     }
   }
   [[nodiscard]] double level(int u, int v) const { return row_of(u, v).dot(plane_); }
@@ -77,8 +77,8 @@ class Paper {
   Eigen::Vector3d plane_;
 };
 
-/// The pixels that are a dot's own: an ellipse that reaches half way to the neighbouring dots, as
-/// the board's tilt draws it, and its outermost pixels, which show paper.
+/// The pixels of one dot: an ellipse up to the midpoints to the neighbouring dots, by the board's
+/// tilt. `ring` has its outermost pixels, which show paper.
 struct Surroundings {
   std::vector<cv::Point> disc, ring;
   Surroundings(cv::Point2f middle, const Eigen::Matrix2d& spacing);
@@ -102,19 +102,19 @@ Surroundings::Surroundings(cv::Point2f middle, const Eigen::Matrix2d& spacing) {
     }
 }
 
-/// Centroid of the darkness around a place, against the paper there; each pixel counts as the part
-/// of it that is dark, so that the rim gives fractions of a pixel. `spacing`: to the next dot in
-/// the row and in the column, px.
+/// Centroid of the darkness around a pixel, relative to the paper there. Each pixel counts by its
+/// dark fraction, so that the rim gives fractions of a pixel. `spacing`: to the next dot in the row
+/// and in the column, px.
 std::optional<Dot> measured(const cv::Mat& grey,
                             cv::Point2f start,
                             const Eigen::Matrix2d& spacing) {
-  const cv::Rect picture({0, 0}, grey.size());
+  const cv::Rect image_rect({0, 0}, grey.size());
   const cv::Point middle(static_cast<int>(std::lround(start.x)),
                          static_cast<int>(std::lround(start.y)));
   if (!(std::abs(spacing.determinant()) > 36)) return std::nullopt;  // 6 px apart
   const auto [disc, ring] = Surroundings(start, spacing);
   for (const cv::Point& at : disc)
-    if (!picture.contains(at)) return std::nullopt;
+    if (!image_rect.contains(at)) return std::nullopt;
   const Paper paper(grey, ring, start);
   const auto darkness = [&](int u, int v) {
     return 1 - grey.at<std::uint8_t>(v, u) / std::max(paper.level(u, v), 1.0);
@@ -126,7 +126,7 @@ std::optional<Dot> measured(const cv::Mat& grey,
   if (!(contrast * paper.level(middle.x, middle.y) > 10)) return std::nullopt;
   Dot dot{Eigen::Vector2d::Zero(), 0};
   for (const cv::Point& at : disc) {
-    // What differs little from the paper is its noise, not part of the dot.
+    // Small differences from the paper are noise, not part of the dot.
     const double share = darkness(at.x, at.y) / contrast;
     if (share < 0.1) continue;
     const double part = std::min(share, 1.0);
@@ -138,13 +138,13 @@ std::optional<Dot> measured(const cv::Mat& grey,
   return dot;
 }
 
-/// From a place of the grid to the next in its row and in its column, px.
+/// Vectors from a grid point to the next in its row and in its column, px.
 Eigen::Matrix2d spacing_at(const std::vector<cv::Point2f>& centres, const Board& board, int i) {
   const auto between = [&](int at, int count, int step) -> Eigen::Vector2d {
     const int after = at + 1 < count ? step : 0, before = at > 0 ? step : 0;
-    const cv::Point2f way = centres[static_cast<std::size_t>(i + after)] -
-                            centres[static_cast<std::size_t>(i - before)];
-    return Eigen::Vector2d(way.x, way.y) / (after > 0 && before > 0 ? 2.0 : 1.0);
+    const cv::Point2f step_px = centres[static_cast<std::size_t>(i + after)] -
+                                centres[static_cast<std::size_t>(i - before)];
+    return Eigen::Vector2d(step_px.x, step_px.y) / (after > 0 && before > 0 ? 2.0 : 1.0);
   };
   Eigen::Matrix2d spacing;
   spacing.col(0) = between(i % board.columns, board.columns, 1);

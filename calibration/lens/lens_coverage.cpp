@@ -27,8 +27,8 @@ Cells cells_seen(const std::vector<BoardView>& views, const LensFit& fit) {
   return seen;
 }
 
-/// A third of the picture across and down.
-struct Place {
+/// One of nine regions: a third of the image across and down.
+struct Region {
   std::size_t down, right;
 
   [[nodiscard]] bool is_corner() const { return down != 1 && right != 1; }
@@ -41,8 +41,8 @@ struct Place {
   }
 };
 
-/// The thirds of whose cells more than half were never seen.
-std::vector<Place> places_unseen(const Cells& seen) {
+/// The regions of whose cells more than half have no corner.
+std::vector<Region> unseen_regions(const Cells& seen) {
   std::array<std::array<int, 3>, 3> count{}, unseen{};
   for (std::size_t row = 0; row < kRows; ++row)
     for (std::size_t column = 0; column < kColumns; ++column) {
@@ -50,11 +50,11 @@ std::vector<Place> places_unseen(const Cells& seen) {
       ++count[down][column / 2];
       unseen[down][column / 2] += seen[row][column] ? 0 : 1;
     }
-  std::vector<Place> places;
+  std::vector<Region> regions;
   for (std::size_t down = 0; down < 3; ++down)
     for (std::size_t right = 0; right < 3; ++right)
-      if (2 * unseen[down][right] > count[down][right]) places.push_back({down, right});
-  return places;
+      if (2 * unseen[down][right] > count[down][right]) regions.push_back({down, right});
+  return regions;
 }
 
 Message listed(const std::vector<Message>& words) {
@@ -63,7 +63,7 @@ Message listed(const std::vector<Message>& words) {
   return en::say("{} and {}", first, words.back());
 }
 
-/// Of 1 to kEnoughViews.
+/// `number`: 1 to kEnoughViews.
 Message number_word(int number) {
   static const std::array words{en::say("one"),
                                 en::say("two"),
@@ -86,8 +86,8 @@ Message advice_of(const LensCoverage& coverage, int views) {
     more = std::max({more, 4 - coverage.tilted_views, static_cast<int>(coverage.untilted.size())});
   if (more <= 0) return {};
   const Message number = number_word(more);
-  const bool names_ways = flat && !coverage.untilted.empty() && coverage.untilted.size() < 4;
-  const Message tilted = names_ways
+  const bool names_directions = flat && !coverage.untilted.empty() && coverage.untilted.size() < 4;
+  const Message tilted = names_directions
                              ? en::say("{} more, tilted {}", number, listed(coverage.untilted))
                              : en::say("{} more, tilted", number);
   Message where;
@@ -103,8 +103,8 @@ Message advice_of(const LensCoverage& coverage, int views) {
 
 Eigen::Vector2d tilt_deg(const BoardView& view, const BoardPose& pose) {
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3d& place : view.board_mm)
-    middle += place / static_cast<double>(view.board_mm.size());
+  for (const Eigen::Vector3d& point_mm : view.board_mm)
+    middle += point_mm / static_cast<double>(view.board_mm.size());
   const Eigen::Vector3d sight = pose(middle).normalized();
   Eigen::Vector3d normal = pose.rotation().col(2);
   if (normal.dot(sight) > 0) normal = -normal;
@@ -120,28 +120,28 @@ LensCoverage coverage_of(const std::vector<BoardView>& views, const LensFit& fit
   int count = 0;
   for (const auto& row : seen) count += static_cast<int>(std::count(row.begin(), row.end(), true));
   coverage.seen_part = static_cast<double>(count) / (kColumns * kRows);
-  const std::vector<Place> unseen = places_unseen(seen);
-  for (const Place& place : unseen) coverage.unseen.push_back(place.name());
-  std::array<int, 4> ways{};  // left, right, up, down
+  const std::vector<Region> unseen = unseen_regions(seen);
+  for (const Region& region : unseen) coverage.unseen.push_back(region.name());
+  std::array<int, 4> tilt_counts{};  // left, right, up, down
   for (std::size_t i = 0; i < views.size(); ++i) {
     const Eigen::Vector2d tilt = tilt_deg(views[i], fit.poses[i]);
     if (tilt.norm() < kTiltedDeg) continue;
     ++coverage.tilted_views;
-    // Between two ways both count: 22 degrees are enough of the second.
-    const Eigen::Vector2d way = tilt.normalized();
-    if (way.x() < -0.38) ++ways[0];
-    if (way.x() > 0.38) ++ways[1];
-    if (way.y() < -0.38) ++ways[2];
-    if (way.y() > 0.38) ++ways[3];
+    // Between two directions both count: 22 degrees are enough of the second.
+    const Eigen::Vector2d direction = tilt.normalized();
+    if (direction.x() < -0.38) ++tilt_counts[0];
+    if (direction.x() > 0.38) ++tilt_counts[1];
+    if (direction.y() < -0.38) ++tilt_counts[2];
+    if (direction.y() > 0.38) ++tilt_counts[3];
   }
   const std::array all{
       en::say("to the left"), en::say("to the right"), en::say("up"), en::say("down")};
-  for (std::size_t i = 0; i < ways.size(); ++i)
-    if (ways[i] == 0) coverage.untilted.push_back(all[i]);
+  for (std::size_t i = 0; i < tilt_counts.size(); ++i)
+    if (tilt_counts[i] == 0) coverage.untilted.push_back(all[i]);
   const auto n = static_cast<int>(views.size());
   coverage.enough = n >= kEnoughViews && coverage.tilted_views >= 4 &&
                     coverage.untilted.size() <= 1 &&
-                    std::all_of(unseen.begin(), unseen.end(), std::mem_fn(&Place::is_corner));
+                    std::all_of(unseen.begin(), unseen.end(), std::mem_fn(&Region::is_corner));
   coverage.advice = advice_of(coverage, n);
   return coverage;
 }

@@ -1,4 +1,4 @@
-// Where in the picture the board was seen and how it was tilted, and what views are missing.
+// Coverage of the image and of tilts by the views, and missing views.
 #pragma once
 
 #include "calibration/lens/lens_fit.h"
@@ -8,21 +8,22 @@
 
 namespace alltact {
 
-/// The angle between the board's normal and the line of sight to its middle, and where to the
-/// normal that looks at the camera leans: x to the right, y down; length the angle, degrees.
+/// The tilt of the board's normal against the line of sight to its middle. The vector gives the
+/// direction in which the normal towards the camera leans: x to the right, y down; its length is
+/// the angle, degrees.
 [[nodiscard]] Eigen::Vector2d tilt_deg(const BoardView& view, const BoardPose& pose);
 
 struct LensCoverage {
-  double seen_part = 0;           ///< of 6 x 4 cells of the picture, those where a corner was seen
-  std::vector<Message> unseen;    ///< thirds of the picture ("right edge", "top left corner")
+  double seen_part = 0;           ///< of 6 x 4 cells of the image, those with a corner
+  std::vector<Message> unseen;    ///< thirds of the image ("right edge", "top left corner")
   int tilted_views = 0;           ///< by 15 degrees or more
-  std::vector<Message> untilted;  ///< ways in which no view is tilted ("to the left", "up")
+  std::vector<Message> untilted;  ///< directions in which no view is tilted ("to the left", "up")
   bool enough =
-      false;       ///< ten views, four of them tilted in three ways, no edge nor the middle unseen
-  Message advice;  ///< "three more, tilted to the left, near the right edge"; empty: no more
+      false;  ///< ten views, four of them tilted in three directions, no edge nor the middle unseen
+  Message advice;  ///< "three more, tilted to the left, near the right edge"; empty: none needed
 };
 
-/// Views needed before a lens is called well covered.
+/// Views needed for full coverage.
 inline constexpr int kEnoughViews = 10;
 
 /// Corners that the fit left out do not count.

@@ -16,9 +16,9 @@ namespace {
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using PoseNumbers = Eigen::Matrix<double, 6, 1>;
 
-constexpr double kRobustAt = 3.0;       // standard deviations where Cauchy's weight is a half
-constexpr int kMostRounds = 20;         // of reweighting
-constexpr double kLeastSigmaPx = 0.02;  // no outlier is called so for less than 4.5 of these
+constexpr double kRobustAt = 3.0;     // standard deviations where Cauchy's weight is a half
+constexpr int kMaxRounds = 20;        // of reweighting
+constexpr double kMinSigmaPx = 0.02;  // an outlier lies at least 4.5 of these off
 constexpr double kMedianOfRayleigh = 1.1774;
 
 class StopWithJob final : public ceres::IterationCallback {
@@ -36,9 +36,9 @@ ViewCost::Units units_of(const CameraParameters& lens, const BoardView& view) {
   ViewCost::Units units;
   units.px = lens.width_px;
   Eigen::Vector3d low = view.board_mm.front(), high = low;
-  for (const Eigen::Vector3d& place : view.board_mm) {
-    low = low.cwiseMin(place);
-    high = high.cwiseMax(place);
+  for (const Eigen::Vector3d& point_mm : view.board_mm) {
+    low = low.cwiseMin(point_mm);
+    high = high.cwiseMax(point_mm);
   }
   units.board_middle_mm = 0.5 * (low + high);
   units.board_half_mm = 0.5 * (high - low).norm();
@@ -57,17 +57,18 @@ BoardPose pose_of(const PoseNumbers& numbers, const ViewCost::Units& units) {
 }
 
 ceres::Solver::Options lens_solver() {
-  // Steps that the solver takes back are no news for a person; what it gives up on is told by us.
+  // Silences the solver's log: rejected steps do not concern the user, and errors are reported
+  // here.
   FLAGS_minloglevel = google::GLOG_FATAL;
   return solver_settings();
 }
 
-/// The problem in the solver's units, with what is needed to go there and back.
+/// The problem in the solver's units, with the conversions.
 class LensProblem {
  public:
   LensProblem(const std::vector<BoardView>& views, const LensFit& start, LensFitOptions options)
       : views_(views), options_(options), lens_(start.lens), numbers_(lens_numbers(start.lens)) {
-    // All views share one board: the widest says what its middle and size are.
+    // All views share one board: the widest view gives its middle and size.
     std::size_t widest = 0;
     for (std::size_t i = 0; i < views.size(); ++i)
       if (views[i].board_mm.size() > views[widest].board_mm.size()) widest = i;
@@ -107,7 +108,7 @@ class LensProblem {
     return summary.IsSolutionUsable() && numbers_.allFinite();
   }
 
-  /// Distances seen to projected; infinite where a corner cannot be seen.
+  /// Distances between seen and projected corners; infinite where a corner cannot be seen.
   [[nodiscard]] std::vector<std::vector<double>> errors_px() const {
     std::vector<std::vector<double>> errors;
     for (std::size_t i = 0; i < views_.size(); ++i) {
@@ -125,7 +126,7 @@ class LensProblem {
 
   std::vector<std::vector<double>>& weights() { return weights_; }
 
-  /// The solution, with sigma and covariance by eliminating each pose from its view's derivatives.
+  /// The solution, with sigma and covariance. Each pose is eliminated from its view's derivatives.
   Result<LensFit> result() const;
 
  private:
@@ -164,13 +165,13 @@ Result<LensFit> LensProblem::result() const {
     if (used < 4) continue;
     sum += residuals.squaredNorm();
     freedom += 2 * used - 6;
-    Eigen::MatrixXd kept(rows, shared);
-    kept.leftCols(free) = by_lens.leftCols(free);
-    if (options_.free_shape) kept.rightCols(4) = by_shape;
+    Eigen::MatrixXd by_shared(rows, shared);
+    by_shared.leftCols(free) = by_lens.leftCols(free);
+    if (options_.free_shape) by_shared.rightCols(4) = by_shape;
     const Eigen::HouseholderQR<Eigen::MatrixXd> qr(by_pose);
-    kept.applyOnTheLeft(qr.householderQ().adjoint());
-    kept.topRows(6).setZero();  // what the pose takes up
-    information += kept.transpose() * kept;
+    by_shared.applyOnTheLeft(qr.householderQ().adjoint());
+    by_shared.topRows(6).setZero();  // the part that the pose takes up
+    information += by_shared.transpose() * by_shared;
   }
   const Eigen::VectorXd scale = information.diagonal().cwiseSqrt().cwiseMax(1e-300).cwiseInverse();
   const auto eigen = symmetric_eigen(scale.asDiagonal() * information * scale.asDiagonal());
@@ -208,11 +209,11 @@ double sigma_of(const std::vector<std::vector<double>>& errors) {
   return upper_median(all) / kMedianOfRayleigh;
 }
 
-/// False when what was found cannot be solved at all.
+/// False when nothing can be solved.
 bool solve_robustly(LensProblem& problem, const Job& job) {
   if (!problem.solve(job)) return false;
   double before = 0;
-  for (int round = 0; round < kMostRounds; ++round) {
+  for (int round = 0; round < kMaxRounds; ++round) {
     const auto errors = problem.errors_px();
     const double sigma = std::max(sigma_of(errors), 1e-6);
     if (!std::isfinite(sigma)) return false;
@@ -241,10 +242,10 @@ Result<LensFit> fit_lens(const std::vector<BoardView>& views,
   LensProblem problem(views, start, options);
   if (!solve_robustly(problem, job)) return failed();
   auto before = problem.weights();
-  constexpr int kMostSorts = 5;
-  for (int sort = 0; sort < kMostSorts; ++sort) {
+  constexpr int kMaxSorts = 5;
+  for (int sort = 0; sort < kMaxSorts; ++sort) {
     const auto errors = problem.errors_px();
-    const double limit = kOutlierSigmas * std::max(sigma_of(errors), kLeastSigmaPx);
+    const double limit = kOutlierSigmas * std::max(sigma_of(errors), kMinSigmaPx);
     for (std::size_t i = 0; i < errors.size(); ++i)
       for (std::size_t k = 0; k < errors[i].size(); ++k)
         problem.weights()[i][k] = errors[i][k] <= limit ? 1.0 : 0.0;

@@ -5,16 +5,16 @@
 namespace alltact {
 namespace {
 
-/// The views for which `wanted(index)` holds, with the start for them.
-template <class Wanted>
+/// The views for which `selects(index)` holds, with the start for them.
+template <class Selector>
 std::pair<std::vector<BoardView>, LensFit> part_of(const std::vector<BoardView>& views,
                                                    const LensFit& fit,
-                                                   const Wanted& wanted) {
+                                                   const Selector& selects) {
   std::pair<std::vector<BoardView>, LensFit> part;
   part.second.lens = fit.lens;
   part.second.shape = fit.shape;
   for (std::size_t i = 0; i < views.size(); ++i) {
-    if (!wanted(i)) continue;
+    if (!selects(i)) continue;
     part.first.push_back(views[i]);
     part.second.poses.push_back(fit.poses[i]);
   }

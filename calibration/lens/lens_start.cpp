@@ -10,9 +10,9 @@ namespace alltact {
 namespace {
 
 constexpr double kWorst = std::numeric_limits<double>::infinity();
-constexpr std::size_t kMostViews = 16;  // that the table is tried on
+constexpr std::size_t kMaxViews = 16;  // that the table is tested on
 
-/// Focal lengths in picture widths: 170 degrees wide to 6.
+/// Focal lengths in image widths: fields of view from 170 degrees to 6.
 constexpr std::array kFocals{
     0.2, 0.25, 0.3, 0.36, 0.44, 0.53, 0.64, 0.77, 0.93, 1.1, 1.4, 1.7, 2.2, 3.0, 4.5, 7.0, 10.0};
 constexpr std::array kBends{0.0, -0.12, -0.25, 0.15};
@@ -24,15 +24,15 @@ CameraParameters candidate(CameraModel model, cv::Size size, double focal, doubl
   lens.fx_px = lens.fy_px = focal * size.width;
   lens.cx_px = 0.5 * (size.width - 1), lens.cy_px = 0.5 * (size.height - 1);
   if (model == CameraModel::kBrown && bend != 0) {
-    // The bend at the picture's edge is what a person sees; k1 is that over the radius squared.
+    // kBends is the bend at the image's edge; k1 is that over the radius squared.
     const double edge = 0.5 / focal;
     lens.distortion = {bend / (edge * edge)};
   }
   return lens;
 }
 
-/// Median over views of how badly each fits its best pose.
-double badness(const std::vector<const BoardView*>& views, const Camera& camera) {
+/// Median over views of the error of each view's best pose.
+double median_error_px(const std::vector<const BoardView*>& views, const Camera& camera) {
   std::vector<double> errors;
   for (const BoardView* view : views) {
     const auto poses = poses_of(*view, camera);
@@ -48,7 +48,7 @@ std::vector<BoardPose> poses_of(const BoardView& view, const Camera& camera) {
   std::vector<cv::Point2d> straight;
   for (std::size_t i = 0; i < view.pixels.size(); ++i) {
     const auto ray = camera.unproject(view.pixels[i]);
-    if (!ray || ray->direction.head<2>().norm() > 12) continue;  // 85 degrees: of no use here
+    if (!ray || ray->direction.head<2>().norm() > 12) continue;  // 85 degrees: unusable here
     board.emplace_back(view.board_mm[i].x(), view.board_mm[i].y(), 0.0);
     straight.emplace_back(ray->direction.x(), ray->direction.y());
   }
@@ -104,7 +104,7 @@ Result<CameraParameters> first_lens(const std::vector<BoardView>& views,
                                     CameraModel model,
                                     cv::Size size) {
   std::vector<const BoardView*> some;
-  const std::size_t step = (views.size() + kMostViews - 1) / kMostViews;
+  const std::size_t step = (views.size() + kMaxViews - 1) / kMaxViews;
   for (std::size_t i = 0; i < views.size(); i += step) some.push_back(&views[i]);
   double best = kWorst;
   CameraParameters lens;
@@ -113,7 +113,7 @@ Result<CameraParameters> first_lens(const std::vector<BoardView>& views,
       if (model == CameraModel::kFisheye && bend != 0) continue;
       const auto camera = Camera::create(candidate(model, size, focal, bend));
       if (!camera) continue;  // folds over
-      const double error = badness(some, *camera);
+      const double error = median_error_px(some, *camera);
       if (error >= best) continue;
       best = error;
       lens = camera->parameters();

@@ -1,4 +1,4 @@
-// First values for a lens and for where each board stands, from nothing but the corners.
+// First values for a lens and for the board's poses, from the corners alone.
 #pragma once
 
 #include "calibration/lens/board.h"
@@ -9,8 +9,8 @@
 
 namespace alltact {
 
-/// The poses in which a camera may see a board so, best first; at most two: a small or distant
-/// board looks nearly the same tilted either way. Empty when the camera cannot have seen it.
+/// The possible poses of a board in a view, best first; at most two: a small or distant board looks
+/// nearly the same tilted in two directions. Empty when the camera cannot have seen it.
 [[nodiscard]] std::vector<BoardPose> poses_of(const BoardView& view, const Camera& camera);
 
 /// Root mean square distance of projected and seen corners, px; infinite where a corner cannot be
@@ -19,9 +19,9 @@ namespace alltact {
                                    const Camera& camera,
                                    const BoardPose& pose);
 
-/// The focal length (and for brown the bend) among a wide table of lenses with which flat boards
-/// explain the corners best; the principal point is the picture's middle. Works where a homography
-/// of the pixels does not, as with a fisheye. Error: none explains them.
+/// Searches a wide table of focal lengths (and for brown of bends) for the lens with which flat
+/// boards explain the corners best. The principal point is the middle of the image. It works where
+/// a homography of the pixels does not, as with a fisheye. Error: none explains them.
 [[nodiscard]] Result<CameraParameters> first_lens(const std::vector<BoardView>& views,
                                                   CameraModel model,
                                                   cv::Size size);

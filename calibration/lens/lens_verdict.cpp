@@ -11,7 +11,7 @@ Grade grade_of_mm(double error_mm) {
   return error_mm <= kGoodLensMm ? Grade::kGood : Grade::kUsable;
 }
 
-/// Views left out that fit worse than those fitted: the model, not the noise, is wrong.
+/// Held-out views that fit worse than fitted ones show that the model is wrong.
 Grade grade_of_held_out(const LensEvidence& evidence) {
   const double ratio = evidence.held_out->error_px / std::max(evidence.sigma_px, 0.02);
   if (ratio > 3 && evidence.held_out->error_px > 1) return Grade::kUnfit;
@@ -48,7 +48,7 @@ Verdict lens_verdict(const LensEvidence& evidence) {
     reason = en::clauses({reason, why});
   };
   if (evidence.halves) {
-    // Each half has half the views: all of them together are about twice as good.
+    // Each half has half the views: a lens of all views is about twice as precise.
     const double px = evidence.halves->median_px / 2;
     const double mm = px * evidence.distance_mm / evidence.focal_px;
     lower_to(grade_of_mm(mm),

@@ -1,4 +1,4 @@
-// What a lens calibration is worth, in millimetres at the finger and in words.
+// The verdict on a lens calibration, in millimetres at the finger and in words.
 #pragma once
 
 #include "calibration/lens/lens_coverage.h"
@@ -10,7 +10,7 @@
 namespace alltact {
 
 struct LensEvidence {
-  double focal_sd_part = 0;  ///< standard deviation of the focal length over it, the worse axis
+  double focal_sd_part = 0;  ///< relative standard deviation of the focal length, of the worse axis
   double distance_mm = 0;    ///< of the finger
   double focal_px = 0;
   double sigma_px = 0;  ///< of the fit
@@ -19,12 +19,12 @@ struct LensEvidence {
   LensCoverage coverage;
 };
 
-/// Up to these the error of a distance measured at the finger lets a lens be good, or usable.
+/// Limits of the error of a distance at the finger for a good, or a usable, lens.
 inline constexpr double kGoodLensMm = 0.1;
 inline constexpr double kUsableLensMm = 0.3;
 
-/// error_mm: the standard deviation of a distance at the finger that the lens alone causes. The
-/// grade is the worst that any evidence gives; without views left out it is unproven.
+/// error_mm: the standard deviation of a distance at the finger by the lens alone. The grade is the
+/// worst of all evidence; without held-out views it is unproven.
 [[nodiscard]] Verdict lens_verdict(const LensEvidence& evidence);
 
 }  // namespace alltact

@@ -5,7 +5,7 @@
 namespace alltact {
 namespace {
 
-constexpr std::size_t kLong = 100;  // frames; above, numbered pictures are taken for a recording
+constexpr std::size_t kLong = 100;  // frames; above, numbered images count as a recording
 
 bool shows_the_same(const BoardView& a, const BoardView& b, cv::Size size) {
   if (a.pixels.size() != b.pixels.size()) return false;
@@ -15,7 +15,7 @@ bool shows_the_same(const BoardView& a, const BoardView& b, cv::Size size) {
 }
 
 Error none_found(const LensViews& views, const cv::Mat& first, const Board& board) {
-  Message what = en::say("no board was found in any of {} pictures", views.looked_at);
+  Message what = en::say("no board was found in any of {} pictures", views.analysed);
   if (!views.refused.empty())
     what = en::say("{} (the first: {})", what, views.refused.front().second);
   if (!first.empty())
@@ -36,7 +36,7 @@ Result<LensViews> find_boards(Source& source,
                               const Job& job) {
   const std::size_t count = source.count().value_or(0);
   const bool is_long = source.is_continuous() && count > kLong;
-  const std::size_t step = is_long ? (count + kMostPictures - 1) / kMostPictures : 1;
+  const std::size_t step = is_long ? (count + kMaxImages - 1) / kMaxImages : 1;
   LensViews views;
   cv::Size raw;
   cv::Mat first;
@@ -48,7 +48,7 @@ Result<LensViews> find_boards(Source& source,
     if (!next) {
       const Error& error = next.error();
       views.refused.emplace_back(error.where, error.what);
-      ++views.looked_at;
+      ++views.analysed;
       continue;
     }
     if (!*next) break;
@@ -74,7 +74,7 @@ Result<LensViews> find_boards(Source& source,
       return Error{en::say("another picture is called '{}' as well", frame.name),
                    frame.origin,
                    en::say("giving the pictures different names")};
-    ++views.looked_at;
+    ++views.analysed;
     auto view = find_board(frame.grey, board);
     if (!view) {
       views.refused.emplace_back(frame.name, view.error().what);

@@ -1,4 +1,4 @@
-// The boards in all pictures of a source.
+// The boards in all images of a source.
 #pragma once
 
 #include "calibration/lens/board.h"
@@ -13,20 +13,20 @@
 namespace alltact {
 
 struct LensViews {
-  std::vector<BoardView> views;                    ///< pixels of the pictures after orientation
-  cv::Size size;                                   ///< of the pictures after orientation
-  std::vector<std::pair<Where, Message>> refused;  ///< picture, and why
-  std::size_t looked_at = 0;  ///< of a long recording not every picture is looked at
-  std::size_t repeats = 0;    ///< of a long recording, pictures that show a board once more
+  std::vector<BoardView> views;                    ///< pixels of the oriented images
+  cv::Size size;                                   ///< of the oriented images
+  std::vector<std::pair<Where, Message>> refused;  ///< image, and the reason
+  std::size_t analysed = 0;  ///< of a long recording only some images are analysed
+  std::size_t repeats = 0;   ///< of a long recording, images that repeat a view
 };
 
-/// Of a recording at most this many pictures are looked at, evenly; and of these only such are kept
-/// that show the board in another place.
-inline constexpr std::size_t kMostPictures = 300;
+/// At most this many images of a recording are analysed, evenly spread. Only those that show the
+/// board in another pose are retained.
+inline constexpr std::size_t kMaxImages = 300;
 
-/// Looks for the board in every picture, in the raw one: a mirror would spoil markers. Errors:
-/// pictures of different sizes, no board in any of them (with the size of the one that is there,
-/// where that can be told), two pictures of one name, stopped.
+/// Searches the board in every raw image: a mirrored one would spoil markers. Errors: images of
+/// different sizes, no board in any of them (with the board's actual size where it is found), two
+/// images of one name, stopped.
 [[nodiscard]] Result<LensViews> find_boards(Source& source,
                                             const Board& board,
                                             Orientation orientation,

@@ -1,4 +1,4 @@
-// A lens calibrated from files, and what is kept of how.
+// A lens calibration from files, and its record.
 #pragma once
 
 #include "calibration/lens/calibrate_lens.h"
@@ -11,8 +11,8 @@
 
 namespace alltact {
 
-/// Finds the board in all pictures and calibrates the lens. Errors: those of open_source,
-/// find_boards and calibrate_lens.
+/// Finds the board in all images and calibrates the lens. Errors: those of open_source, find_boards
+/// and calibrate_lens.
 [[nodiscard]] Result<LensCalibration> measure_lens(const std::vector<std::filesystem::path>& inputs,
                                                    const Board& board,
                                                    const LensSettings& settings,

@@ -21,7 +21,7 @@ Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& w) {
   return m;
 }
 
-/// sin t / t, (1 - cos t) / t^2 and (t - sin t) / t^3 without loss near 0.
+/// sin t / t, (1 - cos t) / t^2 and (t - sin t) / t^3 without loss of precision near 0.
 struct Turning {
   double a, b, c;
   explicit Turning(double t2) {
@@ -151,8 +151,10 @@ bool ViewCost::Evaluate(double const* const* parameters,
   const Eigen::Matrix3d jacobian = right_jacobian(turn);
   for (std::size_t i = 0; i < view_.pixels.size(); ++i) {
     Eigen::Vector3d board = view_.board_mm[i];
-    const Eigen::Vector3d place = (board - units_.board_middle_mm) / units_.board_half_mm;
-    const Eigen::Vector3d lift(place.x() * place.x(), place.x() * place.y(), place.y() * place.y());
+    const Eigen::Vector3d unit_position = (board - units_.board_middle_mm) / units_.board_half_mm;
+    const Eigen::Vector3d lift(unit_position.x() * unit_position.x(),
+                               unit_position.x() * unit_position.y(),
+                               unit_position.y() * unit_position.y());
     board.x() += shape[0] * (board.x() - units_.board_middle_mm.x());
     board.z() += units_.board_half_mm * Eigen::Map<const Eigen::Vector3d>(shape + 1).dot(lift);
     const Eigen::Vector3d point = rotation * board + units_.mm * shift;
@@ -176,7 +178,7 @@ bool ViewCost::Evaluate(double const* const* parameters,
     if (jacobians[2] != nullptr) {
       Eigen::Map<RowMatrix> out(jacobians[2], num_residuals(), 4);
       const Eigen::Matrix<double, 2, 3> by_board = weight * seen->by_point * rotation;
-      out.block<2, 1>(row, 0) = by_board.col(0) * (units_.board_half_mm * place.x());
+      out.block<2, 1>(row, 0) = by_board.col(0) * (units_.board_half_mm * unit_position.x());
       out.block<2, 3>(row, 1) = by_board.col(2) * (units_.board_half_mm * lift.transpose());
     }
   }

@@ -1,5 +1,5 @@
-// One view of a board as residuals with their derivatives, for the solver and for the tests that
-// hold the derivatives against differences.
+// One view of a board as residuals with their derivatives, for the solver and for tests that
+// compare the derivatives with differences.
 #pragma once
 
 #include "calibration/lens/board.h"
@@ -15,13 +15,13 @@
 
 namespace alltact {
 
-/// A lens as a row of numbers: fx fy cx cy and all distortion coefficients of its model, those that
-/// are missing as 0. Brown: 9 numbers, fisheye: 8.
+/// A lens as a vector: fx fy cx cy and all distortion coefficients of its model, missing ones as 0.
+/// Brown: 9 numbers, fisheye: 8.
 [[nodiscard]] Eigen::VectorXd lens_numbers(const CameraParameters& lens);
 void set_lens_numbers(CameraParameters& lens, const Eigen::VectorXd& numbers);
 
 /// The pixel of a point in the camera's frame, by the formulas of core/camera, and its derivatives.
-/// No look at folds: a fit may pass through them. nullopt when z <= 0.
+/// Folds of the lens are not checked: a fit may pass through them. nullopt when z <= 0.
 struct Projection {
   Eigen::Vector2d pixel;
   Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::RowMajor, 2, 9> by_numbers;
@@ -31,8 +31,8 @@ struct Projection {
                                                    std::span<const double> numbers,
                                                    const Eigen::Vector3d& point_mm);
 
-/// Where a board stands: point_in_camera = R(turn) * point_on_board + shift. `turn` is the axis of
-/// the rotation times its angle in rad.
+/// Pose of a board: point_in_camera = R(turn) * point_on_board + shift. `turn` is the axis of the
+/// rotation times its angle in rad.
 struct BoardPose {
   Eigen::Vector3d turn = Eigen::Vector3d::Zero();
   Eigen::Vector3d shift_mm = Eigen::Vector3d::Zero();
@@ -41,16 +41,16 @@ struct BoardPose {
   [[nodiscard]] Eigen::Vector3d operator()(const Eigen::Vector3d& board_mm) const;
 };
 
-/// How a board differs from a plane with square cells: x is stretched, and with s the place from
-/// the board's middle in units of half its diagonal, z is lifted by
-/// half the diagonal * (xx sx^2 + xy sx sy + yy sy^2).
+/// Deviation of a board from a plane with square cells. x is stretched. With s the position from
+/// the board's middle in units of half its diagonal, z is lifted by half the diagonal * (xx sx^2 +
+/// xy sx sy + yy sy^2).
 struct BoardShape {
   std::array<double, 4> numbers{};  ///< stretch, xx, xy, yy: all without unit
 };
 
 /// Residuals: weight * (projected - seen), two for each corner, px. Parameter blocks: the lens's
 /// numbers, the first four divided by unit_px; the pose, turn then shift divided by unit_mm; the
-/// board's shape. Keeps a reference to the view and to the weights.
+/// board's shape. The view and the weights must outlive the cost.
 class ViewCost final : public ceres::CostFunction {
  public:
   struct Units {

@@ -3,7 +3,7 @@
 #include "calibration/finger/measuring_settings.h"
 #include "calibration/finger/paper_pipeline.h"
 #include "core/sensing/depth/depth_limits.h"
-#include "core/sensing/face/place_pixel.h"
+#include "core/sensing/face/position_pixel.h"
 #include "core/sensing/measures.h"
 
 #include <algorithm>
@@ -34,35 +34,35 @@ MeasuredFrame measured_by(const FingerSnapshot& finger,
   return frame;
 }
 
-/// Pixel by pixel; both may be of pictures of different size.
-cv::Mat difference_of(const FrameResult& ours, const FrameResult& other) {
+/// Pixel by pixel; the image sizes may differ.
+cv::Mat difference_of(const FrameResult& own, const FrameResult& other) {
   cv::Mat depth = other.depth->depth_mm;
-  if (depth.size() != ours.depth->depth_mm.size())  // what lies in the pixels' middles
-    cv::resize(depth, depth, ours.depth->depth_mm.size(), 0, 0, cv::INTER_NEAREST);
-  return ours.depth->depth_mm - depth;
+  if (depth.size() != own.depth->depth_mm.size())  // from the pixels' middles
+    cv::resize(depth, depth, own.depth->depth_mm.size(), 0, 0, cv::INTER_NEAREST);
+  return own.depth->depth_mm - depth;
 }
 
-/// Place by place on the face.
-cv::Mat difference_at_places(const FrameResult& ours, const FrameResult& other) {
-  const cv::Mat& depth = ours.depth->depth_mm;
+/// At the same positions on the face.
+cv::Mat difference_on_face(const FrameResult& own, const FrameResult& other) {
+  const cv::Mat& depth = own.depth->depth_mm;
   cv::Mat difference(depth.size(), CV_32FC1, cv::Scalar(std::numeric_limits<float>::quiet_NaN()));
   for (int v = 0; v < depth.rows; ++v) {
     const auto* from = depth.ptr<float>(v);
     auto* to = difference.ptr<float>(v);
     for (int u = 0; u < depth.cols; ++u) {
       if (!std::isfinite(from[u])) continue;
-      if (const auto at = pixel_of_place(*other.shape, ours.shape->place_mm(u, v)))
-        to[u] = from[u] - value_between(other.depth->depth_mm, at->x(), at->y());
+      if (const auto at = pixel_of_position(*other.shape, own.shape->position_mm(u, v)))
+        to[u] = from[u] - bilinear_value(other.depth->depth_mm, at->x(), at->y());
     }
   }
   return difference;
 }
 
-/// As live.
+/// The same pipeline as live.
 Result<Pipeline> pipeline_of(const FingerSnapshot& finger,
                              const PipelineSettings& settings,
                              const Job& job) {
-  if (!finger.finger.reference) return Pipeline::before_reference(finger, settings);
+  if (!finger.finger.reference) return Pipeline::without_reference(finger, settings);
   return Pipeline::create(finger, settings, job);
 }
 
@@ -92,8 +92,8 @@ Status FrameMeasurer::load_finger(const std::filesystem::path& folder, const Job
   return {};
 }
 
-Status FrameMeasurer::open_other(const Comparand& other, const Job& job) {
-  if (other_ && other_is_ == other) return {};
+Status FrameMeasurer::open_other(const ComparisonSpec& other, const Job& job) {
+  if (other_ && other_comparison_ == other) return {};
   other_.reset();
   auto pipeline = Result<Pipeline>(Error());
   if (other.method == OtherMethod::kPaper) {
@@ -108,7 +108,7 @@ Status FrameMeasurer::open_other(const Comparand& other, const Job& job) {
   }
   if (!pipeline) return pipeline.error();
   other_ = std::move(*pipeline);
-  other_is_ = other;
+  other_comparison_ = other;
   return {};
 }
 
@@ -134,14 +134,14 @@ RecordingInfo FrameMeasurer::recording() const {
   return {input_, frames_->count(), frames_->frames_per_s(), times_ns_};
 }
 
-/// The pipeline that measures all frames does it, and is told that others come after.
+/// Uses the pipeline of all frames, and announces that others follow.
 Result<FrameResult> FrameMeasurer::measure_other_frame(std::size_t number) {
   number = std::min(number, frames_->count() - 1);
   if (!other_frame_ || other_frame_->number != number) {
-    const auto picture = frames_->frame(number);
-    if (!picture) return picture.error();
+    const auto frame_read = frames_->frame(number);
+    if (!frame_read) return frame_read.error();
     first_->forget();
-    auto result = (*first_)(*picture);
+    auto result = (*first_)(*frame_read);
     first_->forget();
     last_.reset();
     if (!result) return result.error();
@@ -151,7 +151,7 @@ Result<FrameResult> FrameMeasurer::measure_other_frame(std::size_t number) {
 }
 
 void FrameMeasurer::compare(MeasuredFrame& frame,
-                            const Comparand& other,
+                            const ComparisonSpec& other,
                             bool is_next,
                             const Job& job) {
   if (other.method == OtherMethod::kFrame) {
@@ -171,19 +171,19 @@ void FrameMeasurer::compare(MeasuredFrame& frame,
   }
   if (!frame.other || !frame.other->depth || !frame.result.depth) return;
   frame.difference_mm = other.method == OtherMethod::kFrame
-                            ? difference_at_places(frame.result, *frame.other)
+                            ? difference_on_face(frame.result, *frame.other)
                             : difference_of(frame.result, *frame.other);
 }
 
 Result<MeasuredFrame> FrameMeasurer::measure(std::size_t number,
-                                             const Comparand& other,
+                                             const ComparisonSpec& other,
                                              const Job& job) {
   number = std::min(number, frames_->count() - 1);
-  auto picture = frames_->frame(number);
-  if (!picture) return picture.error();
+  auto frame_read = frames_->frame(number);
+  if (!frame_read) return frame_read.error();
   const bool is_next = frames_->is_continuous() && last_ && *last_ + 1 == number;
   if (!is_next) first_->forget();
-  auto result = (*first_)(*picture);
+  auto result = (*first_)(*frame_read);
   if (!result) return result.error();
   last_ = number;
   MeasuredFrame frame = measured_by(*finger_, first_->settings(), std::move(*result));
@@ -195,7 +195,7 @@ Result<MeasuredFrame> FrameMeasurer::measure(std::size_t number,
 Result<MeasuredFrame> FrameMeasurer::complete(const FrameResult& live,
                                               const Finger& finger,
                                               const std::filesystem::path& folder,
-                                              const Comparand& other,
+                                              const ComparisonSpec& other,
                                               const Job& job) {
   const auto snapshot = FingerSnapshot::of(folder, finger);
   if (!snapshot) return snapshot.error();

@@ -1,5 +1,5 @@
-// Frames of a recording, in any order, measured as they are shown: with the finger's own settings,
-// how sure each depth is, and on wish beside another method, another setting or another frame.
+// Frames of a recording, in any order, measured for display: with the finger's own settings and the
+// uncertainty of each depth, and optionally a second method, setting or frame for comparison.
 #pragma once
 
 #include "core/finger/finger_store.h"
@@ -18,19 +18,19 @@
 
 namespace alltact {
 
-/// What a frame is compared with.
+/// The second measurement of a comparison.
 enum class OtherMethod {
   kNone = 1,
   kPaper,    ///< itself, by the source paper's method
   kSetting,  ///< itself, with one setting of the pipeline set to another value
-  kFrame,    ///< another frame of the recording, at the same places of the face
+  kFrame,    ///< another frame of the recording, at the same positions on the face
 };
 
-struct Comparand {
+struct ComparisonSpec {
   OtherMethod method = OtherMethod::kNone;
-  std::string setting = {}, value = {};  ///< kSetting: of pipeline_settings()
+  std::string setting = {}, value = {};  ///< of pipeline_settings()
   std::size_t frame = 0;                 ///< kFrame: its number
-  bool operator==(const Comparand&) const = default;
+  bool operator==(const ComparisonSpec&) const = default;
 };
 
 /// One frame, measured.
@@ -43,14 +43,14 @@ struct MeasuredFrame {
   /// Of the depth (depth_sd_and_limits()); both are empty where there is no depth.
   cv::Mat sd_mm, limits;
   std::optional<Mapping> mapping;  ///< that the depth was read with
-  double smoothing_px = 0;         ///< and what came before that
-  /// What it is compared with, where that could be measured.
+  double smoothing_px = 0;         ///< applied before the mapping
+  /// The second measurement, where it succeeded.
   std::optional<FrameResult> other;
-  /// Depth less that of `other`, CV_32FC1, the picture's size; NaN where one of them is missing.
-  /// Empty where one of both has no depth. Of another frame at the same place of the face, which
-  /// lies in another pixel where the finger has bent since.
+  /// Depth minus that of `other`, mm, CV_32FC1, the image's size; NaN where one of them is missing.
+  /// Empty where one has no depth. Another frame is compared at the same position on the face,
+  /// which lies in another pixel where the finger has bent since.
   cv::Mat difference_mm;
-  /// Why no frame of this finger can be compared so, where that was wished.
+  /// Why the requested comparison is impossible for all frames of this finger.
   std::optional<Error> other_problem;
 };
 
@@ -58,52 +58,52 @@ struct RecordingInfo {
   std::filesystem::path input;
   std::size_t count = 0;
   double frames_per_s = 30;
-  std::shared_ptr<const FrameTimes> times_ns;  ///< null for pictures
+  std::shared_ptr<const FrameTimes> times_ns;  ///< null for single images
 };
 
 /// Holds a recording, a finger and one or two pipelines of it. Used by one thread.
 class FrameMeasurer {
  public:
-  /// A video or a folder of pictures; does nothing where it is open already. Errors: it is not
-  /// there any more; those of RecordedFrames::open.
+  /// A video or a folder of images; does nothing where it is open already. Errors: it does not
+  /// exist any more; those of RecordedFrames::open.
   [[nodiscard]] Status open_recording(const std::filesystem::path& input, const Job& job);
-  /// Does nothing where it is open as it stands there now. Errors: an empty folder; those of
+  /// Does nothing where the folder's present state is open. Errors: an empty folder; those of
   /// FingerStore::snapshot and Pipeline::create. A finger without a reference is no error: its
-  /// shape is measured. What was open before is closed in any case.
+  /// shape is measured. The previous finger is closed in any case.
   [[nodiscard]] Status load_finger(const std::filesystem::path& folder, const Job& job);
 
-  /// As it was loaded; null: none is.
+  /// The finger at the time of loading; null: none is open.
   [[nodiscard]] const FingerPtr& finger() const { return finger_; }
   /// Both are open, so that measure() may be called.
   [[nodiscard]] bool is_open() const { return frames_ && first_; }
-  /// With a recording open.
+  /// Requires an open recording.
   [[nodiscard]] RecordingInfo recording() const;
 
-  /// With both open. `number`: beyond the recording's end the last frame is taken. Errors: the
+  /// Requires both open. `number`: beyond the recording's end the last frame is used. Errors: the
   /// frame cannot be read, or is not of the finger's size.
   [[nodiscard]] Result<MeasuredFrame> measure(std::size_t number,
-                                              const Comparand& other,
+                                              const ComparisonSpec& other,
                                               const Job& job);
 
-  /// A frame that `finger` has measured live. Another method or setting measures it with the finger
-  /// in `folder`, opened for that; where that is empty, not at all. There is no other frame.
-  /// Errors: those of load_finger() and FingerSnapshot::of.
+  /// Completes a frame that `finger` has measured live. Another method or setting is measured with
+  /// the finger in `folder`, opened for that purpose; with an empty folder, not at all. There is no
+  /// other frame. Errors: those of load_finger() and FingerSnapshot::of.
   [[nodiscard]] Result<MeasuredFrame> complete(const FrameResult& live,
                                                const Finger& finger,
                                                const std::filesystem::path& folder,
-                                               const Comparand& other,
+                                               const ComparisonSpec& other,
                                                const Job& job);
 
  private:
-  Status open_other(const Comparand& other, const Job& job);
-  void compare(MeasuredFrame& frame, const Comparand& other, bool is_next, const Job& job);
+  Status open_other(const ComparisonSpec& other, const Job& job);
+  void compare(MeasuredFrame& frame, const ComparisonSpec& other, bool is_next, const Job& job);
   Result<FrameResult> measure_other_frame(std::size_t number);
 
   std::filesystem::path folder_, input_;
   std::shared_ptr<FingerStore> store_;
   FingerPtr finger_;
   std::optional<Pipeline> first_, other_;
-  Comparand other_is_;  // that other_ measures with
+  ComparisonSpec other_comparison_;  // that other_ measures with
   struct OtherFrame {
     std::size_t number;
     FrameResult result;

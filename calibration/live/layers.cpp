@@ -13,8 +13,8 @@
 namespace alltact {
 namespace {
 
-constexpr double kFaint_mm = 0.05;  // nothing is coloured below: noise of an untouched face
-constexpr double kFull_mm = 0.25;   // and fully from here on
+constexpr double kFaint_mm = 0.05;  // smaller depths have no colour: noise of an untouched face
+constexpr double kFull_mm = 0.25;   // full colour from here on
 constexpr double kStrongest = 0.85;
 constexpr int kStripe_px = 6;
 
@@ -28,13 +28,13 @@ Pixel premultiplied(MapColour colour, double alpha) {
   return {times(colour.blue), times(colour.green), times(colour.red), times(255)};
 }
 
-/// From -kBulgePart to 1 of the top in even steps; zero is step kZeroStep.
-constexpr float kZeroStep = static_cast<float>(255 * kBulgePart / (1 + kBulgePart));
+/// From -kBulgeFraction to 1 of the top in even steps; zero is step kZeroStep.
+constexpr float kZeroStep = static_cast<float>(255 * kBulgeFraction / (1 + kBulgeFraction));
 
 DepthColours depth_colours(double top_mm) {
   DepthColours table;
   for (std::size_t i = 0; i < table.size(); ++i) {
-    const double part = (1 + kBulgePart) * static_cast<double>(i) / 255 - kBulgePart;
+    const double part = (1 + kBulgeFraction) * static_cast<double>(i) / 255 - kBulgeFraction;
     const double strength =
         std::clamp((std::abs(part * top_mm) - kFaint_mm) / (kFull_mm - kFaint_mm), 0.0, 1.0);
     table[i] =
@@ -73,8 +73,8 @@ Rows face_rows(const FrameResult& result, int u, int height) {
   return {std::max(0, rows.first), std::min(height - 1, rows.last)};
 }
 
-/// What the measurement says of each pixel; where nothing was measured, what it would say of this
-/// picture if it were the reference, too.
+/// Flags of each pixel; without a measurement those that the image itself implies, as live image
+/// and as reference.
 cv::Mat fault_flags(const cv::Mat& grey, const FrameResult& result) {
   if (result.depth) return result.depth->flags;
   if (result.difference) return result.difference->flags;
@@ -95,7 +95,7 @@ cv::Mat fault_flags(const cv::Mat& grey, const FrameResult& result) {
 }  // namespace
 
 PartLayer depth_layer(const DepthMap& depth, double top_mm) {
-  constexpr int kPart = 128;  // columns of a row, of which hardly any shows a colour
+  constexpr int kPart = 128;  // columns of a row, few of which show a colour
   const cv::Mat& map = depth.depth_mm;
   std::vector<cv::Rect> parts;
   cv::Rect all;
@@ -108,7 +108,7 @@ PartLayer depth_layer(const DepthMap& depth, double top_mm) {
     }
   if (parts.empty()) return {};
   const DepthColours colours = depth_colours(top_mm);
-  const float scale = static_cast<float>(255 / ((1 + kBulgePart) * top_mm));
+  const float scale = static_cast<float>(255 / ((1 + kBulgeFraction) * top_mm));
   PartLayer layer{cv::Mat::zeros(all.size(), CV_8UC4), all.tl()};
   for (const cv::Rect& part : parts)
     colour_part(map.ptr<float>(part.y) + part.x,

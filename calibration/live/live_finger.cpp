@@ -23,7 +23,7 @@ Result<FingerPtr> finger_of_scene(const std::filesystem::path& file) {
 Result<Pipeline> pipeline_of(const FingerSnapshot& finger, const Job& job) {
   const PipelineSettings settings = measuring_settings(finger.folder);
   if (finger.folder.empty() || !finger.finger.reference)
-    return Pipeline::before_reference(finger, settings);
+    return Pipeline::without_reference(finger, settings);
   return Pipeline::create(finger, settings, job);
 }
 
@@ -33,7 +33,7 @@ std::optional<Error> force_problem_of(const FingerSnapshot& finger) {
   return belongs ? std::nullopt : std::optional(belongs.error());
 }
 
-/// What could not be measured is shown as it came.
+/// A frame that could not be measured is shown raw.
 void measure_into(LiveView& view, Pipeline& pipeline, const FramePtr& frame) {
   auto result = pipeline(frame);
   if (result) {
@@ -51,26 +51,26 @@ struct LiveFinger::Loading {
   Job job;
 };
 
-/// A finger's pipeline and which opened finger it is of.
+/// A finger's pipeline and the number of its opened finger.
 struct LiveFinger::Measuring {
-  Pipeline pipeline = Pipeline::of_unknown_finger();
+  Pipeline pipeline = Pipeline::without_finger();
   std::uint64_t opened = 0;
 };
 
 struct LiveFinger::State {
   mutable std::mutex mutex;
   FingerStatus status;
-  std::shared_ptr<Loading> loading;  // the one that counts
+  std::shared_ptr<Loading> loading;  // the current one
   std::optional<Measuring> next;     // loaded, for the measuring thread to take
   std::shared_ptr<const LiveView> view;
-  WantedLayers layers;
+  RequestedLayers layers;
   double depth_top_mm = 1.0;
 };
 
-LiveFinger::LiveFinger(const FrameHub& hub, std::function<void()> news)
+LiveFinger::LiveFinger(const FrameHub& hub, std::function<void()> on_update)
     : state_(std::make_shared<State>()),
       reader_(hub.reader()),
-      news_(std::move(news)),
+      on_update_(std::move(on_update)),
       thread_([this](const std::stop_token& stop) { measure(stop); }) {}
 
 LiveFinger::~LiveFinger() {
@@ -137,12 +137,12 @@ void LiveFinger::measure(const std::stop_token& stop) {
   FramePtr last;
   while (!stop.stop_requested()) {
     FramePtr frame = reader_.next(std::chrono::milliseconds(50));
-    // Of a source that has ended the last one is shown; a finger opened since measures it, too.
-    if (!frame && has_news_for_last()) frame = last;
+    // The last frame of a source that has ended is shown; a finger opened later measures it, too.
+    if (!frame && has_update_for_last()) frame = last;
     if (!frame) continue;
-    WantedLayers layers;
+    RequestedLayers layers;
     auto view = std::make_shared<LiveView>();
-    std::optional<Measuring> before;  // freed outside the lock: it may hold a whole recording
+    std::optional<Measuring> before;  // freed outside the lock: it may hold a full recording
     {
       const std::lock_guard lock(state_->mutex);
       if (state_->next) {
@@ -161,24 +161,24 @@ void LiveFinger::measure(const std::stop_token& stop) {
     if (layers.depth && result.depth)
       view->depth_layer = depth_layer(*result.depth, view->depth_top_mm);
     if (layers.faults) view->faults_layer = faults_layer(result.grey, result);
-    bool is_news = false;
+    bool is_new = false;
     std::shared_ptr<const LiveView> missed;
     {
       const std::lock_guard lock(state_->mutex);
       missed = std::exchange(state_->view, std::move(view));
-      is_news = missed == nullptr;
+      is_new = missed == nullptr;
       state_->status.skipped = reader_.missed();
     }
-    if (is_news) news_();
+    if (is_new) on_update_();
   }
 }
 
-bool LiveFinger::has_news_for_last() const {
+bool LiveFinger::has_update_for_last() const {
   const std::lock_guard lock(state_->mutex);
   return state_->next.has_value();
 }
 
-void LiveFinger::set_layers(WantedLayers layers) {
+void LiveFinger::set_layers(RequestedLayers layers) {
   const std::lock_guard lock(state_->mutex);
   state_->layers = layers;
 }

@@ -16,18 +16,18 @@ namespace {
 constexpr double kSmoothingPx = 2.0;
 constexpr double kMinimumRimDeg = 60.0;
 constexpr double kRoughRim = 0.16;  // rms distance from the circle / radius
-constexpr double kRagged = 0.72;    // least share of the circle's inside that is dark
+constexpr double kRagged = 0.72;    // minimum dark fraction of the circle's inside
 constexpr int kMinimumPixels = 60;
-constexpr double kLeastContrast = 0.012;  // of the brightness: a tenth of a millimetre or so
-constexpr double kSurely = 5.0;           // times the scatter of what is untouched
-/// Two contacts are refused where the second weighs more than this part of the first.
+constexpr double kMinContrast = 0.012;  // of the brightness: about a tenth of a millimetre
+constexpr double kContrastSd = 5.0;     // times the scatter of the untouched face
+/// Two contacts are refused where the second has more than this fraction of the first's weight.
 constexpr double kSecondContact = 0.3;
 
 Error refuse(const Press& press, Message what, Message advice) {
   return {std::move(what), press.name, std::move(advice)};
 }
 
-/// The difference smoothed over what was measured, NaN off the face.
+/// The difference smoothed over measured pixels, NaN off the face.
 cv::Mat smoothed(const cv::Mat& x) {
   const cv::Mat known = measured_pixels(x);
   cv::Mat filled = x.clone();
@@ -54,8 +54,8 @@ std::optional<Levels> levels_of(const cv::Mat& x) {
       if (const float value = x.at<float>(v, u); std::isfinite(value)) values.push_back(value);
   if (values.size() < 20 * kMinimumPixels) return std::nullopt;
   const std::size_t top = std::max<std::size_t>(kMinimumPixels / 3, values.size() / 333);
-  const auto at = [&](std::size_t place) {
-    const auto here = values.begin() + static_cast<std::ptrdiff_t>(place);
+  const auto at = [&](std::size_t rank) {
+    const auto here = values.begin() + static_cast<std::ptrdiff_t>(rank);
     std::nth_element(values.begin(), here, values.end());
     return static_cast<double>(*here);
   };
@@ -65,14 +65,14 @@ std::optional<Levels> levels_of(const cv::Mat& x) {
   Levels levels;
   levels.untouched = at(part(0.5));
   levels.spread = std::max(1e-4, levels.untouched - at(part(0.16)));
-  at(values.size() - top);  // so that the darkest stand at the end
+  at(values.size() - top);  // partially sorts, so that the darkest are at the end
   double sum = 0;
   for (std::size_t i = values.size() - top; i < values.size(); ++i) sum += values[i];
   levels.darkest = sum / static_cast<double>(top);
   return levels;
 }
 
-/// A connected dark part of the picture.
+/// A connected dark region of the image.
 struct Patch {
   int label = 0;
   int pixels = 0;
@@ -98,8 +98,8 @@ std::vector<Patch> patches_of(const cv::Mat& labels, const cv::Mat& x, int count
   return patches;
 }
 
-/// Where the level is crossed between neighbouring pixels on the patch's border, on the rolled-out
-/// face (length along it, y). Borders that are the face's own end are counted, not used.
+/// Points where the level is crossed between neighbouring pixels on the patch's border, on the
+/// rolled-out face (length along it, y). Borders at the face's own end are counted, not used.
 struct Rim {
   std::vector<Eigen::Vector2d> points_mm, points_px;
   int off_face = 0;
@@ -148,7 +148,7 @@ class RimReader {
 };
 
 double arc_deg(const std::vector<Eigen::Vector2d>& points, const Circle& circle) {
-  constexpr std::size_t kBins = 60;  // wide enough for the rim of the smallest disc to fill them
+  constexpr std::size_t kBins = 60;  // wide enough that the rim of the smallest disc fills them
   std::array<bool, kBins> seen{};
   for (const auto& p : points) {
     const Eigen::Vector2d d = p - circle.centre;
@@ -158,7 +158,7 @@ double arc_deg(const std::vector<Eigen::Vector2d>& points, const Circle& circle)
   return 360.0 / kBins * static_cast<double>(std::count(seen.begin(), seen.end(), true));
 }
 
-/// A circle through most of the points: refitted without those further off than 2.5 sd.
+/// A circle through most of the points: refitted without those more than 2.5 sd off.
 std::optional<Circle> robust_circle(std::vector<Eigen::Vector2d> points) {
   auto circle = fit_circle_taubin(points);
   for (int round = 0; circle && round < 3; ++round) {
@@ -174,14 +174,14 @@ std::optional<Circle> robust_circle(std::vector<Eigen::Vector2d> points) {
   return circle;
 }
 
-/// What the picture shows inside the circle.
+/// The image inside the circle.
 struct Inside {
-  double dark_share = 0;                    ///< of the circle's part that lies on the face
-  std::optional<FaceShape::Local> nearest;  ///< to the circle's middle
+  double dark_share = 0;                                   ///< of the circle's region on the face
+  std::optional<FaceShape::Local> nearest;                 ///< to the circle's middle
   Eigen::Vector2d to_middle_mm = Eigen::Vector2d::Zero();  ///< from there, on the rolled-out face
 };
 
-Inside look_inside(const Press& press, const cv::Mat& x, const Circle& circle, double level) {
+Inside analyse_inside(const Press& press, const cv::Mat& x, const Circle& circle, double level) {
   Inside inside;
   int dark = 0;
   int all = 0;
@@ -220,7 +220,7 @@ Result<BallGuess> find(const Press& press, const Face& face) {
                   en::say("hardly any pixel of the face could be compared with the reference"),
                   en::say("a press and a reference of the same size in which the face is lit"));
   const double contrast = levels->darkest - std::max(0.0, levels->untouched);
-  if (contrast < std::max(kLeastContrast, kSurely * levels->spread))
+  if (contrast < std::max(kMinContrast, kContrastSd * levels->spread))
     return refuse(
         press,
         en::say("nothing on the face is clearly darker than in the reference (the "
@@ -273,7 +273,7 @@ Result<BallGuess> find(const Press& press, const Face& face) {
   for (const auto& p : rim.points_mm)
     spread += std::pow((p - circle->centre).norm() - circle->radius, 2);
   spread = std::sqrt(spread / static_cast<double>(rim.points_mm.size())) / circle->radius;
-  const Inside inside = look_inside(press, x, *circle, level);
+  const Inside inside = analyse_inside(press, x, *circle, level);
   if (spread > kRoughRim || inside.dark_share < kRagged || !inside.nearest)
     return refuse(press,
                   en::say("the dark part is no disc: its rim is off a circle by {:.0f} % of the "

@@ -14,22 +14,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kLeastBlockPx = 8;
-constexpr int kMostBlocks = 120;      // along the picture
+constexpr int kMinBlockPx = 8;
+constexpr int kMaxBlocks = 120;       // along the image
 constexpr double kMovedSd = 4.5;      // of a block's noise
 constexpr double kMovedLevels = 1.0;  // and at least this much
-constexpr double kMovedPart = 5e-4;   // of the blocks: what chance may move
+constexpr double kMovedPart = 5e-4;   // of the blocks: allowed by chance
 constexpr std::size_t kFewestHeld = 4;
-constexpr std::size_t kMostOfVideo = 64;
+constexpr std::size_t kMaxOfVideo = 64;
 
 cv::Mat blocks_of(const cv::Mat& grey) {
-  const int block = std::max(kLeastBlockPx, grey.cols / kMostBlocks);
+  const int block = std::max(kMinBlockPx, grey.cols / kMaxBlocks);
   const cv::Size size(std::max(1, grey.cols / block), std::max(1, grey.rows / block));
-  cv::Mat whole, blocks;
+  cv::Mat cropped, blocks;
   grey(cv::Rect(
            0, 0, std::min(grey.cols, size.width * block), std::min(grey.rows, size.height * block)))
-      .convertTo(whole, CV_32F);
-  cv::resize(whole, blocks, size, 0, 0, cv::INTER_AREA);
+      .convertTo(cropped, CV_32F);
+  cv::resize(cropped, blocks, size, 0, 0, cv::INTER_AREA);
   return blocks;
 }
 
@@ -53,7 +53,7 @@ bool show_the_same(const cv::Mat& a, const cv::Mat& b) {
 void HeldFrames::add(FramePtr frame) {
   cv::Mat blocks = blocks_of(frame->grey);
   seen_.push_back({std::move(frame), std::move(blocks)});
-  if (seen_.size() > most_) seen_.pop_front();
+  if (seen_.size() > max_frames_) seen_.pop_front();
 }
 
 std::vector<FramePtr> HeldFrames::alike() const {
@@ -81,18 +81,19 @@ FramePtr mean_frame(const std::vector<FramePtr>& frames) {
   return mean;
 }
 
-BurstSource::BurstSource(std::vector<fs::path> bursts, std::size_t most)
-    : bursts_(std::move(bursts)), most_(std::clamp<std::size_t>(most, 1, kMostOfVideo)) {}
+BurstSource::BurstSource(std::vector<fs::path> bursts, std::size_t max_frames)
+    : bursts_(std::move(bursts)),
+      max_frames_(std::clamp<std::size_t>(max_frames, 1, kMaxOfVideo)) {}
 
 Result<FramePtr> BurstSource::next() {
   if (position_ == bursts_.size()) return FramePtr();
   const fs::path& burst = bursts_[position_++];
   auto source = open_source({burst});
   if (!source) return source.error();
-  HeldFrames held(kMostOfVideo);
+  HeldFrames held(kMaxOfVideo);
   std::vector<FramePtr> longest;
   std::size_t read = 0;
-  const std::size_t enough = std::max(most_, kFewestHeld);
+  const std::size_t enough = std::max(max_frames_, kFewestHeld);
   while (longest.size() < enough) {
     auto frame = (*source)->next();
     if (!frame) return frame.error();
@@ -107,8 +108,8 @@ Result<FramePtr> BurstSource::next() {
                          read),
                  burst.string(),
                  en::say("holding ball and finger still for half a second, at a steady light")};
-  if (longest.size() > most_)
-    longest.erase(longest.begin(), longest.end() - static_cast<std::ptrdiff_t>(most_));
+  if (longest.size() > max_frames_)
+    longest.erase(longest.begin(), longest.end() - static_cast<std::ptrdiff_t>(max_frames_));
   auto frame = std::make_shared<Frame>(*mean_frame(longest));
   frame->name = (burst.has_stem() ? burst : burst.parent_path()).stem().string();
   frame->origin = burst.string();

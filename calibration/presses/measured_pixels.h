@@ -1,4 +1,4 @@
-// Which pixels of a picture of measurements hold one.
+// Which pixels of an image of measurements have a value.
 #pragma once
 
 #include <limits>
@@ -7,8 +7,8 @@
 
 namespace alltact {
 
-/// 255 where `x` is finite, 0 where it is NaN or infinite: both mean that nothing was measured.
-/// x: CV_32FC1; gives CV_8UC1 of its size.
+/// 255 where `x` is finite, 0 where it is NaN or infinite: both mean that nothing was measured. x:
+/// CV_32FC1; returns CV_8UC1 of its size.
 [[nodiscard]] inline cv::Mat measured_pixels(const cv::Mat& x) {
   return cv::abs(x) < std::numeric_limits<float>::infinity();  // false for NaN
 }

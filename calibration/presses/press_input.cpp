@@ -1,7 +1,7 @@
 #include "calibration/presses/press_input.h"
 
 #include "calibration/presses/held_frames.h"
-#include "core/sources/files/picture_source.h"
+#include "core/sources/files/image_source.h"
 #include "core/sources/open/open_source.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ Result<std::unique_ptr<Source>> open_presses(const PressInput& input) {
     return std::unique_ptr<Source>(std::make_unique<FrameSource>(input.frames));
   if (input.bursts)
     return std::unique_ptr<Source>(
-        std::make_unique<BurstSource>(input.files, input.pictures_per_press));
+        std::make_unique<BurstSource>(input.files, input.frames_per_press));
   auto source = open_source(input.files);
   if (source || std::none_of(input.files.begin(), input.files.end(), is_video)) return source;
   Error several = source.error();
@@ -23,9 +23,9 @@ Result<std::unique_ptr<Source>> open_presses(const PressInput& input) {
 }
 
 bool is_one_video(const Source& presses) {
-  const bool is_pictures = dynamic_cast<const PictureSource*>(&presses) != nullptr ||
-                           dynamic_cast<const FrameSource*>(&presses) != nullptr;
-  return presses.is_continuous() && !is_pictures;
+  const bool is_images = dynamic_cast<const ImageSource*>(&presses) != nullptr ||
+                         dynamic_cast<const FrameSource*>(&presses) != nullptr;
+  return presses.is_continuous() && !is_images;
 }
 
 std::vector<Message> made_of(const Source& presses) {

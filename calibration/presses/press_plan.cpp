@@ -8,10 +8,10 @@ namespace alltact {
 namespace {
 
 constexpr double kAcross = 1.0 / 7;  // of the face's width, to either side
-constexpr double kEnough = 0.85, kTooDeep = 1.4, kMostOfLayer = 0.8;
+constexpr double kEnough = 0.85, kTooDeep = 1.4, kMaxOfLayer = 0.8;
 
 struct Planned {
-  double along, across, depth;  // parts of the seen length, of kAcross, of the layer
+  double along, across, depth;  // fractions of the seen length, of kAcross, of the layer
 };
 constexpr std::array<Planned, 6> kPlan{{{0.50, 1, 0.55},
                                         {0.20, -1, 0.55},
@@ -34,13 +34,13 @@ std::optional<std::pair<int, int>> seen_columns(const FaceShape& shape) {
 double width_mm(const FaceShape& shape, int u) {
   const auto rows = shape.rows(u, 0);
   if (rows.first > rows.last) return 0;
-  return std::abs(shape.place_mm(u, rows.last).y() - shape.place_mm(u, rows.first).y());
+  return std::abs(shape.position_mm(u, rows.last).y() - shape.position_mm(u, rows.first).y());
 }
 
-/// Where a function that only grows or only falls between `from` and `to` has a value; its nearest
-/// end where it has none.
+/// Solves a monotonic function between `from` and `to` for a value, by bisection; the nearest end
+/// where there is no solution.
 template <class Function>
-double where_it_is(double value, double from, double to, const Function& function) {
+double solve_monotonic(double value, double from, double to, const Function& function) {
   if (function(from) > function(to)) std::swap(from, to);
   for (int i = 0; i < 40; ++i) {
     const double middle = 0.5 * (from + to);
@@ -70,7 +70,7 @@ std::optional<PressTarget> next_press(const std::vector<PressTarget>& targets,
   for (const Eigen::Vector2d& made : made_mm) {
     const auto nearest = std::min_element(
         targets.begin(), targets.end(), [&](const PressTarget& a, const PressTarget& b) {
-          return (a.place_mm - made).squaredNorm() < (b.place_mm - made).squaredNorm();
+          return (a.position_mm - made).squaredNorm() < (b.position_mm - made).squaredNorm();
         });
     if (nearest != targets.end())
       is_made[static_cast<std::size_t>(nearest - targets.begin())] = true;
@@ -80,25 +80,26 @@ std::optional<PressTarget> next_press(const std::vector<PressTarget>& targets,
   return targets[static_cast<std::size_t>(next - is_made.begin())];
 }
 
-std::optional<Eigen::Vector2d> pixel_of_place(const FaceShape& shape,
-                                              const Eigen::Vector2d& place_mm) {
+std::optional<Eigen::Vector2d> pixel_of_position(const FaceShape& shape,
+                                                 const Eigen::Vector2d& position_mm) {
   const auto seen = seen_columns(shape);
   if (!seen) return std::nullopt;
-  const double u = where_it_is(place_mm.x(), seen->first, seen->second, [&](double column) {
+  const double u = solve_monotonic(position_mm.x(), seen->first, seen->second, [&](double column) {
     return shape.length_at(column);
   });
   const auto rows = shape.rows(static_cast<int>(std::lround(u)), 0);
   if (rows.first > rows.last) return std::nullopt;
-  const double v = where_it_is(
-      place_mm.y(), rows.first, rows.last, [&](double row) { return shape.place_mm(u, row).y(); });
+  const double v = solve_monotonic(position_mm.y(), rows.first, rows.last, [&](double row) {
+    return shape.position_mm(u, row).y();
+  });
   return Eigen::Vector2d(u, v);
 }
 
-PressedSoFar pressed_so_far(double depth_mm, double target_mm, double layer_mm) {
-  if (depth_mm > std::min(kTooDeep * target_mm, kMostOfLayer * layer_mm) &&
+PressProgress press_progress(double depth_mm, double target_mm, double layer_mm) {
+  if (depth_mm > std::min(kTooDeep * target_mm, kMaxOfLayer * layer_mm) &&
       depth_mm > kEnough * target_mm)
-    return PressedSoFar::kTooDeep;
-  return depth_mm >= kEnough * target_mm ? PressedSoFar::kEnough : PressedSoFar::kDeeper;
+    return PressProgress::kTooDeep;
+  return depth_mm >= kEnough * target_mm ? PressProgress::kEnough : PressProgress::kDeeper;
 }
 
 }  // namespace alltact

@@ -11,8 +11,8 @@
 namespace alltact {
 namespace {
 
-/// Noise of block means: white noise has second differences of variance 6 sd^2, and a smooth
-/// relief has next to none.
+/// Noise of block means: white noise has second differences of variance 6 sd^2, a smooth relief
+/// nearly none.
 double noise_of(const cv::Mat& means) {
   std::vector<double> differences;
   for (int row = 0; row < means.rows; ++row) {
@@ -26,7 +26,7 @@ double noise_of(const cv::Mat& means) {
   return 1.4826 * upper_median(differences) / std::sqrt(6.0);
 }
 
-/// Means of whole blocks; NaN where any pixel is (a NaN in a sum stays one).
+/// Means of complete blocks; NaN where any pixel is (a NaN in a sum stays one).
 cv::Mat block_means(const cv::Mat& x, int block) {
   cv::Mat means(x.rows / block, x.cols / block, CV_32FC1);
   for (int row = 0; row < means.rows; ++row) {
@@ -42,7 +42,7 @@ cv::Mat block_means(const cv::Mat& x, int block) {
   return means;
 }
 
-/// How the untouched point moves with the pixel; zero where the face ends.
+/// Derivative of the untouched point by the pixel; zero where the face ends.
 Eigen::Vector3d by_pixel(const FaceShape& shape,
                          const Face& face,
                          const Eigen::Vector2d& pixel,
@@ -57,7 +57,7 @@ Eigen::Vector3d by_pixel(const FaceShape& shape,
 PressSamples sample_in(const Press& press, const Face& face, const cv::Rect& box, int block_px) {
   PressSamples result;
   result.ball_radius_mm = press.ball_radius_mm;
-  result.told_depth = press.told_depth;
+  result.given_depth = press.given_depth;
   result.block_px = block_px;
   result.blur_px2 = press.difference.blur_px2 + block_px * block_px / 12.0;
   const cv::Mat means = block_means(press.difference.x(box), block_px);
@@ -77,14 +77,14 @@ PressSamples sample_in(const Press& press, const Face& face, const cv::Rect& box
       sample.normal = local->normal;
       sample.cos_incline = local->cos_incline;
       sample.x = x;
-      sample.place_mm = press.shape.place_mm(pixel.x(), pixel.y());
+      sample.position_mm = press.shape.position_mm(pixel.x(), pixel.y());
       result.samples.push_back(sample);
     }
   }
   return result;
 }
 
-void keep_near(const Eigen::Vector3d& middle, double radius_mm, PressSamples* press) {
+void retain_near(const Eigen::Vector3d& middle, double radius_mm, PressSamples* press) {
   std::erase_if(press->samples, [&](const Sample& s) {
     return !((s.untouched_n - middle).squaredNorm() <= radius_mm * radius_mm);
   });
@@ -92,22 +92,22 @@ void keep_near(const Eigen::Vector3d& middle, double radius_mm, PressSamples* pr
 
 }  // namespace
 
-PressedPart pressed_part(const std::vector<const PressSamples*>& presses) {
-  constexpr double kLeastMm = 1.0;
+PressedArea pressed_area(const std::vector<const PressSamples*>& presses) {
+  constexpr double kMinMm = 1.0;
   Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
   Eigen::Vector2d high = -low;
   for (const PressSamples* press : presses)
     for (const Sample& sample : press->samples) {
-      low = low.cwiseMin(sample.place_mm);
-      high = high.cwiseMax(sample.place_mm);
+      low = low.cwiseMin(sample.position_mm);
+      high = high.cwiseMax(sample.position_mm);
     }
   if (!low.allFinite()) return {};
-  return {0.5 * (low + high), (0.5 * (high - low)).cwiseMax(kLeastMm)};
+  return {0.5 * (low + high), (0.5 * (high - low)).cwiseMax(kMinMm)};
 }
 
-void place_within(const PressedPart& part, PressSamples* press) {
+void set_unit_positions(const PressedArea& part, PressSamples* press) {
   for (Sample& sample : press->samples)
-    sample.place = (sample.place_mm - part.middle_mm).cwiseQuotient(part.half_mm);
+    sample.unit_position = (sample.position_mm - part.middle_mm).cwiseQuotient(part.half_mm);
 }
 
 PressSamples sample_press(const Press& press, const Face& face, int block_px) {
@@ -127,11 +127,11 @@ PressSamples sample_around(const Press& press,
                            const Eigen::Vector3d& middle,
                            double radius_mm,
                            int limit) {
-  // Roughly where, from a thin sample; then as fine as the limit allows.
+  // The approximate extent from a coarse sample, then blocks as fine as the limit allows.
   constexpr int kRough = 8;
   constexpr int kFinest = 2;
   PressSamples rough = sample_press(press, face, kRough);
-  keep_near(middle, radius_mm + 0.01 * middle.norm(), &rough);
+  retain_near(middle, radius_mm + 0.01 * middle.norm(), &rough);
   if (rough.samples.empty()) return rough;
   Eigen::Vector2d low = rough.samples.front().pixel;
   Eigen::Vector2d high = low;
@@ -147,7 +147,7 @@ PressSamples sample_around(const Press& press,
   const double pixels = static_cast<double>(rough.samples.size()) * kRough * kRough;
   const int block = std::max(kFinest, static_cast<int>(std::ceil(std::sqrt(pixels / limit))));
   PressSamples near = sample_in(press, face, box, block);
-  keep_near(middle, radius_mm, &near);
+  retain_near(middle, radius_mm, &near);
   for (Sample& sample : near.samples) {
     sample.by_u = by_pixel(press.shape, face, sample.pixel, {1, 0});
     sample.by_v = by_pixel(press.shape, face, sample.pixel, {0, 1});

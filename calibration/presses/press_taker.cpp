@@ -5,10 +5,10 @@
 
 namespace alltact {
 
-std::optional<PressTaker::Taken> PressTaker::want(double time_s) {
+std::optional<PressTaker::Taken> PressTaker::request(double time_s) {
   if (is_enough()) return take(alike_);
   if (state_ != State::kWaits) {
-    wanted_s_ = time_s;
+    requested_s_ = time_s;
     contact_.begin();
   }
   state_ = State::kWaits;
@@ -30,7 +30,7 @@ std::optional<PressTaker::Taken> PressTaker::see(const FramePtr& frame,
   const bool has_ended = alike_.size() < before.size();
   if (has_ended && before.size() >= kFewest) return take(before);
   if (contact_.add(contact, time_s)) return take(alike_);
-  if (time_s - wanted_s_ >= kPatience_s) state_ = State::kRefused;
+  if (time_s - requested_s_ >= kTimeout_s) state_ = State::kRefused;
   return std::nullopt;
 }
 
@@ -44,7 +44,7 @@ void PressTaker::forget() {
 }
 
 double PressTaker::held_part() const {
-  // The first frame is always like itself.
+  // The first frame always equals itself.
   const double burst = alike_.size() < 2 ? 0.0 : static_cast<double>(alike_.size()) / kBurst;
   return std::min(1.0, burst);
 }

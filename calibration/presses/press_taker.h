@@ -1,4 +1,4 @@
-// A press from a live picture: not before ball and finger hold still.
+// Takes a press from a live stream once ball and finger are still.
 #pragma once
 
 #include "calibration/presses/held_frames.h"
@@ -8,15 +8,15 @@
 
 namespace alltact {
 
-/// Is shown every frame of a source, and takes the mean of those that show the same as soon as a
-/// press is wanted and they are enough of them: a picture of a moving finger is none, because the
-/// ball would be fitted to a place where it never was.
+/// Receives every frame of a source. As soon as a press is requested, it takes the mean of enough
+/// frames that are the same. Frames of a moving finger are no press: the ball would be fitted to a
+/// position where it never was.
 class PressTaker {
  public:
   static constexpr std::size_t kBurst = 16;  ///< frames of a press; see HeldFrames
   static constexpr std::size_t kFewest = 4;  ///< of a source that is slow
-  static constexpr double kHeld_s = 0.5;     ///< that are enough where kBurst takes longer
-  static constexpr double kPatience_s = 5.0;
+  static constexpr double kHeld_s = 0.5;     ///< enough where kBurst takes longer
+  static constexpr double kTimeout_s = 5.0;
 
   struct Taken {
     FramePtr frame;  ///< the mean, with the last one's name, time and settings
@@ -24,24 +24,25 @@ class PressTaker {
   };
   enum class State {
     kIdle = 1,
-    kWaits,    ///< for ball and finger to be held still
-    kRefused,  ///< they were not within kPatience_s
+    kWaits,    ///< until ball and finger are still
+    kRefused,  ///< they were not within kTimeout_s
   };
 
-  /// A press is wanted. Taken at once where what was seen last is held; else by see(), or by end().
-  [[nodiscard]] std::optional<Taken> want(double time_s);
-  /// The next frame, and the contact that it shows. time_s: of any clock that goes on. Light that
-  /// flickers makes no two frames the same: there a contact that holds still is taken as it is.
+  /// Requests a press. Returns it at once where the last frames are still; otherwise see() or end()
+  /// does.
+  [[nodiscard]] std::optional<Taken> request(double time_s);
+  /// Adds the next frame, and the contact that it shows. time_s: of any monotonic clock. With
+  /// flickering light no two frames are the same; then a stationary contact is taken as it is.
   [[nodiscard]] std::optional<Taken> see(const FramePtr& frame,
                                          const std::optional<DarkPatch>& contact,
                                          double time_s);
-  /// No further frame comes: the last one stands still.
+  /// The stream has ended: the last frame is taken.
   [[nodiscard]] std::optional<Taken> end();
-  /// What was seen, and that anything was wanted: another finger, or nobody looks.
+  /// Resets frames and request: another finger, or no viewer.
   void forget();
 
   [[nodiscard]] State state() const { return state_; }
-  /// Part of a burst that is there, [0, 1].
+  /// Fraction of a burst that is complete, [0, 1].
   [[nodiscard]] double held_part() const;
 
  private:
@@ -52,8 +53,8 @@ class PressTaker {
   FramePtr newest_;              // null: none
   std::vector<FramePtr> alike_;  // with the newest
   State state_ = State::kIdle;
-  double wanted_s_ = 0;
-  StationaryContactDetector contact_;  // since then
+  double requested_s_ = 0;
+  StationaryContactDetector contact_;  // since the request
 };
 
 }  // namespace alltact

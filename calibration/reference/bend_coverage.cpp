@@ -9,14 +9,14 @@ namespace alltact {
 namespace {
 
 int cell(double part) {
-  constexpr double kShown = BendPicture::kShown;
-  const double at = (part + kShown) / (2 * kShown) * BendPicture::kCells;
-  return std::clamp(static_cast<int>(std::floor(at)), 0, BendPicture::kCells - 1);
+  constexpr double kShown = BendState::kShown;
+  const double at = (part + kShown) / (2 * kShown) * BendState::kCells;
+  return std::clamp(static_cast<int>(std::floor(at)), 0, BendState::kCells - 1);
 }
 
 }  // namespace
 
-bool BendPicture::is_wanted(BendDirection direction) const {
+bool BendState::is_required(BendDirection direction) const {
   constexpr double kHardly = 0.5;  // of what is needed
   if (direction != BendDirection::kTwistRight && direction != BendDirection::kTwistLeft)
     return true;
@@ -32,19 +32,19 @@ bool BendPicture::is_wanted(BendDirection direction) const {
   return bent < 1 || twisted >= kHardly;
 }
 
-std::vector<BendDirection> BendPicture::missing() const {
+std::vector<BendDirection> BendState::missing() const {
   std::vector<BendDirection> missing;
   for (std::size_t d = 0; d < reached.size(); ++d)
     if (const auto direction = static_cast<BendDirection>(d);
-        reached[d] < 1 && is_wanted(direction))
+        reached[d] < 1 && is_required(direction))
       missing.push_back(direction);
   return missing;
 }
 
 void BendCoverage::begin(const MotionNeed& need) {
-  picture_ = {};
-  picture_.need = need;
-  places_.clear();
+  state_ = {};
+  state_.need = need;
+  poses_.clear();
   next_choice_ = 1;
   if (is_set_) return;
   pair_.reset();
@@ -53,33 +53,33 @@ void BendCoverage::begin(const MotionNeed& need) {
 }
 
 void BendCoverage::add(const Markers& markers, const FaceShape& shape) {
-  std::optional<TipPlace> place;
+  std::optional<TipPose> pose;
   if (pair_) {
-    if (2 * *pair_ < markers.size()) place = tip_place(markers, *pair_, shape);
+    if (2 * *pair_ < markers.size()) pose = tip_pose(markers, *pair_, shape);
   } else {
-    for (std::size_t pair = markers.size() / 2; !place && pair-- > 0;) {
-      place = tip_place(markers, pair, shape);
-      if (place) pair_ = pair;
+    for (std::size_t pair = markers.size() / 2; !pose && pair-- > 0;) {
+      pose = tip_pose(markers, pair, shape);
+      if (pose) pair_ = pair;
     }
   }
-  if (place)
-    add(*place);
+  if (pose)
+    add(*pose);
   else
-    add_nothing();
+    clear_pose();
 }
 
-void BendCoverage::add(const TipPlace& place) {
-  now_ = place;
-  places_.push_back(place);
-  if (!is_set_ && places_.size() >= next_choice_)
+void BendCoverage::add(const TipPose& pose) {
+  now_ = pose;
+  poses_.push_back(pose);
+  if (!is_set_ && poses_.size() >= next_choice_)
     choose_rest();
   else
-    show(place);
+    accumulate(pose);
 }
 
-void BendCoverage::add_nothing() {
+void BendCoverage::clear_pose() {
   now_.reset();
-  picture_.now.reset();
+  state_.now.reset();
 }
 
 bool BendCoverage::set_rest() {
@@ -87,7 +87,7 @@ bool BendCoverage::set_rest() {
   rest_ = now_;
   middle_ = {};
   is_set_ = true;
-  show_again();
+  rebuild();
   return true;
 }
 
@@ -96,46 +96,46 @@ std::optional<RestPose> BendCoverage::set_rest_pose() const {
   return RestPose{*pair_, *rest_};
 }
 
-// Half-way through each motion on its own: a finger that bends and twists at once need never have
-// been in the middle of both.
+// The middle of each motion separately: a finger that bends and twists at once need never have been
+// in the middle of both.
 void BendCoverage::choose_rest() {
-  rest_ = places_.front();
+  rest_ = poses_.front();
   std::vector<double> bend_mm, sway_mm, twist_deg;
-  for (const TipPlace& place : places_) {
-    const TipMotion motion = motion_between(*rest_, place);
+  for (const TipPose& pose : poses_) {
+    const TipMotion motion = motion_between(*rest_, pose);
     bend_mm.push_back(motion.bend_mm);
     sway_mm.push_back(motion.sway_mm);
     twist_deg.push_back(motion.twist_deg);
   }
   middle_ = {upper_median(bend_mm), upper_median(sway_mm), upper_median(twist_deg)};
-  next_choice_ = places_.size() + std::max<std::size_t>(1, places_.size() / 4);
-  show_again();
+  next_choice_ = poses_.size() + std::max<std::size_t>(1, poses_.size() / 4);
+  rebuild();
 }
 
-TipMotion BendCoverage::motion_of(const TipPlace& place) const {
-  const TipMotion motion = motion_between(*rest_, place);
+TipMotion BendCoverage::motion_of(const TipPose& pose) const {
+  const TipMotion motion = motion_between(*rest_, pose);
   return {motion.bend_mm - middle_.bend_mm,
           motion.sway_mm - middle_.sway_mm,
           motion.twist_deg - middle_.twist_deg};
 }
 
-void BendCoverage::show_again() {
+void BendCoverage::rebuild() {
   const auto now = now_;
-  const MotionNeed need = picture_.need;
-  picture_ = {};
-  picture_.need = need;
-  for (const TipPlace& place : places_) show(place);
-  picture_.now = now ? std::optional(motion_of(*now)) : std::nullopt;
+  const MotionNeed need = state_.need;
+  state_ = {};
+  state_.need = need;
+  for (const TipPose& pose : poses_) accumulate(pose);
+  state_.now = now ? std::optional(motion_of(*now)) : std::nullopt;
 }
 
-void BendCoverage::show(const TipPlace& place) {
-  const TipMotion motion = motion_of(place);
-  picture_.now = motion;
-  const double bend = motion.bend_mm / picture_.need.bend_mm,
-               sway = motion.sway_mm / picture_.need.sway_mm,
-               twist = motion.twist_deg / picture_.need.twist_deg;
+void BendCoverage::accumulate(const TipPose& pose) {
+  const TipMotion motion = motion_of(pose);
+  state_.now = motion;
+  const double bend = motion.bend_mm / state_.need.bend_mm,
+               sway = motion.sway_mm / state_.need.sway_mm,
+               twist = motion.twist_deg / state_.need.twist_deg;
   const auto reach = [&](BendDirection direction, double part) {
-    double& reached = picture_.reached[static_cast<std::size_t>(direction)];
+    double& reached = state_.reached[static_cast<std::size_t>(direction)];
     reached = std::max(reached, part);
   };
   reach(BendDirection::kAway, bend);
@@ -144,8 +144,8 @@ void BendCoverage::show(const TipPlace& place) {
   reach(BendDirection::kUp, -sway);
   reach(BendDirection::kTwistRight, twist);
   reach(BendDirection::kTwistLeft, -twist);
-  ++picture_.visits[static_cast<std::size_t>(cell(sway) * BendPicture::kCells + cell(bend))];
-  ++picture_.poses;
+  ++state_.visits[static_cast<std::size_t>(cell(sway) * BendState::kCells + cell(bend))];
+  ++state_.poses;
 }
 
 }  // namespace alltact

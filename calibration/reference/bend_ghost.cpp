@@ -11,7 +11,7 @@ namespace {
 constexpr int kSections = 24;
 constexpr double kBeyond = 1.1;  // times what is needed
 
-/// A section of the face: the points of both edges, and how far along it lies.
+/// A section of the face: the points of both edges, and the fraction of the length.
 struct Section {
   Eigen::Vector3d upper, lower, normal;
   double part = 0;  ///< 0 at the base, 1 at the tip
@@ -61,27 +61,25 @@ std::optional<BentOutline> bent_outline(const FaceShape& shape, const TipMotion&
   return outline.upper.size() < 2 ? std::nullopt : std::optional(outline);
 }
 
-TipMotion motion_left(const BendPicture& picture, BendDirection direction) {
+TipMotion motion_left(const BendState& image, BendDirection direction) {
   TipMotion left;
-  if (!picture.now) return left;
+  if (!image.now) return left;
   const auto to = [](double now, double need, bool is_up) {
     return (is_up ? 1 : -1) * kBeyond * need - now;
   };
   switch (direction) {
     case BendDirection::kAway:
     case BendDirection::kTowards:
-      left.bend_mm =
-          to(picture.now->bend_mm, picture.need.bend_mm, direction == BendDirection::kAway);
+      left.bend_mm = to(image.now->bend_mm, image.need.bend_mm, direction == BendDirection::kAway);
       break;
     case BendDirection::kDown:
     case BendDirection::kUp:
-      left.sway_mm =
-          to(picture.now->sway_mm, picture.need.sway_mm, direction == BendDirection::kDown);
+      left.sway_mm = to(image.now->sway_mm, image.need.sway_mm, direction == BendDirection::kDown);
       break;
     case BendDirection::kTwistRight:
     case BendDirection::kTwistLeft:
-      left.twist_deg = to(
-          picture.now->twist_deg, picture.need.twist_deg, direction == BendDirection::kTwistRight);
+      left.twist_deg =
+          to(image.now->twist_deg, image.need.twist_deg, direction == BendDirection::kTwistRight);
       break;
   }
   return left;

@@ -1,5 +1,5 @@
-// Where a finger's outline would be seen if it were moved a little further: what a hand is to
-// follow while a reference is recorded.
+// Target outline of a finger that moves a little further: a guide for the hand during the recording
+// of a reference.
 #pragma once
 
 #include "calibration/reference/bend_coverage.h"
@@ -11,18 +11,18 @@
 
 namespace alltact {
 
-/// Both edges of the face from base to tip, px of the oriented picture.
+/// Both edges of the face from base to tip, px of the oriented image.
 struct BentOutline {
   std::vector<Eigen::Vector2d> upper, lower;
 };
 
-/// The face moved by `motion` at its tip, as a beam that is held at its base: by (s / L)^2 of it
-/// where s of the length L lies behind. nullopt: no face is seen.
+/// The face moved by `motion` at its tip, as a cantilever beam: displacement (s / L)^2 of the
+/// motion at s of the length L. nullopt: no face is visible.
 [[nodiscard]] std::optional<BentOutline> bent_outline(const FaceShape& shape,
                                                       const TipMotion& motion);
 
-/// What is left from the pose now to a little beyond what is needed in a direction; nothing where
-/// no pose is known.
-[[nodiscard]] TipMotion motion_left(const BendPicture& picture, BendDirection direction);
+/// Motion from the current pose to slightly beyond what is needed in a direction; zero where no
+/// pose is known.
+[[nodiscard]] TipMotion motion_left(const BendState& image, BendDirection direction);
 
 }  // namespace alltact

@@ -13,22 +13,22 @@ constexpr double kFirstGate = 0.05;  // of the face's length
 constexpr double kGate = 0.02;       // once the common motion is known
 constexpr double kOffWeight =
     0.3;  // of the distance from the face, which side faces that bulge change
-constexpr int kTrialFrames = 12;  // after which a track that is hardly ever found is dropped
-constexpr double kHardlyEver = 0.12;
+constexpr int kTrialFrames = 12;  // after which a track with few detections is dropped
+constexpr double kMinHitRate = 0.12;
 
-/// A place beside the face that bends with it.
-struct Place {
+/// A position next to the face, in coordinates that bend with it.
+struct FacePosition {
   double along_mm = 0, off_face = 0;
 };
 
-/// Along the face from where it crosses a column that is the same in all frames.
+/// Position along the face, from its crossing with a column that is the same in all frames.
 class Face {
  public:
   Face(const EdgeCurves& curves, double from_u_px)
       : length_mm_(static_cast<double>(std::abs(curves.along_mm.back() - curves.along_mm.front()))),
         from_mm_(along_mm_at(curves, from_u_px)) {}
   [[nodiscard]] double length_mm() const { return length_mm_; }
-  [[nodiscard]] Place place(const Dot& dot) const {
+  [[nodiscard]] FacePosition position(const Dot& dot) const {
     return {dot.along_mm - from_mm_, dot.off_face};
   }
 
@@ -36,7 +36,7 @@ class Face {
   double length_mm_, from_mm_;
 };
 
-/// By frame, the earlier one it is linked to; in the order in which they can be followed.
+/// By frame, the earlier one it is linked to; in processing order.
 struct Link {
   std::size_t frame, parent;
 };
@@ -46,7 +46,7 @@ std::vector<Link> tree_of(const std::vector<FrameOfDots>& frames) {
   std::vector<double> distance(n, std::numeric_limits<double>::infinity());
   std::vector<std::size_t> parent(n, 0);
   std::vector<char> done(n, 0);
-  // The frame with the most dots tells most; the tree grows from there.
+  // The frame with the most dots has the most information and is the root.
   std::size_t next = 0;
   for (std::size_t i = 1; i < n; ++i)
     if (frames[i].dots->size() > frames[next].dots->size()) next = i;
@@ -72,21 +72,21 @@ double log_size(const Dot& dot) {
   return std::log(dot.radius_px / std::max(1.0, dot.face_px));
 }
 
-/// A track while it is followed.
+/// A track during tracking.
 struct Followed {
   bool upper = false;
-  std::vector<Place> place;               // by frame, also where it was not found
+  std::vector<FacePosition> position;     // by frame, also where it was not found
   std::vector<int> dot_of;                // by frame
   double log_size = 0, log_contrast = 0;  // when last found
-  int found = 0, looked = 0;
+  int found = 0, tried = 0;
 };
 
 /// Motion along the finger that is common to the dots of one side, linear along it.
 struct SideMotion {
   double at_zero_mm = 0, slope = 0, off = 0;
 
-  [[nodiscard]] Place operator()(const Place& place) const {
-    return {place.along_mm + at_zero_mm + slope * place.along_mm, place.off_face + off};
+  [[nodiscard]] FacePosition operator()(const FacePosition& position) const {
+    return {position.along_mm + at_zero_mm + slope * position.along_mm, position.off_face + off};
   }
 };
 
@@ -95,7 +95,7 @@ class Follower {
   explicit Follower(const std::vector<FrameOfDots>& frames) : frames_(frames) {
     std::vector<EdgeCurves> curves;
     for (const FrameOfDots& frame : frames) curves.push_back(*frame.curves);
-    if (const auto places = choose_places(curves)) from_u_px_ = places->from_u_px;
+    if (const auto positions = choose_edge_positions(curves)) from_u_px_ = positions->from_u_px;
   }
 
   void follow(const Link& link) {
@@ -103,7 +103,7 @@ class Follower {
     const Face face(*frame.curves, from_u_px_);
     for (const bool upper : {true, false}) follow_side(link, face, upper);
     std::erase_if(tracks_, [](const Followed& track) {
-      return track.looked >= kTrialFrames && track.found < kHardlyEver * track.looked;
+      return track.tried >= kTrialFrames && track.found < kMinHitRate * track.tried;
     });
   }
 
@@ -117,7 +117,7 @@ class Follower {
   };
 
   [[nodiscard]] std::vector<Pair> pairs(const std::vector<std::size_t>& side,
-                                        const std::vector<Place>& expected,
+                                        const std::vector<FacePosition>& expected,
                                         const std::vector<Dot>& dots,
                                         const Face& face,
                                         bool upper,
@@ -127,7 +127,7 @@ class Follower {
       const Followed& track = tracks_[side[k]];
       for (std::size_t d = 0; d < dots.size(); ++d) {
         if (dots[d].upper != upper) continue;
-        const Place at = face.place(dots[d]);
+        const FacePosition at = face.position(dots[d]);
         const double away =
             std::hypot(at.along_mm - expected[k].along_mm,
                        kOffWeight * face.length_mm() * (at.off_face - expected[k].off_face));
@@ -135,9 +135,9 @@ class Follower {
         const double unlike =
             std::abs(log_size(dots[d]) - track.log_size) +
             0.3 * std::abs(std::log(std::abs(dots[d].contrast)) - track.log_contrast);
-        // Tracks that are often found come first.
-        const double seldom = 1.0 - static_cast<double>(track.found) / std::max(1, track.looked);
-        all.push_back({(away + 0.05) * (1.0 + unlike + seldom), k, static_cast<int>(d)});
+        // Tracks with a high detection rate come first.
+        const double miss_rate = 1.0 - static_cast<double>(track.found) / std::max(1, track.tried);
+        all.push_back({(away + 0.05) * (1.0 + unlike + miss_rate), k, static_cast<int>(d)});
       }
     }
     std::sort(all.begin(), all.end(), [](const Pair& a, const Pair& b) {
@@ -153,16 +153,16 @@ class Follower {
     return all;
   }
 
-  /// Least squares over the pairs that lie about as far off as most.
+  /// Least squares over the pairs without outlying displacements.
   static SideMotion motion_of(const std::vector<Pair>& pairs,
-                              const std::vector<Place>& expected,
+                              const std::vector<FacePosition>& expected,
                               const std::vector<Dot>& dots,
                               const Face& face) {
     SideMotion motion;
     if (pairs.empty()) return motion;
     std::vector<double> along, off;
     for (const Pair& pair : pairs) {
-      const Place at = face.place(dots[static_cast<std::size_t>(pair.dot)]);
+      const FacePosition at = face.position(dots[static_cast<std::size_t>(pair.dot)]);
       along.push_back(at.along_mm - expected[pair.track].along_mm);
       off.push_back(at.off_face - expected[pair.track].off_face);
     }
@@ -188,16 +188,16 @@ class Follower {
   void follow_side(const Link& link, const Face& face, bool upper) {
     const std::vector<Dot>& dots = *frames_[link.frame].dots;
     std::vector<std::size_t> side;
-    std::vector<Place> expected;
+    std::vector<FacePosition> expected;
     for (std::size_t t = 0; t < tracks_.size(); ++t) {
       if (tracks_[t].upper != upper) continue;
       side.push_back(t);
-      expected.push_back(tracks_[t].place[link.parent]);
+      expected.push_back(tracks_[t].position[link.parent]);
     }
     const double length = face.length_mm();
     const SideMotion motion = motion_of(
         pairs(side, expected, dots, face, upper, kFirstGate * length), expected, dots, face);
-    for (Place& place : expected) place = motion(place);
+    for (FacePosition& position : expected) position = motion(position);
     std::vector<char> is_known(dots.size(), 0);
     std::vector<int> dot_of(side.size(), -1);
     for (const Pair& pair : pairs(side, expected, dots, face, upper, kGate * length)) {
@@ -206,13 +206,13 @@ class Follower {
     }
     for (std::size_t k = 0; k < side.size(); ++k) {
       Followed& track = tracks_[side[k]];
-      ++track.looked;
-      track.place[link.frame] = expected[k];
+      ++track.tried;
+      track.position[link.frame] = expected[k];
       if (dot_of[k] < 0) continue;
       const Dot& dot = dots[static_cast<std::size_t>(dot_of[k])];
       ++track.found;
       track.dot_of[link.frame] = dot_of[k];
-      track.place[link.frame] = face.place(dot);
+      track.position[link.frame] = face.position(dot);
       track.log_size = log_size(dot);
       track.log_contrast = std::log(std::abs(dot.contrast));
     }
@@ -224,13 +224,14 @@ class Follower {
     const Dot& dot = (*frames_[frame].dots)[static_cast<std::size_t>(d)];
     Followed track;
     track.upper = dot.upper;
-    // Other branches go on from frames that were followed before: there it lies where it lies here.
-    track.place.assign(frames_.size(), face.place(dot));
+    // Other branches start from frames processed before: there the dot is assumed at the same
+    // position.
+    track.position.assign(frames_.size(), face.position(dot));
     track.dot_of.assign(frames_.size(), -1);
     track.dot_of[frame] = d;
     track.log_size = log_size(dot);
     track.log_contrast = std::log(std::abs(dot.contrast));
-    track.found = track.looked = 1;
+    track.found = track.tried = 1;
     tracks_.push_back(std::move(track));
   }
 
@@ -244,8 +245,8 @@ DotTrack summary_of(Followed&& followed, const std::vector<FrameOfDots>& frames)
   for (std::size_t i = 0; i < frames.size(); ++i) {
     if (followed.dot_of[i] < 0) continue;
     const Dot& dot = (*frames[i].dots)[static_cast<std::size_t>(followed.dot_of[i])];
-    along.push_back(followed.place[i].along_mm);
-    off.push_back(followed.place[i].off_face);
+    along.push_back(followed.position[i].along_mm);
+    off.push_back(followed.position[i].off_face);
     size.push_back(log_size(dot));
     contrast.push_back(std::log(std::abs(dot.contrast)));
   }
@@ -262,13 +263,13 @@ DotTrack summary_of(Followed&& followed, const std::vector<FrameOfDots>& frames)
 
 }  // namespace
 
-std::vector<DotTrack> track_dots(const std::vector<FrameOfDots>& frames, double least_support) {
+std::vector<DotTrack> track_dots(const std::vector<FrameOfDots>& frames, double min_support) {
   std::vector<DotTrack> tracks;
   if (frames.empty()) return tracks;
   Follower follower(frames);
   for (const Link& link : tree_of(frames)) follower.follow(link);
   for (Followed& followed : follower.take()) {
-    if (followed.found < least_support * static_cast<double>(frames.size())) continue;
+    if (followed.found < min_support * static_cast<double>(frames.size())) continue;
     tracks.push_back(summary_of(std::move(followed), frames));
   }
   std::stable_sort(tracks.begin(), tracks.end(), [](const DotTrack& a, const DotTrack& b) {

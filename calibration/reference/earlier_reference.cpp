@@ -21,8 +21,8 @@ std::optional<EarlierReference> EarlierReference::open(const std::filesystem::pa
                                                        const Finger& finger,
                                                        const NumberedRecording& recording,
                                                        const Job& job) {
-  if (!finger.reference || finger.reference->video.empty() || finger.reference->places ||
-      recording.places || finger.markers.missing != recording.missing)
+  if (!finger.reference || finger.reference->video.empty() || finger.reference->positions ||
+      recording.positions || finger.markers.missing != recording.missing)
     return std::nullopt;
   auto table = MarkerTable::load(folder / finger.reference->markers, finger.marker_count());
   if (!table || table->typical.size() != recording.typical.size() || table->frames.empty())
@@ -31,7 +31,7 @@ std::optional<EarlierReference> EarlierReference::open(const std::filesystem::pa
   if (!video || static_cast<std::size_t>(table->frames.back()) >= video->frame_count())
     return std::nullopt;
   EarlierReference earlier(finger.camera, std::move(*video), thinned(*table, kMostFrames));
-  // A camera whose picture has another size or turn since: the first frame tells.
+  // The first frame shows whether image size or orientation of the camera have changed.
   if (!earlier.frame(static_cast<std::size_t>(earlier.table_.frames.front()))) return std::nullopt;
   return earlier;
 }

@@ -1,5 +1,4 @@
-// The reference that a finger has when it is recorded again: a witness of how its skin looked
-// untouched.
+// The earlier reference of a finger that is recorded again: evidence of its untouched skin.
 #pragma once
 
 #include "calibration/reference/recording_layouts.h"
@@ -17,8 +16,8 @@ namespace alltact {
 
 class EarlierReference {
  public:
-  /// At most kMostFrames of it, spread evenly. nullopt: the finger has none, it cannot be read, or
-  /// its poses are not told by the same markers as those of the new recording.
+  /// At most kMostFrames of it, spread evenly. nullopt: there is none, it cannot be read, or its
+  /// poses rely on other markers than those of the new recording.
   static std::optional<EarlierReference> open(const std::filesystem::path& folder,
                                               const Finger& finger,
                                               const NumberedRecording& recording,
@@ -27,7 +26,7 @@ class EarlierReference {
   static constexpr std::size_t kMostFrames = 300;
 
   [[nodiscard]] const MarkerTable& table() const { return table_; }
-  /// By its number in the video; CV_8UC1, oriented as the finger's camera has it.
+  /// By its number in the video; CV_8UC1, oriented as the finger's camera.
   [[nodiscard]] Result<cv::Mat> frame(std::size_t number);
 
  private:

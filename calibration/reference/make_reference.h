@@ -1,4 +1,4 @@
-// What a reference recording is made into: frames that can be used, their markers, their report.
+// The products of a reference recording: usable frames, their markers, their report.
 #pragma once
 
 #include "calibration/reference/recording_layouts.h"
@@ -20,22 +20,22 @@ namespace alltact {
 inline constexpr const char* kReferenceVideo = "reference.mkv";
 inline constexpr const char* kReferenceTable = "reference.csv";
 
-/// As far as it came, where the recording is refused.
+/// Partly filled where the recording is refused.
 struct MadeReference {
-  MarkerTable table;  ///< of the frames that are kept
+  MarkerTable table;  ///< of the frames that are retained
   NumberedRecording numbered;
-  SettingsSeen settings;
+  SettingsMonitor settings;
   ReferenceReport report;
   std::size_t rest = 0;  ///< frame of the recording
-  cv::Mat problem;       ///< a picture of what was found; empty: there is no problem
+  cv::Mat problem;       ///< an image of the problem; empty: there is none
 };
 
-/// The finger as its recording describes it: the files, the markers' polarity, which it lacks.
+/// The finger as its recording describes it: files, polarity of the markers, and missing markers.
 [[nodiscard]] Finger with_markers(const Finger& finger, const NumberedRecording& numbered);
 
-/// Fills `video` with the frames that are kept, and `made`, whose report brings what is needed of
-/// motion, with what goes with it. folder: the finger's, where its earlier reference is. Errors:
-/// those of install_reference() but for the folder's.
+/// Fills `video` with the retained frames and `made` with their data. made.report holds the
+/// required motion at the call. folder: the finger's, with its earlier reference. Errors: those of
+/// install_reference() except the folder's.
 [[nodiscard]] Status make_reference(Source& source,
                                     const Camera& camera,
                                     const Finger& finger,

@@ -24,10 +24,10 @@ std::vector<int> nodes_of(int marker, const std::vector<int>& missing, int per_r
 
 }  // namespace
 
-void place_missing(const std::vector<int>& missing,
-                   const MirroredPlace& mirrored,
-                   Eigen::MatrixXd& layouts,
-                   Eigen::Index row) {
+void interpolate_missing(const std::vector<int>& missing,
+                         const MirroredPosition& mirrored,
+                         Eigen::MatrixXd& layouts,
+                         Eigen::Index row) {
   const int per_row = static_cast<int>(layouts.cols() / 4);
   for (const int marker : missing) {
     std::vector<int> nodes = nodes_of(marker, missing, per_row);
@@ -36,18 +36,18 @@ void place_missing(const std::vector<int>& missing,
       nodes = nodes_of((marker + per_row) % (2 * per_row), missing, per_row);
       for (int& node : nodes) node = (node + per_row) % (2 * per_row);
     }
-    Eigen::Vector2d place = Eigen::Vector2d::Zero();
-    bool is_told = !nodes.empty();
+    Eigen::Vector2d position = Eigen::Vector2d::Zero();
+    bool is_known = !nodes.empty();
     for (const int node : nodes) {
       double weight = 1.0;  // Lagrange's
       for (const int other : nodes)
         if (other != node) weight *= static_cast<double>(marker - other) / (node - other);
       std::optional<Eigen::Vector2d> at = layouts.row(row).segment<2>(2 * node).transpose();
       if (by_other_side) at = mirrored(node);
-      is_told = is_told && at;
-      if (at) place += weight * *at;
+      is_known = is_known && at;
+      if (at) position += weight * *at;
     }
-    if (is_told) layouts.row(row).segment<2>(2 * marker) = place.transpose();
+    if (is_known) layouts.row(row).segment<2>(2 * marker) = position.transpose();
   }
 }
 

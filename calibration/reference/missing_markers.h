@@ -1,4 +1,4 @@
-// Where a dot would be that a finger does not have.
+// Positions of markers that a finger does not have.
 #pragma once
 
 #include <functional>
@@ -9,16 +9,16 @@
 
 namespace alltact {
 
-/// Where a marker's counterpart on the other side face lies, mirrored at the face's middle line.
-using MirroredPlace = std::function<std::optional<Eigen::Vector2d>(int marker)>;
+/// Position of a marker's counterpart on the other side face, mirrored at the face's middle line.
+using MirroredPosition = std::function<std::optional<Eigen::Vector2d>(int marker)>;
 
-/// Fills the missing markers of one row of layouts (u0, v0, u1, ..., px) from up to three existing
-/// ones of their row that are nearest by number, on a parabola through these; in a row of fewer
-/// than two from those of the other side. The same ones are used in every layout; one that is not
-/// seen (NaN) leaves the missing marker NaN.
-void place_missing(const std::vector<int>& missing,
-                   const MirroredPlace& mirrored,
-                   Eigen::MatrixXd& layouts,
-                   Eigen::Index row);
+/// Fills the missing markers of one row of layouts (u0, v0, u1, ..., px). Each comes from a
+/// parabola through up to three existing markers of its row, nearest by number. A row of fewer than
+/// two uses those of the other side. The same markers are used in every layout; an invisible one
+/// (NaN) leaves the missing marker NaN.
+void interpolate_missing(const std::vector<int>& missing,
+                         const MirroredPosition& mirrored,
+                         Eigen::MatrixXd& layouts,
+                         Eigen::Index row);
 
 }  // namespace alltact

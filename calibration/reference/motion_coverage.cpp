@@ -6,7 +6,7 @@
 namespace alltact {
 namespace {
 
-constexpr double kReached = 0.9;  // of what is needed counts as reached
+constexpr double kReached = 0.9;  // fraction of the need that counts as reached
 constexpr double kEnough = 0.8;   // of the cells
 
 int cell_of(double value, double need) {
@@ -27,23 +27,21 @@ void widen(MotionCoverage::Reach& reach, double value) {
 
 }  // namespace
 
-std::optional<TipPlace> tip_place(const Markers& markers,
-                                  std::size_t pair,
-                                  const FaceShape& shape) {
+std::optional<TipPose> tip_pose(const Markers& markers, std::size_t pair, const FaceShape& shape) {
   const Marker& upper = markers[pair];
   const Marker& lower = markers[pair + markers.size() / 2];
-  // The dots lie before the face; its own middle is where the picture shows it between them.
+  // The dots lie in front of the face; its middle is where the image shows it between them.
   const double u = 0.5 * (upper.u + lower.u);
   const auto column = std::lround(u);
   if (column < 0 || column >= shape.width_px()) return std::nullopt;
   const FaceColumn& face = shape.columns()[static_cast<std::size_t>(column)];
   const auto local = shape.at(u, 0.5 * (face.upper_v + face.lower_v));
   if (!local) return std::nullopt;
-  return TipPlace{
+  return TipPose{
       local->view_point_mm, local->normal, std::atan2(upper.u - lower.u, lower.v - upper.v)};
 }
 
-TipMotion motion_between(const TipPlace& rest, const TipPlace& now) {
+TipMotion motion_between(const TipPose& rest, const TipPose& now) {
   const Eigen::Vector3d moved = now.middle_mm - rest.middle_mm;
   return {moved.dot(rest.normal), moved.y(), (now.turn_rad - rest.turn_rad) * 180.0 / M_PI};
 }

@@ -34,7 +34,7 @@ void take_reference(const Finger& from, Finger& finger) {
   finger.reference = from.reference;
   finger.markers = from.markers;
   finger.contact = from.contact;
-  for (const char* key : {kDate, kReferenceSettings}) take_provenance(from, key, finger);
+  for (const char* key : {kDate, kReferenceSettings}) copy_provenance(from, key, finger);
 }
 
 bool has_same_reference(const Finger& a, const Finger& b) {
@@ -46,15 +46,15 @@ bool has_same_reference(const Finger& a, const Finger& b) {
   return yaml && mixed_yaml && *yaml == *mixed_yaml;
 }
 
-Result<ReferenceReport> give_reference(const std::filesystem::path& folder,
-                                       const std::vector<std::filesystem::path>& inputs,
-                                       const Job& job,
-                                       const ReferenceChoices& choices) {
+Result<ReferenceReport> set_reference(const std::filesystem::path& folder,
+                                      const std::vector<std::filesystem::path>& inputs,
+                                      const Job& job,
+                                      const ReferenceChoices& choices) {
   const auto store = FingerStore::of(folder);
   const auto before = store->snapshot();
   if (!before) return before.error();
-  const auto alone = store->hold_for_work(kWork);
-  if (!alone) return alone.error();
+  const auto lock = store->lock_for_work(kWork);
+  if (!lock) return lock.error();
   Finger finger = (*before)->finger;
   auto source = open_source(inputs);
   if (!source) return source.error();
@@ -67,14 +67,14 @@ Result<ReferenceReport> give_reference(const std::filesystem::path& folder,
   return report;
 }
 
-Status give_reference_of(const std::filesystem::path& copy, const std::filesystem::path& folder) {
+Status copy_reference(const std::filesystem::path& copy, const std::filesystem::path& folder) {
   const auto made = Finger::load(copy);
   if (!made) return made.error();
   if (!made->reference)
     return Error{en::say("the finger has no reference recording"), copy.string(), ""};
   const auto store = FingerStore::of(folder);
-  const auto alone = store->hold_for_work(kWork);
-  if (!alone) return alone.error();
+  const auto lock = store->lock_for_work(kWork);
+  if (!lock) return lock.error();
   auto files = FolderChange::begin(folder);
   if (!files) return files.error();
   for (const char* name : {kReferenceVideo, kReferenceTable}) {
@@ -94,17 +94,17 @@ Status give_reference_of(const std::filesystem::path& copy, const std::filesyste
   return save_reference(*store, *made, *files);
 }
 
-Result<std::vector<Message>> give_untouched_picture(const std::filesystem::path& folder,
-                                                    const UntouchedPicture& picture) {
+Result<std::vector<Message>> set_untouched_image(const std::filesystem::path& folder,
+                                                 const UntouchedImage& image) {
   const auto store = FingerStore::of(folder);
   const auto before = store->snapshot();
   if (!before) return before.error();
-  const auto alone = store->hold_for_work(kWork);
-  if (!alone) return alone.error();
+  const auto lock = store->lock_for_work(kWork);
+  if (!lock) return lock.error();
   Finger finger = (*before)->finger;
   auto files = FolderChange::begin(folder);
   if (!files) return files.error();
-  auto warnings = install_flat_reference(picture, files->staged(), finger);
+  auto warnings = install_flat_reference(image, files->staged(), finger);
   if (!warnings) return warnings.error();
   finger.provenance[kDate] = utc_now();
   if (const Status saved = save_reference(*store, finger, *files); !saved) return saved.error();

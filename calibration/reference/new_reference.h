@@ -1,4 +1,4 @@
-// A finger on disk gets another reference.
+// Replaces the reference of a finger on disk.
 #pragma once
 
 #include "calibration/reference/reference_recording.h"
@@ -13,35 +13,35 @@
 
 namespace alltact {
 
-/// Makes a recording a Fin Ray finger's reference (install_reference). What others changed of the
-/// finger meanwhile stays. Errors: those of open_source, install_reference and FingerStore::update;
-/// somebody else is at work on the finger (FingerStore::hold_for_work).
-[[nodiscard]] Result<ReferenceReport> give_reference(
+/// Makes a recording a Fin Ray finger's reference (install_reference). Concurrent changes of other
+/// parts of the finger are preserved. Errors: those of open_source, install_reference and
+/// FingerStore::update; another process works on the finger (FingerStore::lock_for_work).
+[[nodiscard]] Result<ReferenceReport> set_reference(
     const std::filesystem::path& folder,
     const std::vector<std::filesystem::path>& inputs,
     const Job& job,
     const ReferenceChoices& choices = {});
 
-/// What give_reference() gave a copy of the finger becomes the finger's own: the same bytes,
-/// without the work. Errors: the copy has no reference, or its files cannot be read; those of
-/// FingerStore::update; somebody else is at work on the finger.
-///   copy: a folder with finger.yaml and its reference; it stays as it is
-[[nodiscard]] Status give_reference_of(const std::filesystem::path& copy,
-                                       const std::filesystem::path& folder);
+/// Copies the result of set_reference() on a copy of the finger into the finger: the same bytes,
+/// without the computation. Errors: the copy has no reference, or its files cannot be read; those
+/// of FingerStore::update; another process works on the finger.
+///   copy: a folder with finger.yaml and its reference; it is not changed
+[[nodiscard]] Status copy_reference(const std::filesystem::path& copy,
+                                    const std::filesystem::path& folder);
 
-/// The same for a flat sensor's untouched picture (install_flat_reference).
-[[nodiscard]] Result<std::vector<Message>> give_untouched_picture(
-    const std::filesystem::path& folder, const UntouchedPicture& picture);
+/// The same for a flat sensor's untouched image (install_flat_reference).
+[[nodiscard]] Result<std::vector<Message>> set_untouched_image(const std::filesystem::path& folder,
+                                                               const UntouchedImage& image);
 
-/// Pictures of both are compared with the same reference, through the same camera.
+/// Images of both are compared with the same reference, through the same camera.
 [[nodiscard]] bool has_same_reference(const Finger& a, const Finger& b);
 
-/// finger.yaml takes its place together with the files of a change. For FingerStore::update(),
-/// which writes the same finger once more.
+/// Replaces finger.yaml together with the files of a change. For FingerStore::update(), which
+/// writes the same finger once more.
 [[nodiscard]] Status commit_with(const Finger& finger, FolderChange& files);
 
-/// What a reference changes of a finger: the reference, its markers, their rest, and what it was
-/// recorded with.
+/// Copies the fields that a reference defines: the reference, its markers, their rest, and the
+/// recording settings.
 void take_reference(const Finger& from, Finger& finger);
 
 }  // namespace alltact

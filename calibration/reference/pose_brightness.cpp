@@ -1,7 +1,7 @@
 #include "calibration/reference/pose_brightness.h"
 
 #include "core/numerics/median.h"
-#include "core/numerics/parts.h"
+#include "core/numerics/parallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,13 +14,14 @@ namespace {
 
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 constexpr int kLightTerms = 6;
-constexpr Eigen::Index kLinear = 5, kSquare = 4;  // modes: touch_search_test's fingers need no more
+// modes: enough for the fingers of touch_search_test
+constexpr Eigen::Index kLinear = 5, kSquare = 4;
 constexpr Eigen::Index kFramesPerTerm = 6;
-constexpr double kRidge = 1e-6;       // of each frame: keeps equations solvable
-constexpr double kLeastSd = 0.001;    // of a patch; quantisation alone leaves more
+constexpr double kRidge = 1e-6;       // of each frame: makes the equations solvable
+constexpr double kMinSd = 0.001;      // of a patch; quantisation alone exceeds it
 constexpr double kDarkWeight = 0.05;  // of frames below the envelope, in asymmetric least squares
-constexpr double kDarkSds = 5.0;      // from there on a darker frame counts nothing
-constexpr double kBrightSds = 3.0;    // from there on a brighter one counts less
+constexpr double kDarkSds = 5.0;      // from there on a darker frame has zero weight
+constexpr double kBrightSds = 3.0;    // from there on a brighter one has less weight
 constexpr double kShown = 0.9;        // fraction of the frames that must show a patch
 
 double one_sided_weight(double z) {
@@ -98,7 +99,7 @@ PoseBrightness::PoseBrightness(const SkinPatches& patches, const Eigen::MatrixXd
 }
 
 void PoseBrightness::fit_one_sided(const std::vector<char>& without, bool from_bright) {
-  over_parts(static_cast<int>(usable_.size()), all_cores(), [&](int first, int last) {
+  parallel_for(static_cast<int>(usable_.size()), default_threads(), [&](int first, int last) {
     for (int k = first; k < last; ++k)
       fit_patch(usable_[static_cast<std::size_t>(k)], without, from_bright);
   });
@@ -130,7 +131,7 @@ void PoseBrightness::fit_patch(int patch, const std::vector<char>& without, bool
     brighter.clear();
     for (const double off : left)
       if (off > 0) brighter.push_back(off);
-    const double sd = std::max(2 * kLeastSd, 1.4826 * upper_median(brighter));
+    const double sd = std::max(2 * kMinSd, 1.4826 * upper_median(brighter));
     sd_[static_cast<std::size_t>(patch)] = static_cast<float>(sd);
     constexpr double kLeastWeight = 1e-4;
     for (Eigen::Index k = 0; k < n; ++k)
@@ -151,7 +152,7 @@ void PoseBrightness::fit(const std::vector<char>& without) {
       a.transpose() * a +
       kRidge * static_cast<double>(n) * Eigen::MatrixXd::Identity(a.cols(), a.cols());
   const Eigen::MatrixXd solve = normal.ldlt().solve(a.transpose());
-  over_parts(static_cast<int>(usable_.size()), all_cores(), [&](int first, int last) {
+  parallel_for(static_cast<int>(usable_.size()), default_threads(), [&](int first, int last) {
     Eigen::VectorXd y(n);
     std::vector<float> off;
     for (int i = first; i < last; ++i) {
@@ -164,15 +165,15 @@ void PoseBrightness::fit(const std::vector<char>& without) {
       }
       if (shown < 2) continue;
       const double mean = sum / static_cast<double>(shown);
-      // Frames that do not show the patch take what the fit says of them.
+      // Frames that do not show the patch take the predicted value.
       Eigen::VectorXd filled = y.array() - mean, coefficients = solve * filled;
       if (shown < n) {
-        Eigen::VectorXd said = Eigen::VectorXd::Zero(n);
+        Eigen::VectorXd predicted = Eigen::VectorXd::Zero(n);
         for (int round = 0; round < 3; ++round) {
           for (Eigen::Index k = 0; k < n; ++k)
-            filled[k] = std::isfinite(y[k]) ? y[k] - mean : said[k];
+            filled[k] = std::isfinite(y[k]) ? y[k] - mean : predicted[k];
           coefficients = solve * filled;
-          said = a * coefficients;
+          predicted = a * coefficients;
         }
       }
       const Eigen::VectorXd fitted = terms_ * coefficients;
@@ -183,7 +184,7 @@ void PoseBrightness::fit(const std::vector<char>& without) {
           off.push_back(static_cast<float>(
               std::abs(y[k] - mean - fitted[rows[static_cast<std::size_t>(k)]])));
       sd_[static_cast<std::size_t>(patch)] =
-          std::max(static_cast<float>(kLeastSd), 1.4826F * upper_median(off));
+          std::max(static_cast<float>(kMinSd), 1.4826F * upper_median(off));
     }
   });
 }
@@ -195,7 +196,7 @@ void PoseBrightness::fit_with_light(const std::vector<char>& without) {
 }
 
 void PoseBrightness::fit_light() {
-  over_parts(static_cast<int>(patches_.frames()), all_cores(), [&](int first, int last) {
+  parallel_for(static_cast<int>(patches_.frames()), default_threads(), [&](int first, int last) {
     for (Eigen::Index i = first; i < last; ++i) fit_light_of(i);
   });
 }
@@ -204,8 +205,8 @@ void PoseBrightness::fit_light_of(Eigen::Index frame) {
   using Terms = Eigen::Matrix<double, kLightTerms, 1>;
   using Square = Eigen::Matrix<double, kLightTerms, kLightTerms>;
   constexpr double kDark = 4.0, kBright = 6.0;  // standard deviations
-  constexpr double kLeast = 0.004;              // sd: patches that are told better count no more
-  constexpr double kPrior = 0.02;  // sd of a term: what few patches say is not believed at once
+  constexpr double kLeast = 0.004;              // sd: better known patches get no higher weight
+  constexpr double kPrior = 0.02;               // sd of a term: limits the influence of few patches
   Terms light = light_.row(frame).transpose();
   for (int round = 0; round < 3; ++round) {
     Square normal = Square::Identity() / (kPrior * kPrior);
@@ -249,7 +250,7 @@ DeletedResiduals deleted_residuals(const PatchValues& residuals,
       kRidge * static_cast<double>(rows.size()) * Eigen::MatrixXd::Identity(count, count);
   const Eigen::MatrixXd inverse = normal.ldlt().solve(Eigen::MatrixXd::Identity(count, count));
   DeletedResiduals deleted{PatchValues(frames, residuals.cols()), Eigen::VectorXd(frames)};
-  over_parts(static_cast<int>(frames), all_cores(), [&](int first, int last) {
+  parallel_for(static_cast<int>(frames), default_threads(), [&](int first, int last) {
     std::vector<Eigen::Index> near;
     for (Eigen::Index i = first; i < last; ++i) {
       near.clear();
@@ -260,9 +261,9 @@ DeletedResiduals deleted_residuals(const PatchValues& residuals,
       Eigen::RowVectorXf left = residuals.row(i);
       deleted.leverage[i] = terms.row(i).dot(inverse * terms.row(i).transpose());
       if (!near.empty()) {
-        // With A the normal matrix, B the terms of `near`, H = B A^-1 B' and h = B A^-1 b:
-        // the fit without them changes at b by -h' (I - H)^-1 r, and its variance is
-        // b' A^-1 b + h' (I - H)^-1 h (Sherman, Morrison and Woodbury).
+        // With A the normal matrix, B the terms of `near`, H = B A^-1 B' and h = B A^-1 b: the fit
+        // without them changes at b by -h' (I - H)^-1 r, and its variance is b' A^-1 b + h' (I -
+        // H)^-1 h (Sherman, Morrison and Woodbury).
         const Eigen::MatrixXd b = terms(near, Eigen::all);
         const Eigen::MatrixXd solved = inverse * b.transpose();
         const auto size = static_cast<Eigen::Index>(near.size());

@@ -1,4 +1,4 @@
-// How bright each patch of untouched skin is in every pose of a recording, as a smooth function of
+// Brightness of each patch of untouched skin in every pose of a recording, as a smooth function of
 // the finger's modes.
 #pragma once
 
@@ -11,41 +11,40 @@
 namespace alltact {
 
 /// Frames that the simplest fit needs: ten for each term.
-inline constexpr int kLeastFittedFrames = 64;
-/// The variance that noise may give a fit in a pose, in units of a patch's own; beyond that the
-/// frames say too little of the pose (DeletedResiduals::leverage).
-inline constexpr double kMostLeverage = 1.5;
+inline constexpr int kMinFittedFrames = 64;
+/// Maximum variance of the fit in a pose from noise, in units of a patch's own variance. Above it
+/// the frames do not determine the pose (DeletedResiduals::leverage).
+inline constexpr double kMaxLeverage = 1.5;
 
-/// Constant, linear and square terms of the leading modes, a row a frame, as many as the frames can
-/// bear (six for each term).
+/// Constant, linear and square terms of the leading modes, a row a frame. The number of terms is
+/// limited by the frames (six for each term).
 [[nodiscard]] Eigen::MatrixXd pose_terms_of(const Eigen::MatrixXd& modes);
 
-/// The patches by twos.
+/// The patches, merged two by two.
 [[nodiscard]] SkinPatches coarser_patches(const SkinPatches& fine);
 
 /// log level = terms * coefficients of the patch + light of the frame over the face (six terms in
-/// place) + what is left.
+/// position) + residual.
 class PoseBrightness {
  public:
-  /// Both must live as long.
+  /// Both arguments must outlive this.
   PoseBrightness(const SkinPatches& patches, const Eigen::MatrixXd& terms);
 
-  /// Fits each patch over the frames that are not `without`, one-sided: darker ones lose their
-  /// weight. `from_bright`: starts from the upper envelope (asymmetric least squares), so that even
-  /// half of the frames may be darker.
+  /// Fits each patch over the frames outside `without`, one-sided: darker ones lose their weight.
+  /// `from_bright`: starts from the upper envelope (asymmetric least squares), so that even half of
+  /// the frames may be darker.
   void fit_one_sided(const std::vector<char>& without, bool from_bright);
   /// The same by least squares.
   void fit(const std::vector<char>& without);
-  /// Fits the light of every frame to what is left, one-sided.
+  /// Fits the light of every frame to the residuals, one-sided.
   void fit_light();
-  /// By least squares, the light of every frame, and again.
+  /// Least squares of patches and of the light of every frame, alternating.
   void fit_with_light(const std::vector<char>& without);
   void set_light_of(const PoseBrightness& other) { light_ = other.light_; }
 
-  /// What is left, < 0 darker: a row a frame; NaN where a patch is not shown, or not by nearly all
-  /// frames.
+  /// Residuals, < 0 darker: a row a frame; NaN where a patch is not shown, or by too few frames.
   [[nodiscard]] PatchValues residuals() const;
-  /// Of what is left of each patch, robust.
+  /// Robust sd of each patch's residuals.
   [[nodiscard]] const std::vector<float>& sd() const { return sd_; }
 
  private:
@@ -64,15 +63,15 @@ class PoseBrightness {
   PatchValues fitted_;
 };
 
-/// Residuals of a least squares fit as they would be if the frame, and those around it in time, had
-/// had no part in it.
+/// Residuals of a least squares fit as if the frame, and its neighbours in time, had been left out
+/// of the fit.
 struct DeletedResiduals {
   PatchValues values;
-  /// By frame: the variance that noise gives the fit there, in units of a patch's own
-  /// (kMostLeverage).
+  /// By frame: the variance of the fit there from noise, in units of a patch's own variance
+  /// (kMaxLeverage).
   Eigen::VectorXd leverage;
 };
-/// gap: frames (by `numbers`) before and after that have no part either.
+/// gap: number of frames (by `numbers`) before and after that are left out too.
 [[nodiscard]] DeletedResiduals deleted_residuals(const PatchValues& residuals,
                                                  const Eigen::MatrixXd& terms,
                                                  const std::vector<char>& without,

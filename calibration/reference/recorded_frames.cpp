@@ -2,14 +2,14 @@
 
 namespace alltact {
 
-MarkerTable table_of(const NumberedRecording& numbered, const std::vector<std::size_t>& kept) {
+MarkerTable table_of(const NumberedRecording& numbered, const std::vector<std::size_t>& selected) {
   MarkerTable table;
   const auto count = numbered.typical.size();
   table.typical = numbered.typical;
-  table.layouts.resize(static_cast<Eigen::Index>(kept.size()),
+  table.layouts.resize(static_cast<Eigen::Index>(selected.size()),
                        static_cast<Eigen::Index>(2 * count));
-  for (std::size_t i = 0; i < kept.size(); ++i) {
-    const Markers& markers = *numbered.markers[kept[i]];
+  for (std::size_t i = 0; i < selected.size(); ++i) {
+    const Markers& markers = *numbered.markers[selected[i]];
     table.frames.push_back(static_cast<int>(i));
     table.seen.emplace_back(count, 0);
     for (std::size_t m = 0; m < count; ++m) {
@@ -24,9 +24,9 @@ MarkerTable table_of(const NumberedRecording& numbered, const std::vector<std::s
 
 MarkerTable table_in_video(const RecordingPass& pass,
                            const NumberedRecording& numbered,
-                           const std::vector<std::size_t>& kept) {
-  MarkerTable table = table_of(numbered, kept);
-  for (std::size_t i = 0; i < kept.size(); ++i) table.frames[i] = pass.in_video[kept[i]];
+                           const std::vector<std::size_t>& selected) {
+  MarkerTable table = table_of(numbered, selected);
+  for (std::size_t i = 0; i < selected.size(); ++i) table.frames[i] = pass.in_video[selected[i]];
   return table;
 }
 

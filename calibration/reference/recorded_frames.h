@@ -1,4 +1,4 @@
-// Frames of a recording that was just written, by their number in it, and where their markers are.
+// Frames of a recording that was just written, by their number in it, and their marker positions.
 #pragma once
 
 #include "calibration/reference/recording_pass.h"
@@ -10,20 +10,20 @@
 
 namespace alltact {
 
-/// A row for each of `kept`, numbered from 0 on.
+/// A row for each of `selected`, numbered from 0 on.
 [[nodiscard]] MarkerTable table_of(const NumberedRecording& numbered,
-                                   const std::vector<std::size_t>& kept);
+                                   const std::vector<std::size_t>& selected);
 /// The same, numbered as the frames are in the video.
 [[nodiscard]] MarkerTable table_in_video(const RecordingPass& pass,
                                          const NumberedRecording& numbered,
-                                         const std::vector<std::size_t>& kept);
+                                         const std::vector<std::size_t>& selected);
 
-/// Frame `number` of a video, CV_8UC1, oriented as the camera has it.
+/// Frame `number` of a video, CV_8UC1, oriented as the camera.
 [[nodiscard]] Result<cv::Mat> oriented_frame(VideoFile& video,
                                              std::size_t number,
                                              const CameraParameters& camera);
 
-/// What was referred to must live as long.
+/// The referenced objects must outlive this.
 struct RecordedVideo {
   const RecordingPass& pass;
   const std::filesystem::path& file;
@@ -31,7 +31,7 @@ struct RecordedVideo {
   const Camera& camera;
   VideoFile reader;
 
-  /// By its number in the video; CV_8UC1, oriented as the finger's camera has it.
+  /// By its number in the video; CV_8UC1, oriented as the finger's camera.
   [[nodiscard]] Result<cv::Mat> frame(std::size_t number);
 };
 

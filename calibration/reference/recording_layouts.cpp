@@ -10,17 +10,17 @@
 namespace alltact {
 namespace {
 
-constexpr double kMostResidualPx = 3.0;
+constexpr double kMaxResidualPx = 3.0;
 
 const std::vector<Dot>& dots_of(const FrameDots& frame, Polarity polarity) {
   return polarity == Polarity::kBright ? frame.bright : frame.dark;
 }
 
-constexpr std::size_t kMostTracked = 300;  // frames that the rows are learnt from
-constexpr int kFewestMarkers = 4;          // fewer tell no pose once one of them is hidden
-constexpr double kLeastSupport = 0.2;      // part of the frames a marker must be found in
+constexpr std::size_t kMaxTracked = 300;  // frames that the rows are learnt from
+constexpr int kMinMarkers = 4;            // fewer give no pose once one of them is hidden
+constexpr double kMinSupport = 0.2;       // fraction of the frames a marker must be found in
 
-// The rows, and where their dots lie in the frames that were followed.
+// The rows, and the positions of their dots in the frames that were followed.
 struct Rows {
   std::vector<std::vector<Dot>> seen;     // by frame followed, by number; contrast 0: not seen
   std::vector<const EdgeCurves*> curves;  // by frame followed
@@ -32,7 +32,7 @@ std::vector<std::size_t> followed_frames(const std::vector<FrameDots>& frames) {
   std::vector<std::size_t> usable, followed;
   for (std::size_t i = 0; i < frames.size(); ++i)
     if (frames[i].problem.empty() && frames[i].curves.u.size() >= 2) usable.push_back(i);
-  const std::size_t count = std::min(usable.size(), kMostTracked);
+  const std::size_t count = std::min(usable.size(), kMaxTracked);
   for (std::size_t k = 0; k < count; ++k) followed.push_back(usable[k * usable.size() / count]);
   return followed;
 }
@@ -41,10 +41,10 @@ Rows find_rows(const std::vector<FrameDots>& frames,
                const std::vector<std::size_t>& followed,
                Polarity polarity,
                int per_row) {
-  std::vector<FrameOfDots> looked;
+  std::vector<FrameOfDots> dots_in;
   for (const std::size_t i : followed)
-    looked.push_back({&dots_of(frames[i], polarity), &frames[i].curves});
-  const auto tracks = track_dots(looked, kLeastSupport);
+    dots_in.push_back({&dots_of(frames[i], polarity), &frames[i].curves});
+  const auto tracks = track_dots(dots_in, kMinSupport);
   const NumberedRows numbered = choose_rows(tracks, per_row);
   Rows rows;
   rows.worth = numbered.worth;
@@ -55,10 +55,10 @@ Rows find_rows(const std::vector<FrameDots>& frames,
     for (std::size_t m = 0; m < seen.size(); ++m) {
       if (numbered.track_of[m] < 0) continue;
       const int d = tracks[static_cast<std::size_t>(numbered.track_of[m])].dot_of[i];
-      if (d >= 0) seen[m] = (*looked[i].dots)[static_cast<std::size_t>(d)];
+      if (d >= 0) seen[m] = (*dots_in[i].dots)[static_cast<std::size_t>(d)];
     }
     rows.seen.push_back(std::move(seen));
-    rows.curves.push_back(looked[i].curves);
+    rows.curves.push_back(dots_in[i].curves);
   }
   return rows;
 }
@@ -67,7 +67,7 @@ bool is_seen(const Dot& dot) {
   return dot.contrast != 0;
 }
 
-// What each number typically looks like; a missing one looks like those of its row.
+// Typical appearance of each number; a missing one takes that of its row.
 std::vector<Dot> typical_of(const Rows& rows) {
   std::vector<Dot> typical(rows.seen.front().size());
   const auto middle_of = [&](auto member, std::size_t first, std::size_t last) {
@@ -94,9 +94,9 @@ std::vector<Dot> typical_of(const Rows& rows) {
   return typical;
 }
 
-// Dots that do not have the size and contrast of the others with their number are another dot, or
-// half covered.
-void keep_consistent(const std::vector<Dot>& typical, Rows& rows) {
+// Drops dots whose size or contrast differ from the others of their number: another dot, or half
+// covered.
+void drop_inconsistent(const std::vector<Dot>& typical, Rows& rows) {
   for (auto& frame : rows.seen)
     for (std::size_t m = 0; m < frame.size(); ++m) {
       if (!is_seen(frame[m])) continue;
@@ -106,8 +106,8 @@ void keep_consistent(const std::vector<Dot>& typical, Rows& rows) {
     }
 }
 
-// The layouts of the frames followed; NaN where a marker was not seen, and where a missing one
-// cannot be told.
+// The layouts of the frames followed; NaN where a marker was not seen, or a missing one cannot be
+// interpolated.
 Eigen::MatrixXd layouts_of(const Rows& rows) {
   const std::size_t count = rows.seen.front().size();
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -123,12 +123,12 @@ Eigen::MatrixXd layouts_of(const Rows& rows) {
       if (!is_seen(dot)) return std::nullopt;
       return Eigen::Vector2d(dot.u, 2.0 * middle_at(*rows.curves[i], dot.u) - dot.v);
     };
-    place_missing(rows.missing, opposite, layouts, row);
+    interpolate_missing(rows.missing, opposite, layouts, row);
   }
   return layouts;
 }
 
-// Why the rows could not be had: what a frame shows at the median.
+// Why the rows were not found: the dots of the median frame.
 Message too_few_dots(const std::vector<FrameDots>& frames, Polarity polarity, int per_row) {
   std::vector<double> upper, lower;
   for (const FrameDots& frame : frames) {
@@ -173,7 +173,7 @@ void number_all(const std::vector<FrameDots>& frames,
     } else if (2 * seen_count(*markers) < model.present_count()) {
       out.problems[i] =
           en::say("only {} of {} markers found", seen_count(*markers), model.present_count());
-    } else if (const double residual = model.residual_px(*markers); residual > kMostResidualPx) {
+    } else if (const double residual = model.residual_px(*markers); residual > kMaxResidualPx) {
       out.problems[i] = en::say("the markers lie {:.1f} px from where they can be", residual);
     } else {
       out.markers[i] = std::move(markers);
@@ -181,7 +181,7 @@ void number_all(const std::vector<FrameDots>& frames,
   }
 }
 
-// The frames that could be numbered, as layouts of a second, wider lesson.
+// The numbered frames, as layouts of a second training with more poses.
 Result<MarkerModel> learn_again(const NumberedRecording& numbered) {
   const auto count = static_cast<Eigen::Index>(numbered.typical.size());
   Eigen::MatrixXd layouts(static_cast<Eigen::Index>(numbered.markers.size()), 2 * count);
@@ -204,29 +204,29 @@ Result<MarkerModel> learn_again(const NumberedRecording& numbered) {
 
 // False with the reason in out.no_markers: there are no usable markers.
 bool number_by_dots(const std::vector<FrameDots>& frames,
-                    const MarkerRows& wanted,
+                    const MarkerRows& requested,
                     NumberedRecording& out) {
   const auto followed = followed_frames(frames);
   Rows rows;
   for (const Polarity polarity : {Polarity::kBright, Polarity::kDark}) {
-    if (wanted.polarity != Polarity::kAuto && wanted.polarity != polarity) continue;
-    Rows candidate = find_rows(frames, followed, polarity, wanted.per_row);
+    if (requested.polarity != Polarity::kAuto && requested.polarity != polarity) continue;
+    Rows candidate = find_rows(frames, followed, polarity, requested.per_row);
     if (candidate.worth <= rows.worth) continue;
     out.polarity = polarity;
     rows = std::move(candidate);
   }
-  const int present = 2 * wanted.per_row - static_cast<int>(rows.missing.size());
-  if (present < std::max(2, (2 * wanted.per_row + 2) / 3)) {
-    out.no_markers = too_few_dots(frames, out.polarity, wanted.per_row);
+  const int present = 2 * requested.per_row - static_cast<int>(rows.missing.size());
+  if (present < std::max(2, (2 * requested.per_row + 2) / 3)) {
+    out.no_markers = too_few_dots(frames, out.polarity, requested.per_row);
     return false;
   }
-  if (present < kFewestMarkers) {
+  if (present < kMinMarkers) {
     out.no_markers = en::say("of {} markers none may be hidden", present);
     return false;
   }
   out.missing = rows.missing;
   out.typical = typical_of(rows);
-  keep_consistent(out.typical, rows);
+  drop_inconsistent(out.typical, rows);
   auto model = MarkerModel::learn(layouts_of(rows), out.typical, out.missing);
   if (!model) {
     out.no_markers = model.error().what;
@@ -241,7 +241,7 @@ bool number_by_dots(const std::vector<FrameDots>& frames,
   const auto numbered = std::count_if(
       out.markers.begin(), out.markers.end(), [](const auto& m) { return m.has_value(); });
   if (numbered >= 2) return true;
-  out.no_markers = too_few_dots(frames, out.polarity, wanted.per_row);
+  out.no_markers = too_few_dots(frames, out.polarity, requested.per_row);
   return false;
 }
 
@@ -253,24 +253,24 @@ Error no_face(const std::vector<FrameDots>& frames) {
           en::say("a recording in which both long edges of the bright face are visible")};
 }
 
-// By places of the face, in every frame that shows it.
+// By positions on the face, in every frame that shows it.
 Result<void> number_by_shape(const std::vector<FrameDots>& frames, NumberedRecording& out) {
   std::vector<EdgeCurves> faces;
   for (const FrameDots& frame : frames)
     if (frame.problem.empty() && frame.curves.u.size() >= 2) faces.push_back(frame.curves);
-  out.places = choose_places(faces);
-  if (!out.places || faces.size() < 2) return no_face(frames);
+  out.positions = choose_edge_positions(faces);
+  if (!out.positions || faces.size() < 2) return no_face(frames);
   out.polarity = Polarity::kAuto;
   out.missing.clear();
-  constexpr int kCount = 2 * PosePlaces::kPerEdge;
-  // Places have no look; radius and contrast stand in the table all the same.
+  constexpr int kCount = 2 * EdgePositions::kPerEdge;
+  // These positions have no appearance; the table still needs radius and contrast.
   out.typical.assign(kCount, Dot{0, 0, 1.0, 1.0, 0, false});
   for (std::size_t m = 0; m < kCount; ++m) out.typical[m].upper = 2 * m < kCount;
   out.markers.assign(frames.size(), std::nullopt);
   out.problems.assign(frames.size(), {});
   for (std::size_t i = 0; i < frames.size(); ++i) {
     out.problems[i] = frames[i].problem;
-    if (frames[i].problem.empty()) out.markers[i] = markers_at(*out.places, frames[i].curves);
+    if (frames[i].problem.empty()) out.markers[i] = markers_at(*out.positions, frames[i].curves);
   }
   const auto model = learn_again(out);
   if (!model) return model.error();

@@ -1,6 +1,6 @@
 #include "calibration/reference/recording_pass.h"
 
-#include "core/io/picture.h"
+#include "core/io/image_file.h"
 #include "core/recording/video_file.h"
 #include "core/recording/video_writer.h"
 #include "core/sensing/face/face_edges.h"
@@ -14,9 +14,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostKeptBytes = std::size_t{512} << 20;
+constexpr std::size_t kMaxCachedBytes = std::size_t{512} << 20;
 
-// The reference video, made with its first frame.
+// The reference video, created at its first frame.
 class ReferenceVideo {
  public:
   ReferenceVideo(fs::path file, double frames_per_s)
@@ -38,14 +38,14 @@ class ReferenceVideo {
   std::optional<VideoWriter> writer_;
 };
 
-FrameDots look_at(const cv::Mat& grey, const Camera& camera, const Finger& finger) {
+FrameDots analyse(const cv::Mat& grey, const Camera& camera, const Finger& finger) {
   FrameDots found;
   const auto edges = FaceEdgeFinder({.view = FaceView{camera, finger.face.width_mm}})(grey);
   if (!edges) {
     found.problem = edges.error().what;
     return found;
   }
-  const auto shape = FaceShape::fit(*edges, camera, finger.face, kUsualProfileDegree);
+  const auto shape = FaceShape::fit(*edges, camera, finger.face, kDefaultProfileDegree);
   if (!shape) {
     found.problem = shape.error().what;
     return found;
@@ -70,7 +70,7 @@ Result<RecordingPass> read_recording(Source& source,
   RecordingPass pass;
   ReferenceVideo writer(video, source.frames_per_s());
   const auto total = source.count();
-  std::size_t kept_bytes = 0;
+  std::size_t cached_bytes = 0;
   for (;;) {
     if (job.stop_requested())
       return Error{
@@ -84,7 +84,7 @@ Result<RecordingPass> read_recording(Source& source,
     if (!frame) {
       pass.frames.push_back({{}, {}, {}, frame.error().what});
       pass.in_video.push_back(-1);
-      // A source that fails for ever must not keep us here.
+      // A source that fails permanently must not block.
       if (total && pass.frames.size() > *total) return frame.error();
       if (!total && pass.written == 0 && pass.frames.size() > 100) return frame.error();
       continue;
@@ -97,24 +97,24 @@ Result<RecordingPass> read_recording(Source& source,
                                            "right camera.size and orientation"));
     if (!grey) return grey.error();
     pass.settings.add(**frame);
-    pass.frames.push_back(look_at(*grey, camera, finger));
+    pass.frames.push_back(analyse(*grey, camera, finger));
     const Status written = writer.add(**frame);
     if (!written) return written.error();
     pass.in_video.push_back(pass.written++);
     const std::size_t bytes = grey->total();
-    const bool has_room = kept_bytes + bytes <= kMostKeptBytes;
+    const bool has_room = cached_bytes + bytes <= kMaxCachedBytes;
     pass.greys.push_back(has_room ? *grey : cv::Mat());
-    if (has_room) kept_bytes += bytes;
+    if (has_room) cached_bytes += bytes;
   }
   if (const Status finished = writer.finish(); !finished) return finished.error();
   return pass;
 }
 
-Status keep_frames(const fs::path& video, const std::vector<char>& keep, const Job& job) {
-  fs::path whole = video;
-  whole.replace_filename(video.stem().string() + ".whole" + video.extension().string());
+Status retain_frames(const fs::path& video, const std::vector<char>& keep, const Job& job) {
+  fs::path full = video;
+  full.replace_filename(video.stem().string() + ".whole" + video.extension().string());
   std::error_code problem;
-  fs::rename(video, whole, problem);
+  fs::rename(video, full, problem);
   if (problem)
     return Error{
         en::say("the recording cannot be renamed: {}", problem.message()), video.string(), ""};
@@ -124,8 +124,8 @@ Status keep_frames(const fs::path& video, const std::vector<char>& keep, const J
       std::error_code ignored;
       fs::remove(file, ignored);
     }
-  } remove{whole};
-  auto reader = VideoFile::open(whole, job);
+  } remove{full};
+  auto reader = VideoFile::open(full, job);
   if (!reader) return reader.error();
   ReferenceVideo writer(video, reader->frames_per_s());
   for (std::size_t i = 0; i < keep.size(); ++i) {

@@ -1,4 +1,5 @@
-// The first pass over a recording: its frames written as a video of our own, and the dots of each.
+// The first pass over a recording: its frames are written as a video, and the dots of each are
+// found.
 #pragma once
 
 #include "calibration/reference/recording_layouts.h"
@@ -13,20 +14,20 @@
 
 namespace alltact {
 
-/// All that the first pass leaves.
+/// Results of the first pass.
 struct RecordingPass {
   std::vector<FrameDots> frames;
-  std::vector<int> in_video;  ///< by frame, its number in the video written; -1: never got there
+  std::vector<int> in_video;  ///< by frame, its number in the video written; -1: not written
   int written = 0;
-  /// By number in the video, the oriented pictures, so that they need not be decoded again; empty
+  /// By number in the video, the oriented images, so that they need not be decoded again; empty
   /// beyond the first 512 MB.
   std::vector<cv::Mat> greys;
-  SettingsSeen settings;
+  SettingsMonitor settings;
 };
 
-/// Reads the source to its end, writes every frame that could be read to `video` (lossless grey, as
-/// the source gave it) and looks for dots. Errors: a wrong size; a source that fails for ever; a
-/// disk that does not take the video; a stopped job.
+/// Reads the source to its end, writes every readable frame to `video` (lossless grey, as from the
+/// source) and finds dots. Errors: a wrong size; a source that fails permanently; the video cannot
+/// be written; a stopped job.
 [[nodiscard]] Result<RecordingPass> read_recording(Source& source,
                                                    const Camera& camera,
                                                    const Finger& finger,
@@ -34,8 +35,8 @@ struct RecordingPass {
                                                    const std::filesystem::path& video);
 
 /// Rewrites the video with only some of its frames, in order. keep: by frame.
-[[nodiscard]] Status keep_frames(const std::filesystem::path& video,
-                                 const std::vector<char>& keep,
-                                 const Job& job);
+[[nodiscard]] Status retain_frames(const std::filesystem::path& video,
+                                   const std::vector<char>& keep,
+                                   const Job& job);
 
 }  // namespace alltact

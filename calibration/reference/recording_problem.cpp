@@ -1,6 +1,6 @@
 #include "calibration/reference/recording_problem.h"
 
-#include "calibration/report/problem_picture.h"
+#include "calibration/report/problem_image.h"
 #include "core/sensing/face/face_edges.h"
 #include "core/sensing/face/face_shape.h"
 
@@ -11,29 +11,29 @@
 namespace alltact {
 namespace {
 
-constexpr double kTouchRadiusMm = 3.0;  // what is drawn around it
+constexpr double kTouchRadiusMm = 3.0;  // of the circle that is drawn
 
-bool is_held(const RecordingPass& pass, std::size_t frame) {
+bool is_cached(const RecordingPass& pass, std::size_t frame) {
   return pass.in_video[frame] >= 0 &&
          !pass.greys[static_cast<std::size_t>(pass.in_video[frame])].empty();
 }
 
-/// nullptr: nothing pressed, or its frame is not at hand.
+/// nullptr: no contact, or its frame is not cached.
 const ReferenceStretch* darkest_stretch(const RecordingPass& pass, const ReferenceReport& report) {
   const ReferenceStretch* darkest = nullptr;
   for (const ReferenceStretch& stretch : report.stretches)
     if ((!darkest || stretch.darker > darkest->darker) &&
-        is_held(pass, static_cast<std::size_t>(stretch.darkest)))
+        is_cached(pass, static_cast<std::size_t>(stretch.darkest)))
       darkest = &stretch;
   return darkest;
 }
 
-/// Of those that are held; their number where none is.
+/// One of the cached frames; their number where there is none.
 std::size_t frame_to_show(const RecordingPass& pass, const MadeReference& made) {
   const std::size_t count = pass.frames.size();
   std::size_t frame = count;
   for (std::size_t i = 0; i < count; ++i) {
-    if (!is_held(pass, i)) continue;
+    if (!is_cached(pass, i)) continue;
     const bool is_numbered = i < made.numbered.markers.size() && made.numbered.markers[i];
     if (frame == count || (i == made.rest && is_numbered)) frame = i;
     if (pass.frames[frame].curves.u.empty() && !pass.frames[i].curves.u.empty()) frame = i;
@@ -41,7 +41,7 @@ std::size_t frame_to_show(const RecordingPass& pass, const MadeReference& made) 
   return frame;
 }
 
-/// Where something pressed; nullopt where the face is not found.
+/// The contact's position; nullopt where the face is not found.
 std::optional<ProblemMark> mark_of(const ReferenceStretch& stretch,
                                    const cv::Mat& grey,
                                    const Camera& camera,
@@ -69,7 +69,7 @@ void add_dots(const RecordingPass& pass,
               std::size_t frame,
               ProblemScene& scene) {
   const bool by_dots =
-      !numbered.places && frame < numbered.markers.size() && numbered.markers[frame];
+      !numbered.positions && frame < numbered.markers.size() && numbered.markers[frame];
   if (by_dots)
     for (std::size_t m = 0; m < numbered.markers[frame]->size(); ++m) {
       const Marker& marker = (*numbered.markers[frame])[m];
@@ -110,7 +110,7 @@ cv::Mat recording_problem(const RecordingPass& pass,
       scene.marks.push_back(*mark);
     scene.words.push_back(touch->sentence.english());
   }
-  return problem_picture(scene);
+  return problem_image(scene);
 }
 
 }  // namespace alltact

@@ -1,4 +1,4 @@
-// What was found in a reference recording, drawn.
+// The problem of a reference recording as an image.
 #pragma once
 
 #include "calibration/reference/make_reference.h"
@@ -10,10 +10,10 @@
 
 namespace alltact {
 
-/// One frame with its face, markers (those not seen where they should be) and the dots that are
-/// none. Where something pressed, the frame in which that is darkest and its place; else the frame
-/// at rest where it was numbered, or the first that shows a face, or anything. Empty when no frame
-/// could be read. `made`: as far as it came. `sentence`: what is wrong, in English.
+/// One frame with its face, markers (missing ones at their expected positions) and rejected dots.
+/// With a contact: the frame in which it is darkest, and its position. Else the rest frame where it
+/// was numbered, or the first frame with a face, or any. Empty when no frame could be read. `made`:
+/// may be partly filled. `sentence`: the problem, in English.
 [[nodiscard]] cv::Mat recording_problem(const RecordingPass& pass,
                                         const MadeReference& made,
                                         const Camera& camera,

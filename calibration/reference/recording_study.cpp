@@ -16,25 +16,27 @@ namespace {
 
 constexpr int kStudyDegree = 7;
 constexpr double kPatchMm = 1.5;  // a side
-constexpr double kMostSeconds = 2.0;
-constexpr double kMostPart = 0.125;
-constexpr double kRimPx = 4.0;  // beside the face's edges a shift of a tenth of a pixel shows
+constexpr double kMaxSeconds = 2.0;
+constexpr double kMaxFraction = 0.125;
+constexpr double kRimPx = 4.0;  // next to the face's edges a shift of a tenth of a pixel is visible
 
-struct Looked {
+struct AnalysedFrame {
   cv::Mat grey;
   FaceShape shape;
   double noise_sd;
 };
 
-std::optional<Looked> look(const cv::Mat& grey, const Camera& camera, const Finger& finger) {
+std::optional<AnalysedFrame> analyse(const cv::Mat& grey,
+                                     const Camera& camera,
+                                     const Finger& finger) {
   const auto edges = FaceEdgeFinder({.view = FaceView{camera, finger.face.width_mm}})(grey);
   if (!edges) return std::nullopt;
   auto shape = FaceShape::fit(*edges, camera, finger.face, kStudyDegree);
   if (!shape) return std::nullopt;
-  return Looked{grey, std::move(shape).value(), edges->noise_sd};
+  return AnalysedFrame{grey, std::move(shape).value(), edges->noise_sd};
 }
 
-/// Means of a picture over squares, of what is known of it.
+/// Means of the valid part of an image over squares.
 class Means {
  public:
   explicit Means(const cv::Mat& x) : known_(measured_pixels(x)) {
@@ -56,7 +58,7 @@ class Means {
   cv::Mat known_, weight_, filled_;
 };
 
-/// What patches of the face differ by from the reference, around every pixel.
+/// Difference of the face from the reference in patches around every pixel.
 struct Patches {
   cv::Mat mean;
   double noise;  ///< sd of a patch's mean by noise alone
@@ -80,45 +82,45 @@ class Study {
  public:
   Study(const ReferenceLibrary& library, const std::vector<Markers>& numbered, double frames_per_s)
       : library_(library), numbered_(numbered) {
-    const double most = kMostPart * static_cast<double>(library.frame_count());
-    gap_ = static_cast<std::size_t>(std::max(1.0, std::min(most, kMostSeconds * frames_per_s)));
+    const double most = kMaxFraction * static_cast<double>(library.frame_count());
+    gap_ = static_cast<std::size_t>(std::max(1.0, std::min(most, kMaxSeconds * frames_per_s)));
   }
 
-  [[nodiscard]] StudiedFrame frame(std::size_t index, const Looked& looked) const {
+  [[nodiscard]] StudiedFrame frame(std::size_t index, const AnalysedFrame& analysed) const {
     StudiedFrame studied;
     studied.number = library_.frame_numbers()[index];
     const Markers& markers = numbered_[index];
     for (std::size_t pair = 0; pair < markers.size() / 2; ++pair)
-      studied.pairs.push_back(tip_place(markers, pair, looked.shape));
+      studied.pairs.push_back(tip_pose(markers, pair, analysed.shape));
     std::vector<char> without(library_.frame_count(), 0);
     const std::size_t first = index > gap_ ? index - gap_ : 0;
     for (std::size_t i = first; i <= index + gap_ && i < without.size(); ++i) without[i] = 1;
     if (std::count(without.begin(), without.end(), 0) < 2) return studied;
-    const auto local = compare(index, looked, ReferenceMethod::kLocal, without);
+    const auto local = compare(index, analysed, ReferenceMethod::kLocal, without);
     if (!local) return studied;
     studied.compared = true;
     studied.error = mean_error(*local);
-    if (const auto nearest = compare(index, looked, ReferenceMethod::kNearest, without))
+    if (const auto nearest = compare(index, analysed, ReferenceMethod::kNearest, without))
       studied.nearest_error = mean_error(*nearest);
     return studied;
   }
 
  private:
   [[nodiscard]] std::optional<Patches> compare(std::size_t index,
-                                               const Looked& looked,
+                                               const AnalysedFrame& analysed,
                                                ReferenceMethod method,
                                                const std::vector<char>& without) const {
     const Reference reference =
-        library_.reference_for(numbered_[index], looked.shape, method, without);
-    // Beyond the others' poses the reference is a guess, and no frame is to be judged by it.
+        library_.reference_for(numbered_[index], analysed.shape, method, without);
+    // Outside the others' poses the reference is extrapolated and does not count.
     if (!reference.known_pose || reference.noise_gain > 1.0) return std::nullopt;
     DifferenceOptions options;
     options.edge_margin_px = kRimPx;
-    options.noise_sd = looked.noise_sd;
+    options.noise_sd = analysed.noise_sd;
     options.correct_light = true;
-    const Difference compared = difference(looked.grey, reference, looked.shape, options);
+    const Difference compared = difference(analysed.grey, reference, analysed.shape, options);
     if (compared.face.runs.empty()) return std::nullopt;
-    return patches_of(compared, looked.shape, mean_brightness(looked.grey, compared.face));
+    return patches_of(compared, analysed.shape, mean_brightness(analysed.grey, compared.face));
   }
 
   static double mean_error(const Patches& patches) {
@@ -137,7 +139,7 @@ class Study {
   std::size_t gap_;
 };
 
-double part_of(std::vector<double> values, double part) {
+double quantile_of(std::vector<double> values, double part) {
   if (values.empty()) return 0;
   const auto at = values.begin() + static_cast<std::ptrdiff_t>(part * (values.size() - 1.0));
   std::nth_element(values.begin(), at, values.end());
@@ -148,7 +150,7 @@ double part_of(std::vector<double> values, double part) {
 
 Result<RecordingStudy> study_recording(const ReferenceLibrary& library,
                                        const std::vector<Markers>& numbered,
-                                       const FrameOfRecording& frame,
+                                       const RecordingFrameReader& frame,
                                        double frames_per_s,
                                        const Finger& finger,
                                        const Camera& camera,
@@ -156,21 +158,21 @@ Result<RecordingStudy> study_recording(const ReferenceLibrary& library,
   const std::size_t count = library.frame_count();
   const Study study(library, numbered, frames_per_s);
   RecordingStudy result;
-  const auto looked_at = [&](std::size_t index) -> Result<std::optional<Looked>> {
+  const auto analysed_at = [&](std::size_t index) -> Result<std::optional<AnalysedFrame>> {
     const auto grey = frame(static_cast<std::size_t>(library.frame_numbers()[index]));
     if (!grey) return grey.error();
-    return look(*grey, camera, finger);
+    return analyse(*grey, camera, finger);
   };
   for (std::size_t i = 0; i < count; ++i) {
     if (job.stop_requested())
       return Error{en::say("stopped before the recording was compared"), "", ""};
     job.report(static_cast<double>(i) / static_cast<double>(count),
                en::say("comparing frame {} of {}", i + 1, count));
-    const auto looked = looked_at(i);
-    if (!looked) return looked.error();
+    const auto analysed = analysed_at(i);
+    if (!analysed) return analysed.error();
     StudiedFrame studied;
     studied.number = library.frame_numbers()[i];
-    if (*looked) studied = study.frame(i, **looked);
+    if (*analysed) studied = study.frame(i, **analysed);
     result.frames.push_back(std::move(studied));
   }
   std::vector<double> errors, nearest;
@@ -179,9 +181,9 @@ Result<RecordingStudy> study_recording(const ReferenceLibrary& library,
     errors.push_back(result.frames[i].error);
     nearest.push_back(result.frames[i].nearest_error);
   }
-  result.error_median = part_of(errors, 0.5);
-  result.error_p95 = part_of(errors, 0.95);
-  result.nearest_error_median = part_of(nearest, 0.5);
+  result.error_median = quantile_of(errors, 0.5);
+  result.error_p95 = quantile_of(errors, 0.95);
+  result.nearest_error_median = quantile_of(nearest, 0.5);
   return result;
 }
 

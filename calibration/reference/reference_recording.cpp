@@ -3,7 +3,7 @@
 #include "calibration/reference/make_reference.h"
 #include "calibration/reference/settings_record.h"
 #include "core/io/atomic_file.h"
-#include "core/io/picture.h"
+#include "core/io/image_file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,8 +16,8 @@ namespace fs = std::filesystem;
 constexpr double kTouchSigmas = 5.0;
 constexpr double kTouchFloorPx = 0.2;  // of every marker at once: a camera that moves or warms up
 
-// Noise of a sum of offsets is that of one times the root of their number, twice over because the
-// rest layout was measured too; never below a shift of all markers that is no touch.
+// Noise of a sum of offsets: that of one offset times the root of their number, doubled because the
+// rest layout was measured too. Never below a shift of all markers without contact.
 double touch_threshold_px(double marker_noise_px, std::size_t markers) {
   const auto count = static_cast<double>(markers);
   return std::max(kTouchSigmas * marker_noise_px * std::sqrt(2 * count), kTouchFloorPx * count);
@@ -33,25 +33,25 @@ void remark(const MarkerTable& table, ReferenceReport& report) {
         en::say("{} marker positions in {} frames are estimates, because the markers were "
                 "covered or not found",
                 estimated,
-                report.frames_kept));
+                report.frames_retained));
   if (report.uncompared > 0)
     report.remarks.push_back(
         en::say("{} frames show poses that no other frame shows at another time; whether something "
                 "pressed on the contact face in them is not known",
                 report.uncompared));
-  if (report.frames_kept + report.repeated < 100)
+  if (report.frames_retained + report.repeated < 100)
     report.remarks.push_back(
         en::say("{} frames are few: a recording of a minute (about 1500 frames) over all "
                 "directions of bending gives closer references",
-                report.frames_kept));
+                report.frames_retained));
   for (const Message& missing : report.coverage.missing())
     report.remarks.push_back(en::say("Not yet seen: {}", missing));
 }
 
-// True: the picture lies in the folder. One of an earlier recording goes.
-bool leave_problem(const fs::path& folder, const cv::Mat& problem) {
+// True: the image is in the folder. One of an earlier recording is removed.
+bool write_problem(const fs::path& folder, const cv::Mat& problem) {
   std::error_code ignored;
-  if (!problem.empty() && write_picture(folder / kReferenceProblem, problem)) return true;
+  if (!problem.empty() && write_image(folder / kReferenceProblem, problem)) return true;
   fs::remove(folder / kReferenceProblem, ignored);
   return false;
 }
@@ -92,7 +92,7 @@ Result<ReferenceReport> install_reference(Source& source,
               ""};
         }
       });
-  const bool is_drawn = leave_problem(folder, made.problem);
+  const bool is_drawn = write_problem(folder, made.problem);
   if (!written) {
     Error error = written.error();
     if (is_drawn)
@@ -120,41 +120,40 @@ Result<ReferenceReport> install_reference(Source& source,
   return std::move(report);
 }
 
-Result<std::vector<Message>> install_flat_reference(const UntouchedPicture& picture,
+Result<std::vector<Message>> install_flat_reference(const UntouchedImage& image,
                                                     const fs::path& folder,
                                                     Finger& finger) {
   if (finger.face.kind != FaceKind::kFlat)
     return Error{en::say("only a flat sensor takes one untouched picture as its reference"),
-                 picture.origin,
+                 image.origin,
                  en::say("a recording of the bending, untouched finger")};
   const auto camera = Camera::create(finger.camera);
   if (!camera) return camera.error();
   const auto fitting =
       oriented_for(finger.camera,
-                   picture.grey,
+                   image.grey,
                    en::say("the picture"),
-                   picture.origin,
+                   image.origin,
                    en::say("an untouched picture taken with this sensor's camera"));
   if (!fitting) return fitting.error();
-  constexpr const char* kPicture = "reference.png";
-  const Status written = write_picture(folder / kPicture, picture.grey, picture.controls);
+  constexpr const char* kImage = "reference.png";
+  const Status written = write_image(folder / kImage, image.grey, image.controls);
   if (!written) return written.error();
-  finger.reference = ReferenceFiles{"", "", kPicture};
+  finger.reference = ReferenceFiles{"", "", kImage};
   Frame frame;
-  if (!picture.controls.empty())
-    frame.controls = std::make_shared<const std::string>(picture.controls);
-  SettingsSeen settings;
+  if (!image.controls.empty()) frame.controls = std::make_shared<const std::string>(image.controls);
+  SettingsMonitor settings;
   settings.add(frame);
   return record_settings(settings, RecordingKind::kReference, finger);
 }
 
-Result<UntouchedPicture> read_untouched_picture(const fs::path& file) {
-  UntouchedPicture picture;
-  auto grey = read_grey_picture(file, &picture.controls);
+Result<UntouchedImage> read_untouched_image(const fs::path& file) {
+  UntouchedImage image;
+  auto grey = read_grey_image(file, &image.controls);
   if (!grey) return grey.error();
-  picture.grey = std::move(grey).value();
-  picture.origin = file;
-  return picture;
+  image.grey = std::move(grey).value();
+  image.origin = file;
+  return image;
 }
 
 }  // namespace alltact

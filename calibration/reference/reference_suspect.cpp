@@ -10,7 +10,8 @@
 namespace alltact {
 namespace {
 
-constexpr double kEdgePx = 4.0;  // beside the face's edges a shift of a tenth of a pixel shows
+// next to the face's edges a shift of a tenth of a pixel is visible
+constexpr double kEdgePx = 4.0;
 
 /// 255 in columns of the face, away from its edges, where x is known.
 cv::Mat inner_face(const cv::Mat& x, const FaceShape& shape) {
@@ -38,10 +39,10 @@ std::optional<ReferenceSuspect> find_reference_suspect(const Difference& differe
   const double mm_per_px = shape.camera().mm_per_px_at(upper_median(depths));
   const auto spot = find_spot(difference.x,
                               inner_face(difference.x, shape),
-                              {.mm_per_px = {mm_per_px, mm_per_px}, .beside_higher = false});
+                              {.mm_per_px = {mm_per_px, mm_per_px}, .near_higher = false});
   if (!spot) return std::nullopt;
-  const Eigen::Vector2d place_mm = shape.place_mm(spot->place_px.x(), spot->place_px.y());
-  return ReferenceSuspect{spot->lower, place_mm.x(), place_mm.y(), spot->area_mm2, 0};
+  const Eigen::Vector2d position_mm = shape.position_mm(spot->centre_px.x(), spot->centre_px.y());
+  return ReferenceSuspect{spot->lower, position_mm.x(), position_mm.y(), spot->area_mm2, 0};
 }
 
 Message sentence_of(const ReferenceSuspect& suspect) {

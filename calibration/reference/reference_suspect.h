@@ -1,5 +1,5 @@
-// A finger that contradicts its reference: skin that is brighter than it ever is untouched accuses
-// the reference, in which something pressed there.
+// A contradiction between a finger and its reference: skin brighter than ever untouched indicates a
+// contact during the recording of the reference.
 #pragma once
 
 #include "core/message.h"
@@ -17,8 +17,8 @@ struct ReferenceSuspect {
   int frame = 0;  ///< number in the reference recording of the frame nearest to the pose
 };
 
-/// The spot of x (spots.h) that is brightest. A bright rim around something that presses is none.
-/// For poses that the reference knows; `frame` is left to those who know it.
+/// The brightest spot of x (spots.h). A bright rim around a contact does not count. For poses
+/// inside the reference; the caller sets `frame`.
 [[nodiscard]] std::optional<ReferenceSuspect> find_reference_suspect(const Difference& difference,
                                                                      const FaceShape& shape);
 

@@ -8,16 +8,16 @@
 namespace alltact {
 namespace {
 
-constexpr int kMostMissing = 2;  // in a row
-constexpr int kSlots = kMostMissing + 1;
+constexpr int kMaxMissing = 2;  // in a row
+constexpr int kSlots = kMaxMissing + 1;
 constexpr int kReach = 8;         // dots further apart in the order are no neighbours
 constexpr double kGain = 4.0;     // of a dot that is in every frame
-constexpr double kMissing = 2.5;  // that a missing dot costs
+constexpr double kMissing = 2.5;  // cost of a missing dot
 constexpr double kStepSd = 0.12;  // of a step's logarithm against the law
 constexpr double kSizeSd = 0.3, kContrastSd = 0.6, kOffSd = 0.06;  // from one dot to the next
 constexpr double kGrowthSd = 0.4;  // of a step against the one before
-constexpr double kUnlikeSd = 0.2;  // of that on one side against the other
-constexpr double kLeastStepMm = 0.2;
+constexpr double kUnlikeSd = 0.2;  // of one side's growth against the other's
+constexpr double kMinStepMm = 0.2;
 constexpr double kNone = -std::numeric_limits<double>::infinity();
 
 double square(double x) {
@@ -82,10 +82,10 @@ class RowSearch {
     return row;
   }
 
-  /// What the second dot of a pair adds that lies `slots` after the first.
+  /// Score of the second dot of a pair, `slots` after the first.
   [[nodiscard]] double pair_worth(int i, int j, int slots) const {
     const DotTrack &a = track(i), &b = track(j);
-    if (b.along_mm - a.along_mm < kLeastStepMm) return kNone;
+    if (b.along_mm - a.along_mm < kMinStepMm) return kNone;
     const double unlike = square((b.log_size - a.log_size) / kSizeSd) +
                           square((b.log_contrast - a.log_contrast) / kContrastSd) +
                           square((b.off_face - a.off_face) / kOffSd);
@@ -103,7 +103,7 @@ class RowSearch {
     for (int earlier = 1; earlier <= std::min(kReach, i); ++earlier)
       for (int skipped = 1; skipped <= kSlots; ++skipped) {
         const double before = (track(i).along_mm - track(i - earlier).along_mm) / skipped;
-        if (before < kLeastStepMm / kSlots) continue;
+        if (before < kMinStepMm / kSlots) continue;
         const double off = std::log(step / before) - 0.5 * growth * (slots + skipped);
         const double added = pair - 0.5 * square(off / kStepSd);
         for (int slot = skipped; slot + slots < per_row_; ++slot) {
@@ -159,9 +159,8 @@ std::vector<Row> rows_by_law(const std::vector<DotTrack>& tracks, bool upper, in
   return rows;
 }
 
-/// The best rows of both sides, which were made to nearly the same law: where so many dots are
-/// missing on one that several laws fit them, the other tells. Of equals those nearest to the even
-/// law.
+/// The best rows of both sides under nearly the same law. Where one side has so many missing dots
+/// that several laws fit, the other side decides. Of equals the law nearest to the even one wins.
 std::pair<Row, Row> best_rows(const std::vector<DotTrack>& tracks, int per_row) {
   auto upper = rows_by_law(tracks, true, per_row), lower = rows_by_law(tracks, false, per_row);
   std::pair<std::size_t, std::size_t> best(kLaws, kLaws);
@@ -179,7 +178,7 @@ std::pair<Row, Row> best_rows(const std::vector<DotTrack>& tracks, int per_row) 
   return {std::move(upper[best.first]), std::move(lower[best.second])};
 }
 
-/// How well the rows lie beside each other when they begin at these numbers.
+/// Score of the alignment of both rows when they begin at these numbers.
 double symmetry(const std::vector<DotTrack>& tracks,
                 const Row& upper,
                 int first_upper,
@@ -195,7 +194,7 @@ double symmetry(const std::vector<DotTrack>& tracks,
     const int other = static_cast<int>(i) + first_upper - first_lower;
     if (other < 0 || other >= static_cast<int>(b.size()) || a[i] < 0) continue;
     const int track = b[static_cast<std::size_t>(other)];
-    // Rows of different steps lie beside each other nowhere: the fewest bad pairs say nothing.
+    // Rows of different steps never align: the number of bad pairs is meaningless there.
     if (track >= 0)
       sum += std::max(0.0, 0.3 - std::abs(along(a[i]) - along(track)) / std::max(spacing, 1e-3));
   }

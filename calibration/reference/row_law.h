@@ -1,4 +1,4 @@
-// Which of the dots on the finger are its two rows of markers, and which number each has.
+// Selects the two rows of markers among the dots on the finger, and numbers them.
 #pragma once
 
 #include "calibration/reference/dot_tracks.h"
@@ -9,16 +9,15 @@ namespace alltact {
 
 struct NumberedRows {
   std::vector<int> track_of;  ///< by number, an index into the tracks; -1: there is none
-  double worth = 0;           ///< of the choice: compares one polarity with the other
+  double worth = 0;           ///< score of the choice: compares one polarity with the other
 };
 
-/// The choice of dots that best follows a law: from one to the next the step along the finger
-/// changes by about the same factor (1 where dots are evenly spaced in millimetres, more where they
-/// are in the picture), size, contrast and distance from the face change little. Dots may be
-/// missing (two in a row at most), and what lies beside the law is left out; both rows follow
-/// nearly the same law. A row that is shorter than `per_row` takes the numbers at which its dots
-/// lie beside those of the other row; where neither tells, it begins at the base. By dynamic
-/// programming over pairs of neighbours.
+/// The dots that best follow a law. The step along the finger changes by about a constant factor
+/// from one dot to the next (1 for even spacing in millimetres, more for even spacing in the
+/// image). Size, contrast and distance from the face change little. At most two consecutive dots
+/// may be missing; outliers are left out; both rows follow nearly the same law. A row shorter than
+/// `per_row` takes the numbers of the adjacent dots in the other row, or begins at the base where
+/// these do not decide. By dynamic programming over pairs of neighbours.
 [[nodiscard]] NumberedRows choose_rows(const std::vector<DotTrack>& tracks, int per_row);
 
 }  // namespace alltact

@@ -10,7 +10,9 @@ std::string stored(const Finger& finger, const char* key) {
 
 }  // namespace
 
-std::vector<Message> record_settings(const SettingsSeen& seen, RecordingKind kind, Finger& finger) {
+std::vector<Message> record_settings(const SettingsMonitor& seen,
+                                     RecordingKind kind,
+                                     Finger& finger) {
   const bool is_reference = kind == RecordingKind::kReference;
   const char* key = is_reference ? kReferenceSettings : kPressSettings;
   const Message reference = en::say("reference"), presses = en::say("presses");

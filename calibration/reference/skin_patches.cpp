@@ -1,7 +1,7 @@
 #include "calibration/reference/skin_patches.h"
 
 #include "core/grey_range.h"
-#include "core/numerics/parts.h"
+#include "core/numerics/parallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,11 +11,11 @@
 namespace alltact {
 namespace {
 
-// Beside the face's edges a shift of a tenth of a pixel shows as a change of brightness.
-constexpr double kRimPx = 1.5, kRimMm = 1.0;
-constexpr double kEndMm = 4.0;      // from either end of what a frame shows: light ends there
-constexpr float kLeastPixels = 2;   // of a patch
-constexpr float kMostHidden = 0.1;  // fraction of a patch that a frame need not show
+// Next to the face's edges a shift of a tenth of a pixel is visible as a change of brightness.
+constexpr double kPatchRimPx = 1.5, kRimMm = 1.0;
+constexpr double kEndMm = 4.0;     // from either end of the visible part: light ends there
+constexpr float kMinPixels = 2;    // of a patch
+constexpr float kMaxHidden = 0.1;  // maximum fraction of a patch that a frame does not show
 
 /// Arc length from the face's base of a column of the grid; below 0 before it.
 double length_at(const FaceChart& chart, std::size_t column) {
@@ -35,7 +35,7 @@ std::vector<std::int32_t> patch_of_pixels(const FaceGrid& grid, SkinPatches& pat
       const auto column = static_cast<std::size_t>(u);
       const double v = run.row + grid.origin.y;
       const double upper = chart.upper_v[column], lower = chart.lower_v[column];
-      if (v < upper + kRimPx || v > lower - kRimPx) continue;
+      if (v < upper + kPatchRimPx || v > lower - kPatchRimPx) continue;
       const double t = (v - upper) / (lower - upper);
       if (std::min(t, 1 - t) * patches.width_mm < kRimMm) continue;
       const int i =
@@ -51,7 +51,7 @@ std::vector<std::int32_t> patch_of_pixels(const FaceGrid& grid, SkinPatches& pat
 struct Shown {
   double from_mm, to_mm;
 };
-Shown shown_of(const FaceGrid& grid, const FacePicture& face) {
+Shown shown_of(const FaceGrid& grid, const FaceImage& face) {
   if (face.first >= face.end) return {1.0, 0.0};
   const auto [from_mm, to_mm] =
       std::minmax({length_at(grid.chart, static_cast<std::size_t>(face.first)),
@@ -62,7 +62,7 @@ Shown shown_of(const FaceGrid& grid, const FacePicture& face) {
 }  // namespace
 
 SkinPatches skin_patches(const FaceGrid& grid,
-                         const std::vector<FacePicture>& faces,
+                         const std::vector<FaceImage>& faces,
                          double face_width_mm,
                          double patch_mm) {
   SkinPatches patches;
@@ -77,10 +77,10 @@ SkinPatches skin_patches(const FaceGrid& grid,
     if (p >= 0) patches.pixels[static_cast<std::size_t>(p)] += 1;
   patches.log_level.resize(static_cast<Eigen::Index>(faces.size()), patches.count());
   patches.log_level.setConstant(std::numeric_limits<float>::quiet_NaN());
-  over_parts(static_cast<int>(faces.size()), all_cores(), [&](int first, int last) {
+  parallel_for(static_cast<int>(faces.size()), default_threads(), [&](int first, int last) {
     std::vector<std::uint32_t> sum(count), seen(count);
     for (int i = first; i < last; ++i) {
-      const FacePicture& face = faces[static_cast<std::size_t>(i)];
+      const FaceImage& face = faces[static_cast<std::size_t>(i)];
       std::fill(sum.begin(), sum.end(), 0);
       std::fill(seen.begin(), seen.end(), 0);
       for (const FaceRun& run : grid.runs.runs)
@@ -91,13 +91,13 @@ SkinPatches skin_patches(const FaceGrid& grid,
           sum[static_cast<std::size_t>(p)] += face.grey[pixel];
           ++seen[static_cast<std::size_t>(p)];
         }
-      const Shown whole = shown_of(grid, face);
+      const Shown visible = shown_of(grid, face);
       for (std::size_t p = 0; p < count; ++p) {
         const double s_mm = patches.s_mm(static_cast<int>(p));
-        if (s_mm < whole.from_mm || s_mm > whole.to_mm) continue;
+        if (s_mm < visible.from_mm || s_mm > visible.to_mm) continue;
         const float pixels = patches.pixels[p];
         const auto shown = static_cast<float>(seen[p]);
-        if (pixels < kLeastPixels || shown < (1 - kMostHidden) * pixels) continue;
+        if (pixels < kMinPixels || shown < (1 - kMaxHidden) * pixels) continue;
         const float level = static_cast<float>(sum[p]) / shown;
         if (level < kTooDarkBelow) continue;
         patches.log_level(i, static_cast<Eigen::Index>(p)) = std::log(level);

@@ -2,7 +2,7 @@
 // recording.
 #pragma once
 
-#include "core/sensing/reference/face_picture.h"
+#include "core/sensing/reference/face_image.h"
 
 #include <cstddef>
 #include <vector>
@@ -20,8 +20,8 @@ struct SkinPatches {
   double begin_mm = 0;                 ///< of the first, from the face's base; mostly before it
   double width_mm = 0;                 ///< of the face
   std::vector<float> pixels;           ///< of the grid, by patch
-  /// Natural logarithm of the mean grey level; NaN where a frame does not show the whole patch and
-  /// 4 mm of skin beyond it towards both ends, or it is too dark or clipped.
+  /// Natural logarithm of the mean grey level. NaN where a frame does not show the full patch and 4
+  /// mm of skin beyond it towards both ends, or it is too dark or clipped.
   PatchValues log_level;
 
   [[nodiscard]] int count() const { return along * across; }
@@ -39,7 +39,7 @@ struct SkinPatches {
 /// Averages every recorded face over the patches of its grid. Patches are `patch_mm` long and about
 /// as wide; those of fewer than 2 pixels of the grid stay empty.
 [[nodiscard]] SkinPatches skin_patches(const FaceGrid& grid,
-                                       const std::vector<FacePicture>& faces,
+                                       const std::vector<FaceImage>& faces,
                                        double face_width_mm,
                                        double patch_mm = 1.0);
 

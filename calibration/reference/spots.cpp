@@ -14,14 +14,14 @@ namespace {
 
 constexpr double kSpotPatchMm = 1.5;
 constexpr double kSurroundingsMm = 12.0;
-constexpr float kLeastLower = 0.03F;  // of brightness: about 0.1 mm of a usual layer
+constexpr float kMinLower = 0.03F;  // of brightness: about 0.1 mm of a typical layer
 constexpr float kSpotSigmas = 8.0F;
-constexpr double kLeastMm2 = 1.0, kMostMm2 = 150.0;
-constexpr double kSpotRimMm = 4.0;  // around something that presses
+constexpr double kMinMm2 = 1.0, kMaxMm2 = 150.0;
+constexpr double kSpotRimMm = 4.0;  // around a contact
 
 cv::Size window(double mm, const Eigen::Vector2d& mm_per_px) {
-  const auto odd = [](double px) { return 2 * std::max(1, static_cast<int>(px / 2)) + 1; };
-  return {odd(mm / mm_per_px.x()), odd(mm / mm_per_px.y())};
+  const auto window_px = [](double px) { return 2 * std::max(1, static_cast<int>(px / 2)) + 1; };
+  return {window_px(mm / mm_per_px.x()), window_px(mm / mm_per_px.y())};
 }
 
 /// Means over windows of the known part; NaN where that is less than `least` of the window.
@@ -37,12 +37,12 @@ cv::Mat means(const cv::Mat& x, const cv::Mat& known, const cv::Size& window, do
 }
 
 float median_magnitude(const cv::Mat& x) {
-  std::vector<float> usual;
+  std::vector<float> magnitudes;
   for (int v = 0; v < x.rows; v += 2)
     for (int u = 0; u < x.cols; u += 2)
       if (const float value = x.at<float>(v, u); std::isfinite(value))
-        usual.push_back(std::abs(value));
-  return usual.empty() ? 0.0F : upper_median(usual);
+        magnitudes.push_back(std::abs(value));
+  return magnitudes.empty() ? 0.0F : upper_median(magnitudes);
 }
 
 cv::Mat contrast(const cv::Mat& x, const cv::Mat& known, const Eigen::Vector2d& mm_per_px) {
@@ -55,14 +55,14 @@ std::optional<Spot> lowest_spot(const cv::Mat& x,
                                 const cv::Mat& known,
                                 const Eigen::Vector2d& mm_per_px) {
   const cv::Mat higher = contrast(x, known, mm_per_px);
-  const float limit = std::max(kLeastLower, kSpotSigmas * 1.4826F * median_magnitude(higher));
+  const float limit = std::max(kMinLower, kSpotSigmas * 1.4826F * median_magnitude(higher));
   cv::Mat labels, stats, middles;
   const int count =
       cv::connectedComponentsWithStats(higher < -0.5F * limit, labels, stats, middles);
   std::optional<Spot> found;
   for (int label = 1; label < count; ++label) {
     const double area_mm2 = stats.at<int>(label, cv::CC_STAT_AREA) * mm_per_px.prod();
-    if (area_mm2 < kLeastMm2 || area_mm2 > kMostMm2) continue;
+    if (area_mm2 < kMinMm2 || area_mm2 > kMaxMm2) continue;
     double least = 0;
     cv::minMaxLoc(higher, &least, nullptr, nullptr, nullptr, labels == label);
     if (-least < static_cast<double>(limit) || (found && -least < found->lower)) continue;
@@ -74,12 +74,12 @@ std::optional<Spot> lowest_spot(const cv::Mat& x,
 }  // namespace
 
 std::optional<Spot> find_spot(const cv::Mat& x, const cv::Mat& known, const SpotSearch& search) {
-  if (search.beside_higher) return lowest_spot(x, known, search.mm_per_px);
-  const cv::Mat lower = contrast(x, known, search.mm_per_px) <= kLeastLower;
-  cv::Mat beside_px;
-  cv::distanceTransform(lower | ~known, beside_px, cv::DIST_L2, 3);
+  if (search.near_higher) return lowest_spot(x, known, search.mm_per_px);
+  const cv::Mat lower = contrast(x, known, search.mm_per_px) <= kMinLower;
+  cv::Mat higher_px;
+  cv::distanceTransform(lower | ~known, higher_px, cv::DIST_L2, 3);
   const double rim_px = kSpotRimMm / std::sqrt(search.mm_per_px.prod());
-  return lowest_spot(x, known & (beside_px > rim_px), search.mm_per_px);
+  return lowest_spot(x, known & (higher_px > rim_px), search.mm_per_px);
 }
 
 }  // namespace alltact

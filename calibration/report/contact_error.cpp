@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kInContactMm = 0.1;
 
-/// At the middles of a contact's samples; NaN where there is none.
+/// Means over a contact's samples; NaN where there is none.
 struct MeanSd {
   double all_mm = 0, without_mapping_mm = 0;
 };
@@ -24,34 +24,34 @@ MeanSd mean_sd(const ComparedPress& compared,
                const Mapping& mapping) {
   const auto& [press, reference] = compared;
   Difference difference = press->difference;
-  cv::Mat1b wanted = cv::Mat1b::zeros(difference.x.size());
+  cv::Mat1b mask = cv::Mat1b::zeros(difference.x.size());
   for (const ResidualSample& sample : contact.samples)
     if (sample.ball_depth_mm > kInContactMm)
-      wanted(static_cast<int>(sample.pixel.y()), static_cast<int>(sample.pixel.x())) = 1;
-  // Depth costs most where something presses, and only this contact is asked for.
-  constexpr int kAround = 40;  // px: further than a layer's thickness moves a place
-  const cv::Rect box = cv::boundingRect(wanted);
+      mask(static_cast<int>(sample.pixel.y()), static_cast<int>(sample.pixel.x())) = 1;
+  // Depth is computed around this contact only, to save time.
+  constexpr int kAround = 40;  // px: further than a layer's thickness displaces a point
+  const cv::Rect box = cv::boundingRect(mask);
   const cv::Rect near =
       cv::Rect(box.tl() - cv::Point(kAround, kAround), box.br() + cv::Point(kAround, kAround)) &
-      cv::Rect({0, 0}, wanted.size());
+      cv::Rect({0, 0}, mask.size());
   cv::Mat x(difference.x.size(), CV_32FC1, cv::Scalar(NAN));
   press->difference.x(near).copyTo(x(near));
   difference.x = x;
   DepthMap depth = depth_map(difference, mapping, press->shape);
   depth.live_sd = difference.grey_sd / std::hypot(1.0, reference->noise_gain);
-  // Of poses that the recording shows: how far the finger gives way is each contact's own affair.
+  // With the errors of recorded poses: how far the finger deflects differs from contact to contact.
   Reference known = *reference;
   known.error_factor = std::min(known.error_factor, 1.0);
   known.outer_error_factor = std::min(known.outer_error_factor, 1.0);
-  DepthError error(depth, known, press->shape, mapping);
+  DepthErrorModel error(depth, known, press->shape, mapping);
   MeanSd sum;
   int count = 0;
-  for (int v = 0; v < wanted.rows; ++v) {
-    if (cv::countNonZero(wanted.row(v)) == 0) continue;
-    error.row(v, [&](int u, const DepthCauses& causes) {
-      if (wanted(v, u) == 0) return;
+  for (int v = 0; v < mask.rows; ++v) {
+    if (cv::countNonZero(mask.row(v)) == 0) continue;
+    error.row(v, [&](int u, const DepthErrorTerms& causes) {
+      if (mask(v, u) == 0) return;
       sum.all_mm += causes.total();
-      DepthCauses others = causes;
+      DepthErrorTerms others = causes;
       others.mapping = 0;
       sum.without_mapping_mm += others.total();
       ++count;

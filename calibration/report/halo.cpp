@@ -11,16 +11,16 @@
 namespace alltact {
 namespace {
 
-// Rings, mm outside the rim of the ball's cap: the nearer lies beyond where optics and skin round
-// the rim off, and both within the skirt of scattered light.
+// Rings, mm outside the rim of the ball's cap. The nearer lies beyond the rounding of the rim by
+// optics and skin; both lie within the skirt of scattered light.
 constexpr double kNearFromMm = 0.5, kNearToMm = 1.0, kFarFromMm = 1.5, kFarToMm = 2.0;
 constexpr int kRingSamples = 4000;
-constexpr int kLeastRingSamples = 30;
-// References are off by some hundredths of a grey level's depth everywhere: less is no halo.
-constexpr double kLeastHaloMm = 0.012;
+constexpr int kMinRingSamples = 30;
+// References have an error of some hundredths of a grey level's depth: less is no halo.
+constexpr double kMinHaloMm = 0.012;
 constexpr double kSignificant = 2.5;  // standard errors: chance in one of 100 with few presses
-// From ring to ring light falls to between a half and a tenth (skirts of 0.6 to 1.5 mm); an unfaded
-// half space falls to two thirds, and skin that bulges changes its sign.
+// From ring to ring light decays to between a half and a tenth (skirts of 0.6 to 1.5 mm). An
+// unfaded half space decays to two thirds, and skin that bulges changes its sign.
 constexpr double kFallsTo = 0.5, kFallsNoFurther = 0.08;
 // A bonded layer fades a half space's skirt within a part of its thickness.
 constexpr double kFadePart = 0.25;
@@ -34,7 +34,7 @@ struct Rings {
   double near_mm = 0, far_mm = 0, skin_mm = 0;
 };
 
-/// nullopt: too little of a ring is seen.
+/// nullopt: too little of a ring is visible.
 std::optional<Rings> rings_of(const Press& press,
                               const Face& face,
                               const Mapping& mapping,
@@ -54,11 +54,11 @@ std::optional<Rings> rings_of(const Press& press,
   for (const Sample& sample : samples.samples) {
     const Eigen::Vector3d from = sample.untouched_n - ball.centre_mm;
     const double r_mm = (from - from.dot(plane.normal) * plane.normal).norm();
-    const double beside_mm = r_mm - rim_mm;
-    const bool is_near = beside_mm >= kNearFromMm && beside_mm <= kNearToMm;
-    const bool is_far = beside_mm >= kFarFromMm && beside_mm <= kFarToMm;
+    const double outside_mm = r_mm - rim_mm;
+    const bool is_near = outside_mm >= kNearFromMm && outside_mm <= kNearToMm;
+    const bool is_far = outside_mm >= kFarFromMm && outside_mm <= kFarToMm;
     if (!is_near && !is_far) continue;
-    const double factor = mapping.parameters().variation.at(sample.place_mm);
+    const double factor = mapping.parameters().variation.at(sample.position_mm);
     const double read_mm =
         factor * (sample.x < 0 ? mapping.slope_mm(0) * sample.x : mapping.depth_mm(sample.x));
     if (!std::isfinite(read_mm)) continue;
@@ -68,7 +68,7 @@ std::optional<Rings> rings_of(const Press& press,
       rings.skin_mm += at_edge_mm * half_space_tail(r_mm / a_mm) *
                        std::exp(-(r_mm - a_mm) / (kFadePart * face.layer_mm));
   }
-  if (near < kLeastRingSamples || far < kLeastRingSamples) return std::nullopt;
+  if (near < kMinRingSamples || far < kMinRingSamples) return std::nullopt;
   rings.near_mm /= near;
   rings.skin_mm /= near;
   rings.far_mm /= far;
@@ -105,9 +105,9 @@ Halo measure_halo(const std::vector<const Press*>& presses,
   for (const double excess : excess_mm)
     squares += (excess - halo.excess_mm) * (excess - halo.excess_mm);
   halo.excess_sd_mm = std::sqrt(squares / (n - 1) / n);
-  halo.is_seen =
-      halo.excess_mm > kLeastHaloMm && halo.excess_mm > kSignificant * halo.excess_sd_mm &&
-      halo.far_mm < kFallsTo * halo.near_mm && halo.far_mm > kFallsNoFurther * halo.near_mm;
+  halo.is_seen = halo.excess_mm > kMinHaloMm && halo.excess_mm > kSignificant * halo.excess_sd_mm &&
+                 halo.far_mm < kFallsTo * halo.near_mm &&
+                 halo.far_mm > kFallsNoFurther * halo.near_mm;
   return halo;
 }
 

@@ -11,7 +11,7 @@
 namespace alltact {
 namespace {
 
-constexpr int kSamples = 800;  // a press: enough to see, few enough to draw
+constexpr int kSamples = 800;  // for each press: a compromise of detail and drawing time
 
 double face_width_mm(const FaceShape& shape, const Eigen::Vector2d& pixel) {
   if (shape.face().kind == FaceKind::kFinRay) return shape.face().width_mm;
@@ -35,24 +35,24 @@ std::optional<PressResiduals> residuals_of(const Press& press,
   const Sample* nearest = nullptr;
   double nearest_rim = 2.0;
   for (const Sample& sample : around.samples) {
-    const double rim = disc.place_of(sample).radius;
+    const double rim = disc.position_of(sample).radius;
     if (!(rim <= 1.0)) continue;
     const double depth = ball_depth_mm(sample, along, ball.centre_mm, radius_mm);
-    const double factor = mapping.parameters().variation.at(sample.place_mm);
+    const double factor = mapping.parameters().variation.at(sample.position_mm);
     result.samples.push_back({sample.pixel,
                               sample.x,
                               depth,
                               factor * mapping.depth_mm(sample.x) - depth -
                                   blur_mm(sample, around, curve, along, ball.centre_mm),
-                              sample.place_mm.x(),
-                              sample.place_mm.y(),
+                              sample.position_mm.x(),
+                              sample.position_mm.y(),
                               rim,
                               factor});
     if (rim < nearest_rim) nearest_rim = rim, nearest = &sample;
   }
   if (nearest == nullptr) return std::nullopt;
-  result.along_mm = nearest->place_mm.x();
-  result.across_mm = nearest->place_mm.y();
+  result.along_mm = nearest->position_mm.x();
+  result.across_mm = nearest->position_mm.y();
   for (const ResidualSample& sample : result.samples)
     result.contact_radius_mm = std::max(
         result.contact_radius_mm,

@@ -15,7 +15,7 @@ constexpr double kMoreLight = 1.05;
 constexpr double kGains[] = {1.0, 1.06, 0.95, 1.03};
 constexpr double kMovedPx[] = {4.0, 2.0};
 
-/// A lamp on one side, so that there is something to see of a camera that moved.
+/// The lamps are uneven, so that a motion of the camera shows.
 std::string scene_text(Fault fault, bool pressed) {
   std::string text = fmt::format(
       "name: typical fault {}\n"
@@ -60,12 +60,12 @@ Result<Plan> plan_of(Fault fault, bool pressed, std::uint64_t seed) {
   return Plan::compile(*scene, seed);
 }
 
-cv::Mat with_fault(cv::Mat picture, Fault fault, int frame) {
-  cv::Mat changed = picture;
-  if (fault == Fault::kAutomaticExposure) picture.convertTo(changed, CV_8U, kGains[frame % 4]);
+cv::Mat with_fault(cv::Mat image, Fault fault, int frame) {
+  cv::Mat changed = image;
+  if (fault == Fault::kAutomaticExposure) image.convertTo(changed, CV_8U, kGains[frame % 4]);
   if (fault == Fault::kMovedCamera) {
     const cv::Matx23d shift(1, 0, kMovedPx[0], 0, 1, kMovedPx[1]);
-    cv::warpAffine(picture, changed, shift, picture.size(), cv::INTER_LINEAR, cv::BORDER_REPLICATE);
+    cv::warpAffine(image, changed, shift, image.size(), cv::INTER_LINEAR, cv::BORDER_REPLICATE);
   }
   return changed;
 }
@@ -86,7 +86,7 @@ Result<SimulatedCalibration> simulate_calibration(Fault fault,
   if (!library) return library.error();
   PipelineSettings settings;
   settings.light = correct_light ? LightChange::kCorrected : LightChange::kIgnored;
-  Pipeline pipeline = Pipeline::over(std::move(*library), *finger, settings);
+  Pipeline pipeline = Pipeline::with_library(std::move(*library), *finger, settings);
 
   const double radius_mm = kBallRadiusMm * (fault == Fault::kBallRadius ? kRadiusError : 1.0);
   SimulatedCalibration made;
@@ -103,7 +103,7 @@ Result<SimulatedCalibration> simulate_calibration(Fault fault,
     presses.push_back(
         {frame->name, std::move(*result->difference), std::move(*result->shape), radius_mm});
   }
-  CalibrationSettings simple;  // the faults are seen with any curve
+  CalibrationSettings simple;  // the faults show with any curve
   simple.family = FamilyChoice::kMoebius;
   simple.along = AlongChoice::kZ;
   auto calibration = calibrate(presses, finger->camera, finger->finger.face, simple, job);

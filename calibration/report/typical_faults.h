@@ -1,5 +1,5 @@
-// Calibrations with a fault that is known, simulated: what each fault looks like, and the proof of
-// the rules that recognise it.
+// Simulated calibrations with a known fault: examples of each fault, and tests of the rules that
+// detect it.
 #pragma once
 
 #include "calibration/joint/calibrate.h"
@@ -18,7 +18,7 @@ enum class Fault {
   kBallRadius,         ///< given 10 % too large
   kMovedCamera,        ///< moved by a few pixels between reference and presses
   kAutomaticExposure,  ///< another gain in every press, within 6 %
-  kOtherLight,         ///< 5 % more light than when the reference was taken
+  kOtherLight,         ///< 5 % more light than in the reference
   kLooseSkin,          ///< the skin leaves the ball early and bulges brightly around it
 };
 
@@ -29,8 +29,8 @@ struct SimulatedCalibration {
 };
 
 /// Four presses of a 4 mm ball on a small flat sensor (240 x 180 px, 0.1 mm a pixel), through the
-/// pipeline and the calibration as real ones. correct_light: as the pipeline does unless told
-/// otherwise; without it the fault is seen as it is. About 0.1 s. Errors: the job was stopped.
+/// same pipeline and calibration as real ones. correct_light: the pipeline's default; without it
+/// the fault shows uncorrected. About 0.1 s. Errors: the job was stopped.
 [[nodiscard]] Result<SimulatedCalibration> simulate_calibration(Fault fault,
                                                                 std::uint64_t seed,
                                                                 bool correct_light,

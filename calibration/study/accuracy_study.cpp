@@ -2,9 +2,9 @@
 
 #include "calibration/study/calibrating_bench.h"
 #include "calibration/study/compared_settings.h"
-#include "calibration/study/held_memory.h"
+#include "calibration/study/heap_bytes.h"
 #include "calibration/study/study_clock.h"
-#include "calibration/study/truly_pressed.h"
+#include "calibration/study/truth_limits.h"
 #include "core/numerics/median.h"
 #include "core/sensing/pipeline.h"
 
@@ -30,7 +30,7 @@ std::optional<ErrorSpread> spread_of(std::vector<float>& errors) {
   return spread;
 }
 
-double part_of(std::vector<double> values, double part) {
+double quantile_of(std::vector<double> values, double part) {
   if (values.empty()) return 0;
   // Of an even number the upper middle one, as upper_median(): no part is less than a smaller one.
   const auto rank = static_cast<std::ptrdiff_t>(
@@ -39,25 +39,25 @@ double part_of(std::vector<double> values, double part) {
   return values[static_cast<std::size_t>(rank)];
 }
 
-/// What of the settings a library depends on (finger_as_measured()).
-using PicturesKey = std::pair<Resolution, Undistortion>;
-PicturesKey pictures_of(const PipelineSettings& settings) {
+/// The settings that a library depends on (finger_as_measured()).
+using LibraryKey = std::pair<Resolution, Undistortion>;
+LibraryKey library_key_of(const PipelineSettings& settings) {
   return {settings.resolution, settings.undistortion};
 }
 
-/// What is known of a frame beside its picture.
-struct FrameAnswer {
+/// What is known of a frame in addition to its image.
+struct FrameMasks {
   cv::Mat away;  // CV_8UC1: further than kAwayMm from any contact
 };
 
-std::optional<Eigen::Vector2d> place_of(const std::vector<ContactRegion>& regions) {
+std::optional<Eigen::Vector2d> position_of(const std::vector<ContactRegion>& regions) {
   if (regions.empty()) return std::nullopt;
-  return regions.front().deepest_on_face_mm;  // of the one that stands first
+  return regions.front().deepest_on_face_mm;  // of the region in the first position
 }
 
 class Measured {
  public:
-  void add_errors(const StudyFrame& frame, const FrameAnswer& answer, const FrameResult& result) {
+  void add_errors(const StudyFrame& frame, const FrameMasks& masks, const FrameResult& result) {
     ++row_.frames;
     if (!result.depth) {
       ++row_.frames_missing;
@@ -65,11 +65,11 @@ class Measured {
     }
     const auto zone = static_cast<std::size_t>(frame.zone);
     const cv::Mat depth =
-        at_whole_size(result.depth->depth_mm, result.reduced_by, frame.depth_mm.size());
+        at_full_size(result.depth->depth_mm, result.reduced_by, frame.depth_mm.size());
     for (int v = 0; v < depth.rows; ++v) {
       const auto* truth = frame.depth_mm.ptr<float>(v);
       const auto* read = depth.ptr<float>(v);
-      const auto* away = answer.away.ptr<std::uint8_t>(v);
+      const auto* away = masks.away.ptr<std::uint8_t>(v);
       for (int u = 0; u < depth.cols; ++u) {
         const bool is_read = std::isfinite(read[u]);
         if (truth[u] > kPressedMm) {
@@ -83,8 +83,9 @@ class Measured {
         }
       }
     }
-    const auto place_mm = place_of(result.regions);
-    if (frame.place_mm && place_mm) places_mm_.push_back((*place_mm - *frame.place_mm).norm());
+    const auto position_mm = position_of(result.regions);
+    if (frame.position_mm && position_mm)
+      position_errors_mm_.push_back((*position_mm - *frame.position_mm).norm());
   }
   void add_angle(const StudyFrame& frame, const FrameResult& result) {
     ++row_.bars;
@@ -110,20 +111,20 @@ class Measured {
     row_.depth = spread_of(all);
     if (pressed_ > 0) row_.coverage = static_cast<double>(covered_) / static_cast<double>(pressed_);
     if (false_count_ > 0) row_.false_depth_mm = false_sum_ / static_cast<double>(false_count_);
-    if (!places_mm_.empty()) row_.place_mm = upper_median(places_mm_);
-    if (!places_mm_.empty()) row_.place_p95_mm = part_of(places_mm_, 0.95);
+    if (!position_errors_mm_.empty()) row_.position_mm = upper_median(position_errors_mm_);
+    if (!position_errors_mm_.empty()) row_.position_p95_mm = quantile_of(position_errors_mm_, 0.95);
     if (!angles_deg_.empty()) row_.angle_deg = upper_median(angles_deg_);
-    if (!angles_deg_.empty()) row_.angle_p95_deg = part_of(angles_deg_, 0.95);
-    row_.time_ms = part_of(times_ms_, 0.5);
-    row_.time_p95_ms = part_of(times_ms_, 0.95);
-    row_.time_ratio = part_of(ratios_, 0.5);
+    if (!angles_deg_.empty()) row_.angle_p95_deg = quantile_of(angles_deg_, 0.95);
+    row_.time_ms = quantile_of(times_ms_, 0.5);
+    row_.time_p95_ms = quantile_of(times_ms_, 0.95);
+    row_.time_ratio = quantile_of(ratios_, 0.5);
     return row_;
   }
 
  private:
   StudyRow row_;
   std::array<std::vector<float>, kFaceZones> errors_;
-  std::vector<double> places_mm_, angles_deg_, times_ms_, ratios_;
+  std::vector<double> position_errors_mm_, angles_deg_, times_ms_, ratios_;
   std::size_t pressed_ = 0, covered_ = 0, false_count_ = 0;
   double false_sum_ = 0;
 };
@@ -133,24 +134,25 @@ class AccuracyStudyRun {
   AccuracyStudyRun(const StudyWorld& world, const StudyOptions& options, const Job& job)
       : world_(world), options_(options), job_(job) {}
 
-  /// Reads the libraries of all pictures that are asked for. Those in which the recording shows no
-  /// face (too small ones) are passed over, but for the first choice's.
+  /// Reads the libraries of all images that are requested. Images in which the recording shows no
+  /// face (too small ones) are skipped, except those of the first choice.
   [[nodiscard]] Status read_libraries(const std::vector<PipelineSettings>& choices) {
     for (const PipelineSettings& choice : choices) {
-      if (pictures_of(choice) == pictures_of({}) || others_.contains(pictures_of(choice))) continue;
+      if (library_key_of(choice) == library_key_of({}) || others_.contains(library_key_of(choice)))
+        continue;
       auto library = world_.library_for(choice, job_);
       if (library)
-        others_.emplace(pictures_of(choice), std::move(library).value());
-      else if (job_.stop_requested() || pictures_of(choice) == pictures_of(choices.front()))
+        others_.emplace(library_key_of(choice), std::move(library).value());
+      else if (job_.stop_requested() || library_key_of(choice) == library_key_of(choices.front()))
         return library.error();
     }
     return {};
   }
 
   [[nodiscard]] bool has_library(const PipelineSettings& choice) const {
-    return pictures_of(choice) == pictures_of({}) || others_.contains(pictures_of(choice));
+    return library_key_of(choice) == library_key_of({}) || others_.contains(library_key_of(choice));
   }
-  /// Of a choice that no picture can be measured with.
+  /// The row of a choice that no image can be measured with.
   [[nodiscard]] StudyRow without_depth(const PipelineSettings& choice) const {
     StudyRow row;
     row.settings = choice;
@@ -162,14 +164,14 @@ class AccuracyStudyRun {
     Pipeline pipeline = pipeline_of(options_.base);
     for (const StudyFrame& frame : world_.frames) {
       pipeline.forget();
-      const auto seen = pipeline(frame.picture);
+      const auto seen = pipeline(frame.image);
       if (!seen) return seen.error();
-      answers_.push_back(answer_of(frame, *seen));
+      masks_.push_back(answer_of(frame, *seen));
     }
     return {};
   }
 
-  /// The base is the first; its row comes with those of others each time.
+  /// The base is the first choice. Its row is returned along with each batch.
   [[nodiscard]] Result<std::vector<StudyRow>> measure(const std::vector<PipelineSettings>& choices,
                                                       double from,
                                                       double to) {
@@ -178,14 +180,14 @@ class AccuracyStudyRun {
     for (std::size_t i = 0; i < choices.size(); ++i) {
       const std::size_t before = heap_bytes();
       pipelines.push_back(pipeline_of(choices[i]));
-      const auto held = pipelines[i](world_.frames.front().picture);
+      const auto held = pipelines[i](world_.frames.front().image);
       if (!held) return held.error();
       const std::size_t now = heap_bytes();
       measured[i].set_memory(library_of(choices[i]).memory_bytes() +
                              (now > before ? now - before : 0));
       for (const StudyFrame& bar : world_.bars) {
         pipelines[i].forget();
-        const auto seen = pipelines[i](bar.picture);
+        const auto seen = pipelines[i](bar.image);
         if (!seen) return seen.error();
         measured[i].add_angle(bar, *seen);
       }
@@ -199,9 +201,9 @@ class AccuracyStudyRun {
       const StudyFrame& frame = world_.frames[number];
       for (std::size_t i = 0; i < choices.size(); ++i) {
         pipelines[i].forget();
-        const auto alone = pipelines[i](frame.picture);
-        if (!alone) return alone.error();
-        measured[i].add_errors(frame, answers_[number], *alone);
+        const auto single = pipelines[i](frame.image);
+        if (!single) return single.error();
+        measured[i].add_errors(frame, masks_[number], *single);
       }
       if (const Status timed = time_following(frame, pipelines, measured); !timed)
         return timed.error();
@@ -212,21 +214,21 @@ class AccuracyStudyRun {
   }
 
  private:
-  /// Of pipelines that have seen this frame, the base's first, turn by turn.
+  /// For pipelines that have seen this frame, the base's first, turn by turn.
   [[nodiscard]] Status time_following(const StudyFrame& frame,
                                       std::vector<Pipeline>& pipelines,
                                       std::vector<Measured>& measured) const {
-    constexpr double kSlow = 10;  // times the base: one turn a frame tells enough
+    constexpr double kSlow = 10;  // times the base: from there on one turn a frame is enough
     std::vector<char> is_slow(pipelines.size(), 0);
     for (int repeat = 0; repeat < options_.repeats; ++repeat) {
       double base_ms = 1;
       for (std::size_t i = 0; i < pipelines.size(); ++i) {
         if (is_slow[i] != 0) continue;
-        const double begin_s = computed_s();
-        const auto following = pipelines[i](frame.picture);
-        const double processor_ms = 1000 * (computed_s() - begin_s);
+        const double begin_s = thread_cpu_s();
+        const auto following = pipelines[i](frame.image);
+        const double processor_ms = 1000 * (thread_cpu_s() - begin_s);
         if (!following) return following.error();
-        // What other programs take is not in a processor's time; what other threads do is neither.
+        // Processor time excludes the load of other programs and of other threads.
         const double milliseconds =
             cv::getNumThreads() <= 1 ? processor_ms : following->times_ms.total;
         if (i == 0) base_ms = milliseconds;
@@ -238,15 +240,15 @@ class AccuracyStudyRun {
   }
 
   [[nodiscard]] const ReferenceLibrary& library_of(const PipelineSettings& settings) const {
-    const auto other = others_.find(pictures_of(settings));
+    const auto other = others_.find(library_key_of(settings));
     return other == others_.end() ? world_.library : other->second;
   }
   [[nodiscard]] Pipeline pipeline_of(const PipelineSettings& settings) const {
-    return Pipeline::over(library_of(settings), *world_.finger, settings);
+    return Pipeline::with_library(library_of(settings), *world_.finger, settings);
   }
 
-  [[nodiscard]] FrameAnswer answer_of(const StudyFrame& frame, const FrameResult& seen) const {
-    FrameAnswer answer;
+  [[nodiscard]] FrameMasks answer_of(const StudyFrame& frame, const FrameResult& seen) const {
+    FrameMasks masks;
     cv::Mat contact;
     cv::inRange(cv::abs(frame.depth_mm), kUntouchedMm, 1e6, contact);  // or bulges
     cv::Mat distance_px(contact.size(), CV_32FC1, cv::Scalar(1e6));
@@ -259,16 +261,16 @@ class AccuracyStudyRun {
         if (column.valid) z.push_back(column.z_mm);
       if (!z.empty()) away_px = kAwayMm / world_.finger->camera.mm_per_px_at(upper_median(z));
     }
-    answer.away = distance_px > away_px;
-    return answer;
+    masks.away = distance_px > away_px;
+    return masks;
   }
 
   const StudyWorld& world_;
   const StudyOptions& options_;
   const Job& job_;
   const StudyClock clock_;
-  std::vector<FrameAnswer> answers_;
-  std::map<PicturesKey, ReferenceLibrary> others_;
+  std::vector<FrameMasks> masks_;
+  std::map<LibraryKey, ReferenceLibrary> others_;
 };
 
 }  // namespace
@@ -276,7 +278,7 @@ class AccuracyStudyRun {
 Result<AccuracyStudy> study_accuracy(const StudyWorld& world,
                                      const StudyOptions& options,
                                      const std::vector<StudyRow>& known,
-                                     const KeepRows& keep,
+                                     const SaveRows& save,
                                      const Job& job) {
   AccuracyStudyRun run(world, options, job);
   if (const Status status = run.find_answers(); !status) return status.error();
@@ -298,8 +300,8 @@ Result<AccuracyStudy> study_accuracy(const StudyWorld& world,
     else
       without.push_back(run.without_depth(choice));
   }
-  if (keep && !without.empty())
-    if (const Status kept = keep(without); !kept) return kept.error();
+  if (save && !without.empty())
+    if (const Status saved = save(without); !saved) return saved.error();
   rows.insert(rows.end(), without.begin(), without.end());
   for (std::size_t at = 0; at < left.size();) {
     std::vector<PipelineSettings> batch{options.base};
@@ -312,8 +314,8 @@ Result<AccuracyStudy> study_accuracy(const StudyWorld& world,
     auto measured = run.measure(batch, part(begin), part(at));
     if (!measured) return measured.error();
     if (row_of(options.base) != rows.end()) measured->erase(measured->begin());
-    if (keep)
-      if (const Status kept = keep(*measured); !kept) return kept.error();
+    if (save)
+      if (const Status saved = save(*measured); !saved) return saved.error();
     rows.insert(rows.end(), measured->begin(), measured->end());
   }
   AccuracyStudy study{world.about, world.simulated, world.checksum, {}, world.mapping_p95_mm};

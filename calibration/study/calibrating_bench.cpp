@@ -1,7 +1,7 @@
 #include "calibration/study/calibrating_bench.h"
 
 #include "calibration/finger/measuring_settings.h"
-#include "calibration/study/truly_pressed.h"
+#include "calibration/study/truth_limits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,10 +13,11 @@
 namespace alltact {
 namespace {
 
-constexpr int kNewPictures = 6;     // that tell the error
-constexpr double kNoiseBeyond = 4;  // px: what varies more slowly is no noise of the sensor
-constexpr std::size_t kLeastCanvases = 3;
-constexpr std::uint64_t kOfDraw = 0x9e3779b97f4a7c15U;  // sets the draws' seeds far apart
+constexpr int kTestImages = 6;      // that measure the error
+constexpr double kNoiseBeyond = 4;  // px: slower variation is not sensor noise
+constexpr std::size_t kMinCanvases = 3;
+constexpr std::uint64_t kDrawSeedStep =
+    0x9e3779b97f4a7c15U;  // spreads the seeds of the draws far apart
 
 cv::Mat noise_of(const cv::Mat& grey, const cv::Mat& reference) {
   cv::Mat off;
@@ -30,7 +31,7 @@ cv::Mat noise_of(const cv::Mat& grey, const cv::Mat& reference) {
 
 }  // namespace
 
-double computed_s() {
+double thread_cpu_s() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
@@ -40,20 +41,20 @@ Result<CalibratingBench> CalibratingBench::make(const FingerPtr& finger,
                                                 std::uint64_t seed,
                                                 const Job& job) {
   StudyWorldOptions options;
-  options.frames = kMostPresses + kNewPictures;
+  options.frames = kMaxPresses + kTestImages;
   options.seed = seed;
-  auto untouched = untouched_pictures(finger, options, job);
+  auto untouched = untouched_images(finger, options, job);
   if (!untouched) return untouched.error();
   CalibratingBench bench(std::move(untouched).value(), seed);
   bench.is_turned_ = finger->finger.camera.orientation != Orientation::kNone;
-  if (const Status looked = bench.look_at_pictures(); !looked) return looked.error();
+  if (const Status looked = bench.analyse_images(); !looked) return looked.error();
   return bench;
 }
 
-Status CalibratingBench::look_at_pictures() {
-  Pipeline pipeline = Pipeline::over(
-      untouched_.library, finger(), for_presses(measuring_settings(finger().folder)));
-  for (const cv::Mat& grey : untouched_.pictures) {
+Status CalibratingBench::analyse_images() {
+  Pipeline pipeline = Pipeline::with_library(
+      untouched_.library, finger(), settings_for_presses(measuring_settings(finger().folder)));
+  for (const cv::Mat& grey : untouched_.images) {
     auto frame = std::make_shared<Frame>();
     frame->grey = grey;
     pipeline.forget();
@@ -61,24 +62,21 @@ Status CalibratingBench::look_at_pictures() {
     if (!seen) return seen.error();
     if (!seen->shape || !seen->reference) continue;
     canvases_.push_back(
-        {seen->grey, noise_of(seen->grey, seen->reference->picture.grey()), *seen->shape});
+        {seen->grey, noise_of(seen->grey, seen->reference->image.grey()), *seen->shape});
   }
-  if (canvases_.size() < kLeastCanvases)
+  if (canvases_.size() < kMinCanvases)
     return Error{en::say("too few pictures of the reference recording show the face"),
                  finger().folder.string(),
                  en::say("record the finger bending through all its poses")};
   std::vector<StudyFrame> frames;
-  for (int number = 0; number < kMostPresses; ++number)
+  for (int number = 0; number < kMaxPresses; ++number)
     if (auto frame = painted(0, number, 1, false)) frames.push_back(std::move(*frame));
   checksum_ = checksum_of(frames);
   return {};
 }
 
-std::optional<StudyFrame> CalibratingBench::painted(int draw,
-                                                    int number,
-                                                    int pictures,
-                                                    bool is_new) {
-  // Presses and new pictures take turns over the recording.
+std::optional<StudyFrame> CalibratingBench::painted(int draw, int number, int images, bool is_new) {
+  // Presses and test images take turns over the recording.
   const std::size_t at =
       (is_new ? 3 * static_cast<std::size_t>(number) + 2
               : 3 * (static_cast<std::size_t>(number) / 2) + static_cast<std::size_t>(number) % 2) %
@@ -86,28 +84,29 @@ std::optional<StudyFrame> CalibratingBench::painted(int draw,
   const Canvas& canvas = canvases_[at];
   cv::Mat grey;
   canvas.grey.convertTo(grey, CV_32FC1);
-  grey -= canvas.noise * (1 - 1 / std::sqrt(static_cast<double>(pictures)));
+  grey -= canvas.noise * (1 - 1 / std::sqrt(static_cast<double>(images)));
   grey.convertTo(grey, CV_8UC1);
-  StudyDraws draws(seed_ + kOfDraw * static_cast<std::uint64_t>(2 * draw + (is_new ? 1 : 0)),
+  StudyDraws draws(seed_ + kDrawSeedStep * static_cast<std::uint64_t>(2 * draw + (is_new ? 1 : 0)),
                    static_cast<std::uint32_t>(number));
   const PressPainter painter(finger(), painted_radius_mm(finger()));
   return painter.ball(grey, canvas.shape, draws, static_cast<FaceZone>(number % 3));
 }
 
-Result<const ReadPresses*> CalibratingBench::presses(int draw, int pictures) {
-  const auto key = std::make_pair(draw, pictures);
+Result<const ReadPresses*> CalibratingBench::presses(int draw, int images) {
+  const auto key = std::make_pair(draw, images);
   if (const auto known = read_.find(key); known != read_.end()) return &known->second;
   ReadPresses read;
-  Pipeline pipeline = Pipeline::over(untouched_.library,
-                                     finger().without_mapping(),
-                                     for_presses(measuring_settings(finger().folder)));
-  for (int number = 0; number < kMostPresses; ++number) {
-    auto press = painted(draw, number, pictures, false);
+  Pipeline pipeline =
+      Pipeline::with_library(untouched_.library,
+                             finger().without_mapping(),
+                             settings_for_presses(measuring_settings(finger().folder)));
+  for (int number = 0; number < kMaxPresses; ++number) {
+    auto press = painted(draw, number, images, false);
     if (!press) continue;
-    auto frame = std::make_shared<Frame>(*press->picture);
+    auto frame = std::make_shared<Frame>(*press->image);
     frame->name = fmt::format("press_{}", number);
     pipeline.forget();
-    const double begin_s = computed_s();
+    const double begin_s = thread_cpu_s();
     auto seen = pipeline(frame);
     if (!seen) return seen.error();
     if (!seen->difference || !seen->shape || seen->reference->by_shape) continue;
@@ -115,7 +114,7 @@ Result<const ReadPresses*> CalibratingBench::presses(int draw, int pictures) {
                                  std::move(*seen->difference),
                                  std::move(*seen->shape),
                                  painted_radius_mm(finger())});
-    read.read_s.push_back(computed_s() - begin_s);
+    read.read_s.push_back(thread_cpu_s() - begin_s);
     read.frames.push_back(std::move(frame));
   }
   return &read_.emplace(key, std::move(read)).first->second;
@@ -141,9 +140,9 @@ Status CalibratingBench::need_paper(const Job& job) {
 Result<std::vector<Press>> CalibratingBench::as_paper(const std::vector<FramePtr>& frames,
                                                       const Job& job) {
   if (const Status ready = need_paper(job); !ready) return ready.error();
-  PressSet said;
-  said.ball_radius_mm = painted_radius_mm(finger());
-  return paper_presses(*paper_, frames, said, job);
+  PressSet press_set;
+  press_set.ball_radius_mm = painted_radius_mm(finger());
+  return paper_presses(*paper_, frames, press_set, job);
 }
 
 Result<std::vector<float>> CalibratingBench::errors_mm(const Mapping& mapping,
@@ -152,24 +151,24 @@ Result<std::vector<float>> CalibratingBench::errors_mm(const Mapping& mapping,
                                                        const Job& job) {
   auto& frames = new_[draw];
   if (frames.empty())
-    for (int number = 0; number < kNewPictures; ++number)
+    for (int number = 0; number < kTestImages; ++number)
       if (auto frame = painted(draw, number, 1, true)) frames.push_back(std::move(*frame));
   std::optional<Pipeline> pipeline;
   if (is_paper) {
     if (const Status ready = need_paper(job); !ready) return ready.error();
-    pipeline = Pipeline::of_paper(paper_->with(mapping));
+    pipeline = Pipeline::with_paper_method(paper_->with(mapping));
   } else {
     FingerSnapshot measuring = finger();
     measuring.mapping = mapping;
     measuring.finger.mapping = mapping.parameters();
-    pipeline = Pipeline::over(
-        untouched_.library, measuring, for_presses(measuring_settings(finger().folder)));
+    pipeline = Pipeline::with_library(
+        untouched_.library, measuring, settings_for_presses(measuring_settings(finger().folder)));
   }
   std::vector<float> errors;
   for (const StudyFrame& frame : frames) {
     if (job.stop_requested()) return Error{en::say("stopped before the study was over"), "", ""};
     pipeline->forget();
-    const auto seen = (*pipeline)(frame.picture);
+    const auto seen = (*pipeline)(frame.image);
     if (!seen) return seen.error();
     if (!seen->depth) continue;
     for (int v = 0; v < frame.depth_mm.rows; ++v)

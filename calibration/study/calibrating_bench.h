@@ -1,5 +1,5 @@
-// Presses painted into untouched pictures of a finger, to calibrate it with anew, and others to
-// tell how far its depth is off then.
+// Presses painted into untouched images of a finger: one set calibrates it anew, another set
+// measures the depth error of that calibration.
 #pragma once
 
 #include "calibration/finger/paper_pipeline.h"
@@ -17,10 +17,10 @@
 
 namespace alltact {
 
-/// Seconds that this thread has computed: what else the computer does is not in it.
-[[nodiscard]] double computed_s();
+/// Processor seconds of this thread, without the load of other programs.
+[[nodiscard]] double thread_cpu_s();
 
-/// Presses as a calibration takes them, and what reading each took.
+/// Presses in the form that a calibration takes, and the reading time of each.
 struct ReadPresses {
   std::vector<FramePtr> frames;
   std::vector<Press> presses;
@@ -29,21 +29,23 @@ struct ReadPresses {
 
 class CalibratingBench {
  public:
-  static constexpr int kMostPresses = 24;
+  static constexpr int kMaxPresses = 24;
 
-  /// Errors: those of untouched_pictures(); too few of them show the face.
+  /// Errors: those of untouched_images(); too few images show the face.
   [[nodiscard]] static Result<CalibratingBench> make(const FingerPtr& finger,
                                                      std::uint64_t seed,
                                                      const Job& job);
 
-  /// kMostPresses of them, base, middle and tip in turn; the first ones of fewer are the same.
-  ///   pictures: of each, whose mean is taken
-  [[nodiscard]] Result<const ReadPresses*> presses(int draw, int pictures);
-  /// As the source paper's own steps measure them; those that it cannot measure are missing.
+  /// kMaxPresses of them: base, middle and tip in turn. With fewer presses the first ones are the
+  /// same.
+  ///   images: number of images of each press, which are averaged
+  [[nodiscard]] Result<const ReadPresses*> presses(int draw, int images);
+  /// Measured by the source paper's own steps. Presses that it cannot measure are omitted.
   [[nodiscard]] Result<std::vector<Press>> as_paper(const std::vector<FramePtr>& frames,
                                                     const Job& job);
 
-  /// Of depth in painted pictures that calibrated nothing, measured with this mapping.
+  /// Depth errors in painted images that took no part in the calibration, measured with this
+  /// mapping.
   [[nodiscard]] Result<std::vector<float>> errors_mm(const Mapping& mapping,
                                                      bool is_paper,
                                                      int draw,
@@ -53,26 +55,26 @@ class CalibratingBench {
   [[nodiscard]] std::uint64_t checksum() const { return checksum_; }
 
  private:
-  /// An untouched picture, and what of it is noise.
+  /// An untouched image and its noise.
   struct Canvas {
     cv::Mat grey;
     cv::Mat noise;  // CV_32FC1
     FaceShape shape;
   };
-  CalibratingBench(UntouchedPictures untouched, std::uint64_t seed)
+  CalibratingBench(UntouchedImages untouched, std::uint64_t seed)
       : untouched_(std::move(untouched)), seed_(seed) {}
-  [[nodiscard]] Status look_at_pictures();
-  [[nodiscard]] std::optional<StudyFrame> painted(int draw, int number, int pictures, bool is_new);
+  [[nodiscard]] Status analyse_images();
+  [[nodiscard]] std::optional<StudyFrame> painted(int draw, int number, int images, bool is_new);
   [[nodiscard]] Status need_paper(const Job& job);
 
-  UntouchedPictures untouched_;
+  UntouchedImages untouched_;
   std::uint64_t seed_;
   std::uint64_t checksum_ = 0;
   std::vector<Canvas> canvases_;
-  std::map<std::pair<int, int>, ReadPresses> read_;  // by draw and pictures
+  std::map<std::pair<int, int>, ReadPresses> read_;  // by draw and number of images
   std::map<int, std::vector<StudyFrame>> new_;       // by draw
   std::optional<PaperMethod> paper_;
-  bool is_turned_ = false;  // the camera's pictures, which the paper's method would turn again
+  bool is_turned_ = false;  // the camera's images, which the paper's method would rotate again
 };
 
 }  // namespace alltact

@@ -29,7 +29,7 @@ const CalibratingRow* row_of_choice(const CalibratingStudy& study,
   return found == study.rows.end() || !found->painted ? nullptr : &*found;
 }
 
-Message brought(const Message& what, const CalibratingRow& now, const CalibratingRow& then) {
+Message benefit_of(const Message& what, const CalibratingRow& now, const CalibratingRow& then) {
   return en::say(
       "{}: depth {:.1f} instead of {:.1f} micrometres off in the median, 95 % within {:.1f} "
       "instead of {:.1f}, for {:.1f} minutes more",
@@ -38,7 +38,7 @@ Message brought(const Message& what, const CalibratingRow& now, const Calibratin
       1000 * now.painted->median_mm,
       1000 * then.painted->p95_mm,
       1000 * now.painted->p95_mm,
-      whole_minutes(then) - whole_minutes(now));
+      total_minutes(then) - total_minutes(now));
 }
 
 std::string um(const std::optional<ErrorSpread>& spread, double ErrorSpread::*member) {
@@ -67,7 +67,7 @@ std::string line_of_row(const CalibratingRow& row) {
 
 Message words_of(const CalibratingChoice& choice) {
   std::vector<Message> words{en::count("{} presses", "{} press", choice.presses)};
-  if (choice.pictures > 1) words.push_back(en::say("{} pictures each", choice.pictures));
+  if (choice.images > 1) words.push_back(en::say("{} pictures each", choice.images));
   if (choice.method != CalibrationMethod::kJoint)
     words.push_back(en::say("method {}", method_name(choice.method)));
   if (choice.family != FamilyChoice::kAuto)
@@ -77,13 +77,13 @@ Message words_of(const CalibratingChoice& choice) {
   return en::list(words);
 }
 
-double whole_minutes(const CalibratingRow& row) {
+double total_minutes(const CalibratingRow& row) {
   return row.technician_min + row.computing_s / 60;
 }
 
 std::vector<std::size_t> calibrating_front(const CalibratingStudy& study) {
   const auto beats = [](const CalibratingRow& a, const CalibratingRow& b) {
-    const double min_a = whole_minutes(a), min_b = whole_minutes(b);
+    const double min_a = total_minutes(a), min_b = total_minutes(b);
     const double mm_a = painted_median_mm(a), mm_b = painted_median_mm(b);
     return min_a <= min_b && mm_a <= mm_b && (min_a < min_b || mm_a < mm_b);
   };
@@ -97,18 +97,18 @@ std::vector<std::size_t> calibrating_front(const CalibratingStudy& study) {
       front.push_back(i);
   }
   std::sort(front.begin(), front.end(), [&](std::size_t a, std::size_t b) {
-    return whole_minutes(study.rows[a]) < whole_minutes(study.rows[b]);
+    return total_minutes(study.rows[a]) < total_minutes(study.rows[b]);
   });
   return front;
 }
 
-std::vector<Message> what_more_brings(const CalibratingStudy& study,
-                                      const CalibratingChoice& from) {
+std::vector<Message> benefit_of_more_data(const CalibratingStudy& study,
+                                          const CalibratingChoice& from) {
   std::vector<Message> sentences;
   const CalibratingRow* now = row_of_choice(study, from);
   if (now == nullptr) return sentences;
-  const CalibratingRow* more_presses = nullptr;   // fewest beyond
-  const CalibratingRow* more_pictures = nullptr;  // fewest beyond
+  const CalibratingRow* more_presses = nullptr;  // fewest beyond
+  const CalibratingRow* more_images = nullptr;   // fewest beyond
   for (const CalibratingRow& row : study.rows) {
     if (!row.painted) continue;
     CalibratingChoice same = row.choice;
@@ -117,28 +117,26 @@ std::vector<Message> what_more_brings(const CalibratingStudy& study,
         (more_presses == nullptr || row.choice.presses < more_presses->choice.presses))
       more_presses = &row;
     same = row.choice;
-    same.pictures = from.pictures;
-    if (same == from && row.choice.pictures > from.pictures &&
-        (more_pictures == nullptr || row.choice.pictures < more_pictures->choice.pictures))
-      more_pictures = &row;
+    same.images = from.images;
+    if (same == from && row.choice.images > from.images &&
+        (more_images == nullptr || row.choice.images < more_images->choice.images))
+      more_images = &row;
   }
   if (more_presses != nullptr)
-    sentences.push_back(brought(
+    sentences.push_back(benefit_of(
         en::count("{} presses more", "{} press more", more_presses->choice.presses - from.presses),
         *now,
         *more_presses));
-  if (more_pictures != nullptr)
-    sentences.push_back(
-        brought(en::say("{} pictures of each press", more_pictures->choice.pictures),
-                *now,
-                *more_pictures));
+  if (more_images != nullptr)
+    sentences.push_back(benefit_of(
+        en::say("{} pictures of each press", more_images->choice.images), *now, *more_images));
   const CalibratingRow* minute = nullptr;  // the best within a minute more
   for (const CalibratingRow& row : study.rows)
-    if (row.painted && whole_minutes(row) <= whole_minutes(*now) + 1 &&
+    if (row.painted && total_minutes(row) <= total_minutes(*now) + 1 &&
         painted_median_mm(row) < painted_median_mm(minute != nullptr ? *minute : *now))
       minute = &row;
   if (minute != nullptr)
-    sentences.push_back(brought(
+    sentences.push_back(benefit_of(
         en::say("The best within a minute more ({})", words_of(minute->choice)), *now, *minute));
   return sentences;
 }
@@ -164,15 +162,15 @@ std::string text_of(const CalibratingStudy& study) {
   for (const std::size_t row : calibrating_front(study)) text += line_of_row(study.rows[row]);
   text += "All that was studied:\n";
   for (const CalibratingRow& row : study.rows) text += line_of_row(row);
-  if (!study.no_real.empty())
-    text += fmt::format("Nothing is told of real presses: {}.\n", study.no_real);
+  if (!study.no_real_reason.empty())
+    text += fmt::format("Nothing is told of real presses: {}.\n", study.no_real_reason);
   text += fmt::format(
       "Minutes of hand are an estimate: {:.0f} s once, {:.0f} s a press, {:.2f} s a further "
       "picture.\n",
       study.technician.once_s,
       study.technician.press_s,
-      study.technician.picture_s);
-  for (const Message& sentence : what_more_brings(study, study.rows.front().choice))
+      study.technician.image_s);
+  for (const Message& sentence : benefit_of_more_data(study, study.rows.front().choice))
     text += fmt::format("{}.\n", sentence);
   return text;
 }
@@ -190,7 +188,7 @@ std::string csv_of(const CalibratingStudy& study) {
     const CalibratingRow& row = study.rows[i];
     csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
                        row.choice.presses,
-                       row.choice.pictures,
+                       row.choice.images,
                        method_name(row.choice.method),
                        family_name(row.choice.family),
                        row.choice.iterations,
@@ -217,9 +215,9 @@ nlohmann::json json_of(const CalibratingStudy& study) {
                       {"technician",
                        {{"once_s", study.technician.once_s},
                         {"press_s", study.technician.press_s},
-                        {"picture_s", study.technician.picture_s},
+                        {"picture_s", study.technician.image_s},
                         {"is_estimate", true}}}};
-  if (!study.no_real.empty()) json["no_real"] = study.no_real.english();
+  if (!study.no_real_reason.empty()) json["no_real"] = study.no_real_reason.english();
   const auto front = calibrating_front(study);
   const auto spread = [](const ErrorSpread& of) {
     return nlohmann::json{{"median_mm", of.median_mm}, {"p95_mm", of.p95_mm}};
@@ -235,7 +233,7 @@ nlohmann::json json_of(const CalibratingStudy& study) {
     if (row.real) errors["real"] = spread(row.real->depth);
     rows.push_back({{"words", words_of(row.choice).english()},
                     {"presses", row.choice.presses},
-                    {"pictures", row.choice.pictures},
+                    {"pictures", row.choice.images},
                     {"method", method_name(row.choice.method)},
                     {"family", family_name(row.choice.family)},
                     {"iterations", row.choice.iterations},
@@ -247,7 +245,7 @@ nlohmann::json json_of(const CalibratingStudy& study) {
                     {"on_front", std::find(front.begin(), front.end(), i) != front.end()}});
   }
   nlohmann::json& more = json["one_more"] = nlohmann::json::array();
-  for (const Message& sentence : what_more_brings(study, study.rows.front().choice))
+  for (const Message& sentence : benefit_of_more_data(study, study.rows.front().choice))
     more.push_back(sentence.english());
   return json;
 }

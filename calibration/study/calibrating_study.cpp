@@ -58,7 +58,7 @@ Result<PaintedSum> paint_and_calibrate(CalibratingBench& bench,
   PaintedSum sum;
   const bool is_paper = choice.method == CalibrationMethod::kPaper;
   for (int draw = 0; draw < draws; ++draw) {
-    const auto read = bench.presses(draw, choice.pictures);
+    const auto read = bench.presses(draw, choice.images);
     if (!read) return read.error();
     const auto read_s = first_of((*read)->read_s, choice.presses);
     const auto frames = first_of((*read)->frames, choice.presses);
@@ -66,7 +66,7 @@ Result<PaintedSum> paint_and_calibrate(CalibratingBench& bench,
         is_paper ? bench.as_paper(frames, job) : Result(first_of((*read)->presses, choice.presses));
     ++sum.draws;
     sum.seconds.push_back(0);
-    const double begin_s = computed_s();
+    const double begin_s = thread_cpu_s();
     const auto made = taken ? calibrate_with(*taken, bench.finger(), choice, job)
                             : Result<Calibration>(taken.error());
     if (job.stop_requested()) return stopped_calibrating();
@@ -76,7 +76,7 @@ Result<PaintedSum> paint_and_calibrate(CalibratingBench& bench,
       continue;
     }
     sum.seconds.back() =
-        computed_s() - begin_s + std::accumulate(read_s.begin(), read_s.end(), 0.0);
+        thread_cpu_s() - begin_s + std::accumulate(read_s.begin(), read_s.end(), 0.0);
     const auto errors = bench.errors_mm(*mapping, is_paper, draw, job);
     if (!errors) return errors.error();
     sum.errors_mm.insert(sum.errors_mm.end(), errors->begin(), errors->end());
@@ -84,37 +84,37 @@ Result<PaintedSum> paint_and_calibrate(CalibratingBench& bench,
   return sum;
 }
 
-/// The finger's own presses, as ours and as the paper's steps read them.
+/// The finger's own presses, as read by this pipeline and by the paper's steps.
 class RealSplits {
  public:
   static Result<RealSplits> open(const FingerPtr& finger, std::uint64_t seed, const Job& job) {
     auto presses = RealPresses::open(finger, job);
     if (!presses) return presses.error();
     RealSplits splits(std::move(presses).value(), seed);
-    auto ours = splits.presses_.measured(measuring_settings(finger->folder), job);
-    if (!ours) return ours.error();
-    splits.ours_ = std::move(ours).value();
-    if (splits.ours_.size() < RealPresses::kLeast)
-      return Error{
-          en::say("the finger keeps too few presses to leave one out: {}", splits.ours_.size()),
-          finger->folder.string(),
-          en::say("calibrating it with three presses or more")};
+    auto own = splits.presses_.measured(measuring_settings(finger->folder), job);
+    if (!own) return own.error();
+    splits.own_presses_ = std::move(own).value();
+    if (splits.own_presses_.size() < RealPresses::kMinPresses)
+      return Error{en::say("the finger keeps too few presses to leave one out: {}",
+                           splits.own_presses_.size()),
+                   finger->folder.string(),
+                   en::say("calibrating it with three presses or more")};
     return splits;
   }
 
   void measure(const CalibratingChoice& choice, int splits, const Job& job, CalibratingRow& row) {
-    if (choice.pictures != 1 || choice.presses >= std::ssize(ours_)) return;
+    if (choice.images != 1 || choice.presses >= std::ssize(own_presses_)) return;
     const bool is_paper = choice.method == CalibrationMethod::kPaper;
     if (is_paper) read_as_paper(job);
-    const std::vector<Press>& all = is_paper ? papers_ : ours_;
+    const std::vector<Press>& all = is_paper ? paper_presses_ : own_presses_;
     if (choice.presses >= std::ssize(all)) return;
     RealErrorSum sum;
     for (int split = 0; split < splits; ++split) {
-      std::vector<Press> kept, left;
+      std::vector<Press> training, left;
       for (const std::size_t i : shuffled(all.size(), split))
-        (std::ssize(kept) < choice.presses ? kept : left).push_back(all[i]);
+        (std::ssize(training) < choice.presses ? training : left).push_back(all[i]);
       ++row.splits;
-      const auto made = calibrate_with(kept, presses_.finger(), choice, job);
+      const auto made = calibrate_with(training, presses_.finger(), choice, job);
       const auto mapping = made ? Mapping::create(made->mapping) : Result<Mapping>(made.error());
       if (!mapping) {
         ++row.splits_failed;
@@ -133,11 +133,11 @@ class RealSplits {
     tried_as_paper_ = true;
     auto method = PaperMethod::create(presses_.finger().without_mapping(), job);
     if (!method) return;
-    auto read = paper_presses(*method, presses_.frames(), presses_.inputs().said, job);
-    if (read) papers_ = std::move(read).value();
+    auto read = paper_presses(*method, presses_.frames(), presses_.inputs().press_set, job);
+    if (read) paper_presses_ = std::move(read).value();
   }
 
-  /// Fisher and Yates.
+  /// Fisher-Yates shuffle.
   [[nodiscard]] std::vector<std::size_t> shuffled(std::size_t count, int split) const {
     std::vector<std::size_t> order(count);
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -152,7 +152,7 @@ class RealSplits {
 
   RealPresses presses_;
   std::uint64_t seed_;
-  std::vector<Press> ours_, papers_;
+  std::vector<Press> own_presses_, paper_presses_;
   bool tried_as_paper_ = false;
 };
 
@@ -199,9 +199,9 @@ std::vector<int> next_above(const std::vector<int>& values, int value) {
 
 std::vector<CalibratingChoice> calibrating_choices(const CalibratingChoice& base, bool quick) {
   constexpr int kFew = 3, kMany = 12;
-  constexpr int kMostPictures = 16;  // more of them hardly change what a press tells
+  constexpr int kMaxImages = 16;  // more of them hardly change a press's result
   const auto all_presses = tried("presses", &CalibrationSettings::presses);
-  const auto all_pictures = tried("pictures-per-press", &CalibrationSettings::pictures_per_press);
+  const auto all_images = tried("pictures-per-press", &CalibrationSettings::frames_per_press);
   std::vector<CalibratingChoice> choices;
   const auto add = [&](const CalibratingChoice& choice) {
     if (std::find(choices.begin(), choices.end(), choice) == choices.end())
@@ -213,18 +213,18 @@ std::vector<CalibratingChoice> calibrating_choices(const CalibratingChoice& base
     return choice;
   };
   add(base);
-  if (base.presses < CalibratingBench::kMostPresses) add(with_presses(base.presses + 1));
+  if (base.presses < CalibratingBench::kMaxPresses) add(with_presses(base.presses + 1));
   for (const int presses : all_presses)
-    if (presses > 0 && presses <= CalibratingBench::kMostPresses &&
+    if (presses > 0 && presses <= CalibratingBench::kMaxPresses &&
         (!quick || presses < base.presses - 1))
       add(with_presses(presses));
   const std::vector<int> counts =
       quick ? std::vector<int>{base.presses} : std::vector<int>{kFew, base.presses};
-  for (const int pictures : quick ? next_above(all_pictures, base.pictures) : all_pictures)
+  for (const int images : quick ? next_above(all_images, base.images) : all_images)
     for (const int presses : counts) {
       CalibratingChoice choice = with_presses(presses);
-      choice.pictures = pictures;
-      if (pictures > base.pictures && pictures <= kMostPictures) add(choice);
+      choice.images = images;
+      if (images > base.images && images <= kMaxImages) add(choice);
     }
   for (const CalibrationMethod method : tried("method", &CalibrationSettings::method))
     for (const int presses : quick ? counts : std::vector<int>{kFew, base.presses, kMany}) {
@@ -250,7 +250,7 @@ CalibratingChoice choice_of_finger(const Finger& finger) {
   CalibratingChoice choice;
   if (!finger.mapping_record || finger.mapping_record->presses.empty()) return choice;
   choice.presses = static_cast<int>(
-      std::min<std::size_t>(finger.mapping_record->presses.size(), CalibratingBench::kMostPresses));
+      std::min<std::size_t>(finger.mapping_record->presses.size(), CalibratingBench::kMaxPresses));
   return choice;
 }
 
@@ -264,7 +264,7 @@ Result<CalibratingStudy> study_calibrating(const FingerPtr& finger,
   study.world_checksum = bench->checksum();
   study.technician = options.technician;
   auto splits = RealSplits::open(finger, options.seed, job);
-  if (!splits) study.no_real = splits.error().what;
+  if (!splits) study.no_real_reason = splits.error().what;
   const CalibratingChoice base = options.base.value_or(choice_of_finger(finger->finger));
   const auto choices = calibrating_choices(base, options.quick);
   const int draws = options.quick ? kQuickDraws : kDraws;
@@ -287,7 +287,7 @@ Result<CalibratingStudy> study_calibrating(const FingerPtr& finger,
     row.painted = spread_of_errors(sum->errors_mm);
     row.computing_s = middle_seconds(sum->seconds);
     row.time_ratio = ratio_to(sum->seconds, base_seconds);
-    row.technician_min = options.technician.minutes(row.choice.presses, row.choice.pictures);
+    row.technician_min = options.technician.minutes(row.choice.presses, row.choice.images);
     if (splits) splits->measure(choices[i], draws, quiet, row);
     study.rows.push_back(row);
   }

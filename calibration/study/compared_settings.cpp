@@ -2,7 +2,7 @@
 
 #include "calibration/study/calibrating_bench.h"
 #include "calibration/study/real_presses.h"
-#include "calibration/study/truly_pressed.h"
+#include "calibration/study/truth_limits.h"
 
 #include <cmath>
 #include <limits>
@@ -13,25 +13,25 @@
 namespace alltact {
 namespace {
 
-/// A frame's result, and the processor time of it in a pipeline that follows.
+/// A frame's result and its processor time in a pipeline that has already seen the frame.
 Result<FrameResult> timed(Pipeline& pipeline, const FramePtr& frame, double& milliseconds) {
   auto first = pipeline(frame);
   if (!first) return first;
-  const double begin_s = computed_s();
+  const double begin_s = thread_cpu_s();
   auto next = pipeline(frame);
-  milliseconds = 1000 * (computed_s() - begin_s);
+  milliseconds = 1000 * (thread_cpu_s() - begin_s);
   return next ? std::move(first) : std::move(next);
 }
 
 }  // namespace
 
-cv::Mat at_whole_size(const cv::Mat& values, int reduced_by, cv::Size size) {
+cv::Mat at_full_size(const cv::Mat& values, int reduced_by, cv::Size size) {
   if (reduced_by == 1) return values;
-  cv::Mat whole(size, CV_32FC1, cv::Scalar(std::numeric_limits<float>::quiet_NaN()));
+  cv::Mat full(size, CV_32FC1, cv::Scalar(std::numeric_limits<float>::quiet_NaN()));
   const cv::Size covered(values.cols * reduced_by, values.rows * reduced_by);
-  cv::Mat part = whole({0, 0, covered.width, covered.height});
+  cv::Mat part = full({0, 0, covered.width, covered.height});
   cv::resize(values, part, covered, 0, 0, cv::INTER_NEAREST);
-  return whole;
+  return full;
 }
 
 Result<ComparedSettings> ComparedSettings::create(const FingerSnapshot& finger,
@@ -56,16 +56,16 @@ Result<ComparedFrame> ComparedSettings::operator()(const FramePtr& frame) {
   if (!compared.now.depth || !compared.other.depth) return compared;
   const int by = compared.now.reduced_by;
   const cv::Mat& first = compared.now.depth->depth_mm;
-  const cv::Size whole = by == 1 ? first.size()
-                         : compared.other.reduced_by == 1
-                             ? compared.other.depth->depth_mm.size()
-                             : cv::Size(first.cols * by, first.rows * by);
-  const cv::Mat a = at_whole_size(first, by, whole),
-                b = at_whole_size(compared.other.depth->depth_mm, compared.other.reduced_by, whole);
+  const cv::Size full = by == 1 ? first.size()
+                        : compared.other.reduced_by == 1
+                            ? compared.other.depth->depth_mm.size()
+                            : cv::Size(first.cols * by, first.rows * by);
+  const cv::Mat a = at_full_size(first, by, full),
+                b = at_full_size(compared.other.depth->depth_mm, compared.other.reduced_by, full);
   compared.difference_mm = b - a;
   std::vector<float> pressed_mm;
-  for (int v = 0; v < whole.height; ++v)
-    for (int u = 0; u < whole.width; ++u) {
+  for (int v = 0; v < full.height; ++v)
+    for (int u = 0; u < full.width; ++u) {
       const float off = compared.difference_mm.at<float>(v, u);
       const bool is_pressed = a.at<float>(v, u) > kPressedMm || b.at<float>(v, u) > kPressedMm;
       if (std::isfinite(off) && is_pressed) pressed_mm.push_back(std::abs(off));

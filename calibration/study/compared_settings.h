@@ -1,4 +1,4 @@
-// One frame measured with two settings, and by what their depths differ.
+// One frame measured with two settings, and the difference of the depths.
 #pragma once
 
 #include "core/finger/finger_store.h"
@@ -15,12 +15,13 @@ namespace alltact {
 
 struct ComparedFrame {
   FrameResult now, other;
-  /// Depth of `other` less that of `now`, CV_32FC1, the camera's picture size whatever the
-  /// resolution; NaN where one of them has none. Empty where one has no depth at all.
+  /// Depth of `other` minus that of `now`, mm, CV_32FC1, in the camera's image size at any
+  /// resolution. NaN where either has none. Empty where one has no depth at all.
   cv::Mat difference_mm;
-  /// Of absolute differences, where either depth is above 0.05 mm; absent: nothing presses.
+  /// Of absolute differences, where either depth is above 0.05 mm; empty: nothing presses.
   std::optional<double> median_mm, p95_mm;
-  double now_ms = 0, other_ms = 0;  ///< processor time of this frame, which each saw before once
+  /// processor time of this frame, which each pipeline has seen once before
+  double now_ms = 0, other_ms = 0;
 };
 
 /// Used by one thread.
@@ -39,9 +40,9 @@ class ComparedSettings {
   Pipeline now_, other_;
 };
 
-/// A picture of a reduced frame beside the pixels that it covers: each value at all of them, NaN
-/// beyond. The same where nothing is reduced.
+/// Expands an image of a reduced frame: each value is repeated over the pixels that it covers, NaN
+/// outside. Unchanged where nothing is reduced.
 ///   values: CV_32FC1
-[[nodiscard]] cv::Mat at_whole_size(const cv::Mat& values, int reduced_by, cv::Size whole);
+[[nodiscard]] cv::Mat at_full_size(const cv::Mat& values, int reduced_by, cv::Size full);
 
 }  // namespace alltact

@@ -1,9 +1,9 @@
 #include "calibration/study/evaluate.h"
 
-#include "calibration/study/truly_pressed.h"
+#include "calibration/study/truth_limits.h"
 #include "core/finger/finger.h"
 #include "core/io/atomic_file.h"
-#include "core/io/picture.h"
+#include "core/io/image_file.h"
 #include "core/numerics/median.h"
 
 #include <algorithm>
@@ -44,13 +44,13 @@ Status add_frame(const Json& entry,
                  const fs::path& results,
                  Evaluator& evaluator) {
   const std::string name = entry.at("frame");
-  auto depth = read_float_picture(truths / (name + ".depth.tiff"));
+  auto depth = read_float_image(truths / (name + ".depth.tiff"));
   if (!depth) return depth.error();
-  auto z = read_float_picture(truths / (name + ".z.tiff"));
+  auto z = read_float_image(truths / (name + ".z.tiff"));
   if (!z) return z.error();
-  const auto our_depth = read_float_picture(results / (name + ".depth.tiff"));
+  const auto our_depth = read_float_image(results / (name + ".depth.tiff"));
   if (!our_depth) return our_depth.error();
-  const auto our_points = read_float_picture(results / (name + ".points.tiff"));
+  const auto our_points = read_float_image(results / (name + ".points.tiff"));
   if (!our_points) return our_points.error();
   if (our_depth->size() != depth->size() || our_points->size() != depth->size() ||
       z->size() != depth->size())
@@ -90,27 +90,28 @@ void Evaluator::add(const Truth& truth,
 }
 
 void Evaluator::add_depth(const Truth& truth, const cv::Mat& depth_mm) {
-  cv::Mat apart;  // 0 on contact, as distanceTransform wants it
-  apart.create(truth.depth_mm.size(), CV_8UC1);
-  for (int v = 0; v < apart.rows; ++v)
-    for (int u = 0; u < apart.cols; ++u)
-      apart.at<std::uint8_t>(v, u) =
+  cv::Mat contact_free;  // 0 on contact, as distanceTransform expects
+  contact_free.create(truth.depth_mm.size(), CV_8UC1);
+  for (int v = 0; v < contact_free.rows; ++v)
+    for (int u = 0; u < contact_free.cols; ++u)
+      contact_free.at<std::uint8_t>(v, u) =
           std::abs(truth.depth_mm.at<float>(v, u)) >= kUntouchedMm ? 0 : 1;
   cv::Mat distance_px;
-  cv::distanceTransform(apart, distance_px, cv::DIST_L2, cv::DIST_MASK_PRECISE);
-  for (int v = 0; v < apart.rows; ++v) {
-    for (int u = 0; u < apart.cols; ++u) {
+  cv::distanceTransform(contact_free, distance_px, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+  for (int v = 0; v < contact_free.rows; ++v) {
+    for (int u = 0; u < contact_free.cols; ++u) {
       const float truly = truth.depth_mm.at<float>(v, u);
       const float z = truth.untouched_z_mm.at<float>(v, u);
-      const float ours = depth_mm.at<float>(v, u);
+      const float estimated = depth_mm.at<float>(v, u);
       if (!std::isfinite(truly) || !std::isfinite(z)) continue;
       if (truly > kPressedMm) {
-        covered_.add(std::isfinite(ours) ? 1.0 : 0.0);
-        if (std::isfinite(ours)) contact_.add(std::abs(ours - truly));
-      } else if (std::isfinite(ours) &&
+        covered_.add(std::isfinite(estimated) ? 1.0 : 0.0);
+        if (std::isfinite(estimated)) contact_.add(std::abs(estimated - truly));
+      } else if (std::isfinite(estimated) &&
                  distance_px.at<float>(v, u) * camera_.mm_per_px_at(z) > kAwayMm) {
-        // A pixel's own size is its least distance on the face: an inclined face is further away.
-        false_.add(std::abs(ours));
+        // A pixel's own size is a lower bound of the distance on the face: an inclined face is
+        // further away.
+        false_.add(std::abs(estimated));
       }
     }
   }
@@ -119,7 +120,7 @@ void Evaluator::add_depth(const Truth& truth, const cv::Mat& depth_mm) {
 void Evaluator::add_position(const Truth& truth,
                              const cv::Mat& depth_mm,
                              const cv::Mat& points_mm) {
-  constexpr int kEvery = 3;  // neighbours say the same
+  constexpr int kEvery = 3;  // neighbours carry the same information
   for (int v = 0; v < depth_mm.rows; v += kEvery) {
     for (int u = 0; u < depth_mm.cols; u += kEvery) {
       const double untouched_z = points_mm.at<cv::Vec3f>(v, u)[2] + depth_mm.at<float>(v, u);

@@ -1,4 +1,4 @@
-// How far results lie from the truth that a simulated picture comes with.
+// Errors of results against the ground truth of simulated images.
 #pragma once
 
 #include "core/camera/camera.h"
@@ -13,14 +13,14 @@
 
 namespace alltact {
 
-/// Over all frames of a run. Means and medians are over pixels (or markers) of all frames together;
-/// a figure without anything to measure it by is absent.
+/// Over all frames of a run. Means and medians are over pixels (or markers) of all frames together.
+/// A figure without data is empty.
 struct Evaluation {
   int frames = 0;          ///< compared
   int frames_missing = 0;  ///< in the truth, but without a result
   std::optional<double>
       contact_depth_mm;  ///< mean |error| of depth where truly deeper than 0.05 mm
-  std::optional<double> contact_coverage;  ///< share of those pixels that have a depth at all
+  std::optional<double> contact_coverage;  ///< fraction of those pixels that have a depth at all
   std::optional<double> false_depth_mm;    ///< mean |depth| further than 1 mm from any contact
   std::optional<double> position_mm;       ///< median |error| of z of the untouched face
   std::optional<double> marker_seen_px;    ///< mean distance, markers seen that can be seen

@@ -23,7 +23,7 @@ constexpr const char* kStudyFormat = "alltact-finger-study/1";
 constexpr int kFingerStudyFrames = 9, kFingerStudyRepeats = 2;
 constexpr double kPaintingPart = 0.25;  // of the time of a quick study
 
-/// What a study was measured of, and where.
+/// Subject and origin of a study.
 struct StudyHead {
   std::string of, program_version, computer, date, world;
   double mapping_p95_mm = 0;
@@ -84,11 +84,11 @@ Result<std::optional<StudyFileContent>> read_study(const std::filesystem::path& 
   return std::optional(std::move(content));
 }
 
-/// Of all that a frame's depth depends on beside the settings.
+/// Checksum of everything besides the settings that a frame's depth depends on.
 Result<std::string> checksum_of_finger(const FingerSnapshot& finger) {
   const auto reference = reference_checksum(finger.folder, finger.finger);
   if (!reference) return reference.error();
-  Finger only;  // without what depth does not hang on
+  Finger only;  // without the fields that depth does not depend on
   only.name = "finger";
   only.camera = finger.finger.camera;
   only.face = finger.finger.face;
@@ -129,24 +129,24 @@ bool has_all(const std::vector<StudyRow>& rows, StudyExtent extent, const Finger
 FingerStudy finger_study(const FingerSnapshot& finger,
                          const StudyFileContent& content,
                          const std::string& of_now) {
-  FingerStudy kept;
-  kept.study = {en::say("balls painted into untouched pictures of {}", finger.finger.name),
-                false,
-                0,
-                content.rows,
-                content.head.mapping_p95_mm};
-  kept.date = content.head.date;
-  kept.computer = content.head.computer;
-  kept.is_of_finger_now = content.head.of == of_now;
-  kept.is_of_this_computer = content.head.computer == this_machine().processor;
-  kept.has_all_single = has_all(content.rows, StudyExtent::kQuick, finger.finger);
-  kept.has_all_pairs = has_all(content.rows, StudyExtent::kPairs, finger.finger);
-  return kept;
+  FingerStudy stored;
+  stored.study = {en::say("balls painted into untouched pictures of {}", finger.finger.name),
+                  false,
+                  0,
+                  content.rows,
+                  content.head.mapping_p95_mm};
+  stored.date = content.head.date;
+  stored.computer = content.head.computer;
+  stored.is_of_finger_now = content.head.of == of_now;
+  stored.is_of_this_computer = content.head.computer == this_machine().processor;
+  stored.has_all_single = has_all(content.rows, StudyExtent::kQuick, finger.finger);
+  stored.has_all_pairs = has_all(content.rows, StudyExtent::kPairs, finger.finger);
+  return stored;
 }
 
 }  // namespace
 
-Result<std::optional<FingerStudy>> kept_study(const FingerPtr& finger) {
+Result<std::optional<FingerStudy>> stored_study(const FingerPtr& finger) {
   const auto content = read_study(finger->folder / kFingerStudy);
   if (!content) return content.error();
   if (!*content || (*content)->rows.empty()) return std::optional<FingerStudy>();
@@ -171,23 +171,23 @@ Result<FingerStudy> study_finger(const FingerPtr& finger,
   const auto file = finger->folder / kFingerStudy;
   StudyFileContent content{
       head_here_and_now(*of, world->checksum, world->mapping_p95_mm, program_version), {}};
-  // What cannot be read is measured again.
+  // A file that cannot be read is measured again.
   const auto before = read_study(file);
   if (before && *before && (*before)->head.is_measured_alike(content.head) &&
       !(*before)->rows.empty() && key_of((*before)->rows.front().settings) == key_of(how.base))
     content = **before;
-  const auto keep = [&](const std::vector<StudyRow>& more) {
+  const auto save = [&](const std::vector<StudyRow>& more) {
     content.rows.insert(content.rows.end(), more.begin(), more.end());
     return write_study(file, content);
   };
-  const auto done = study_accuracy(*world, how, content.rows, keep, Job(job, kPaintingPart, 1.0));
+  const auto done = study_accuracy(*world, how, content.rows, save, Job(job, kPaintingPart, 1.0));
   if (!done) return done.error();
   return finger_study(*finger, content, *of);
 }
 
-Status keep_study(const FingerPtr& finger,
-                  const AccuracyStudy& study,
-                  const std::string& program_version) {
+Status store_study(const FingerPtr& finger,
+                   const AccuracyStudy& study,
+                   const std::string& program_version) {
   const auto of = checksum_of_finger(*finger);
   if (!of) return of.error();
   return write_study(

@@ -1,6 +1,6 @@
 #include "calibration/study/painted_press.h"
 
-#include "core/sensing/contact/contact_frame.h"
+#include "core/sensing/contact/contact_geometry.h"
 #include "core/sensing/contact/contact_regions.h"
 #include "core/sensing/depth/depth_cells.h"
 
@@ -11,43 +11,43 @@
 namespace alltact {
 namespace {
 
-constexpr double kDeepestPart = 0.8;      // of what the mapping was calibrated to
-constexpr double kShallowestMm = 0.15;    // still to be told from nothing
-constexpr std::uint32_t kMostTries = 20;  // to place something
-constexpr double kBarRadiusPart = 0.5;    // of the ball's
+constexpr double kMaxDepthFraction = 0.8;  // of the depth range of the calibration
+constexpr double kMinDepthMm = 0.15;       // still distinguishable from zero
+constexpr std::uint32_t kMaxTries = 20;    // to find a valid position
+constexpr double kBarRadiusPart = 0.5;     // of the ball's
 constexpr double kBarHalfLengthMm = 3.0;
 constexpr double kBarDepthMm = 0.5;
 
-std::optional<double> way_to_ball(const Eigen::Vector3d& centre_mm,
-                                  double radius_mm,
-                                  const Eigen::Vector3d& from,
-                                  const Eigen::Vector3d& way) {
+std::optional<double> distance_to_ball(const Eigen::Vector3d& centre_mm,
+                                       double radius_mm,
+                                       const Eigen::Vector3d& from,
+                                       const Eigen::Vector3d& direction) {
   const Eigen::Vector3d to_centre = centre_mm - from;
-  const double along = to_centre.dot(way);
-  const double off2 = (to_centre - along * way).squaredNorm();
+  const double along = to_centre.dot(direction);
+  const double off2 = (to_centre - along * direction).squaredNorm();
   const double inside = radius_mm * radius_mm - off2;
   if (inside <= 0) return std::nullopt;
   return along - std::sqrt(inside);
 }
 
 // The body's middle part, without its ends.
-std::optional<double> way_to_cylinder(const PaintedBody& body,
-                                      const Eigen::Vector3d& from,
-                                      const Eigen::Vector3d& way) {
+std::optional<double> distance_to_cylinder(const PaintedBody& body,
+                                           const Eigen::Vector3d& from,
+                                           const Eigen::Vector3d& direction) {
   const auto across = [&](const Eigen::Vector3d& v) -> Eigen::Vector3d {
     return v - v.dot(body.axis) * body.axis;
   };
-  const Eigen::Vector3d off = across(from - body.centre_mm), step = across(way);
+  const Eigen::Vector3d off = across(from - body.centre_mm), step = across(direction);
   const double a = step.squaredNorm(), b = off.dot(step);
   const double root = b * b - a * (off.squaredNorm() - body.radius_mm * body.radius_mm);
   if (!(a > 1e-12) || root <= 0) return std::nullopt;
   const double t = (-b - std::sqrt(root)) / a;
-  const double along = (from + t * way - body.centre_mm).dot(body.axis);
+  const double along = (from + t * direction - body.centre_mm).dot(body.axis);
   if (std::abs(along) > body.half_length_mm) return std::nullopt;
   return t;
 }
 
-// How much thinner the layer is over a view-face point: in the sense of the mapping, and along z.
+// Thinning of the layer over a view-face point: along the mapping's direction, and along z.
 struct Thinning {
   double of_mapping_mm = 0, along_z_mm = 0;
 };
@@ -58,7 +58,7 @@ Thinning thinning(const FaceShape::Local& local,
                   MappingAlong along) {
   Thinning thinner;
   const double layer_z_mm = layer_mm / local.cos_incline;
-  if (const auto z = way_to_body(body, local.view_point_mm, Eigen::Vector3d::UnitZ()))
+  if (const auto z = distance_to_body(body, local.view_point_mm, Eigen::Vector3d::UnitZ()))
     thinner.along_z_mm = std::clamp(layer_z_mm - *z, 0.0, layer_z_mm);
   switch (along) {
     case MappingAlong::kZ:
@@ -68,14 +68,14 @@ Thinning thinning(const FaceShape::Local& local,
       thinner.of_mapping_mm = thinner.along_z_mm * local.cos_incline;
       break;
     case MappingAlong::kNormal:
-      if (const auto n = way_to_body(body, local.view_point_mm, local.normal))
+      if (const auto n = distance_to_body(body, local.view_point_mm, local.normal))
         thinner.of_mapping_mm = std::clamp(layer_mm - *n, 0.0, layer_mm);
       break;
   }
   return thinner;
 }
 
-// At a z drawn evenly within the zone; where all columns have the same, at a column.
+// At a z drawn evenly within the zone; where all columns have the same z, at a random column.
 std::optional<int> column_in(FaceZone zone, const FaceShape& shape, StudyDraws& draws) {
   const auto& columns = shape.columns();
   std::vector<int> valid;
@@ -96,10 +96,10 @@ std::optional<int> column_in(FaceZone zone, const FaceShape& shape, StudyDraws& 
   });
 }
 
-// Where the truth itself says that the skin is pressed deepest.
-std::optional<Eigen::Vector2d> place_in(const cv::Mat& depth_mm,
-                                        const FaceShape& shape,
-                                        const Face& face) {
+// Position of the greatest depth in the ground truth.
+std::optional<Eigen::Vector2d> deepest_position(const cv::Mat& depth_mm,
+                                                const FaceShape& shape,
+                                                const Face& face) {
   DepthMap truth;
   truth.depth_mm = depth_mm;
   truth.flags = cv::Mat::zeros(depth_mm.size(), CV_8UC1);
@@ -111,13 +111,15 @@ std::optional<Eigen::Vector2d> place_in(const cv::Mat& depth_mm,
 
 }  // namespace
 
-std::optional<double> way_to_body(const PaintedBody& body,
-                                  const Eigen::Vector3d& from,
-                                  const Eigen::Vector3d& way) {
-  if (body.half_length_mm <= 0) return way_to_ball(body.centre_mm, body.radius_mm, from, way);
-  std::optional<double> first = way_to_cylinder(body, from, way);
+std::optional<double> distance_to_body(const PaintedBody& body,
+                                       const Eigen::Vector3d& from,
+                                       const Eigen::Vector3d& direction) {
+  if (body.half_length_mm <= 0)
+    return distance_to_ball(body.centre_mm, body.radius_mm, from, direction);
+  std::optional<double> first = distance_to_cylinder(body, from, direction);
   for (const double end : {-body.half_length_mm, body.half_length_mm}) {
-    const auto there = way_to_ball(body.centre_mm + end * body.axis, body.radius_mm, from, way);
+    const auto there =
+        distance_to_ball(body.centre_mm + end * body.axis, body.radius_mm, from, direction);
     if (there && (!first || *there < *first)) first = there;
   }
   return first;
@@ -131,14 +133,14 @@ struct PressPainter::Spot {
 
 PressPainter::PressPainter(const FingerSnapshot& finger, double radius_mm)
     : finger_(finger), mapping_(*finger.mapping), radius_mm_(radius_mm) {
-  deepest_mm_ = std::min(kDeepestPart * mapping_.depth_mm(mapping_.x_max()),
-                         kDeepestPart * finger.finger.face.layer_mm);
+  deepest_mm_ = std::min(kMaxDepthFraction * mapping_.depth_mm(mapping_.x_max()),
+                         kMaxDepthFraction * finger.finger.face.layer_mm);
 }
 
 std::optional<PressPainter::Spot> PressPainter::spot_on(const FaceShape& shape,
                                                         StudyDraws& draws,
                                                         FaceZone zone) const {
-  for (std::uint32_t tried = 0; tried < kMostTries; ++tried) {
+  for (std::uint32_t tried = 0; tried < kMaxTries; ++tried) {
     const auto u = column_in(zone, shape, draws);
     if (!u) continue;
     const FaceColumn& column = shape.columns()[static_cast<std::size_t>(*u)];
@@ -160,12 +162,12 @@ std::optional<StudyFrame> PressPainter::ball(const cv::Mat& grey,
                                              FaceZone zone) const {
   const auto spot = spot_on(shape, draws, zone);
   if (!spot) return std::nullopt;
-  const double depth_mm = kShallowestMm + draws.uniform() * (deepest_mm_ - kShallowestMm);
+  const double depth_mm = kMinDepthMm + draws.uniform() * (deepest_mm_ - kMinDepthMm);
   PaintedBody body;
   body.centre_mm = spot->outer_mm + (radius_mm_ - depth_mm) * spot->local.normal;
   body.radius_mm = radius_mm_;
   StudyFrame frame = painted_with(body, zone, grey, shape);
-  frame.place_mm = place_in(frame.depth_mm, shape, finger_.finger.face);
+  frame.position_mm = deepest_position(frame.depth_mm, shape, finger_.finger.face);
   return frame;
 }
 
@@ -179,7 +181,7 @@ std::optional<StudyFrame> PressPainter::bar(const cv::Mat& grey,
     return pixel && pixel->x() >= 0 && pixel->x() <= grey.cols - 1 && pixel->y() >= 0 &&
            pixel->y() <= grey.rows - 1 && shape.at(pixel->x(), pixel->y());
   };
-  for (std::uint32_t tried = 0; tried < kMostTries; ++tried) {
+  for (std::uint32_t tried = 0; tried < kMaxTries; ++tried) {
     const auto spot = spot_on(shape, draws, zone);
     if (!spot) continue;
     const auto plane = contact_plane(shape, {spot->u, spot->v});
@@ -190,7 +192,7 @@ std::optional<StudyFrame> PressPainter::bar(const cv::Mat& grey,
     body.half_length_mm = kBarHalfLengthMm;
     body.axis = *plane * Eigen::Vector2d(std::cos(angle_rad), std::sin(angle_rad));
     body.centre_mm = spot->outer_mm + (body.radius_mm - depth_mm) * spot->local.normal;
-    // What the face's end cuts off has another angle.
+    // A bar that the face's end cuts off has another angle.
     const Eigen::Vector3d to_end = (body.half_length_mm + body.radius_mm) * body.axis;
     if (!is_on_face(spot->local.view_point_mm + to_end) ||
         !is_on_face(spot->local.view_point_mm - to_end))
@@ -211,7 +213,7 @@ StudyFrame PressPainter::painted_with(const PaintedBody& body,
   StudyFrame frame;
   frame.depth_mm = cv::Mat(grey.size(), CV_32FC1, cv::Scalar(kNaN));
   frame.zone = zone;
-  cv::Mat dented = grey.clone();
+  cv::Mat indented = grey.clone();
   for (int v = 0; v < grey.rows; ++v)
     for (int u = 0; u < grey.cols; ++u) {
       const auto local = shape.at(u, v);
@@ -221,14 +223,14 @@ StudyFrame PressPainter::painted_with(const PaintedBody& body,
       frame.depth_mm.at<float>(v, u) = static_cast<float>(thinner.along_z_mm);
       if (thinner.of_mapping_mm <= 0) continue;
       const double factor =
-          parameters.variation.is_none() ? 1.0 : parameters.variation.at(shape.place_mm(u, v));
+          parameters.variation.is_none() ? 1.0 : parameters.variation.at(shape.position_mm(u, v));
       const double x = mapping_.difference_at(thinner.of_mapping_mm / factor);
-      dented.at<std::uint8_t>(v, u) =
+      indented.at<std::uint8_t>(v, u) =
           static_cast<std::uint8_t>(std::lround(grey.at<std::uint8_t>(v, u) * (1 - x)));
     }
-  auto picture = std::make_shared<Frame>();
-  picture->grey = std::move(dented);
-  frame.picture = std::move(picture);
+  auto image = std::make_shared<Frame>();
+  image->grey = std::move(indented);
+  frame.image = std::move(image);
   return frame;
 }
 

@@ -1,4 +1,4 @@
-// A ball or a bar that is painted into an untouched picture, with its truth.
+// A ball or a bar painted into an untouched image, with its ground truth.
 #pragma once
 
 #include "calibration/study/study_world.h"
@@ -15,7 +15,7 @@
 
 namespace alltact {
 
-/// Numbers of one painted picture, from its own counter.
+/// Random numbers of one painted image, from its own counter.
 class StudyDraws {
  public:
   StudyDraws(std::uint64_t seed, std::uint32_t frame) : seed_(seed), frame_(frame) {}
@@ -32,8 +32,8 @@ class StudyDraws {
   std::uint32_t next_ = 0;
 };
 
-/// What presses: all that lies within radius_mm of a straight line; a ball where that has no
-/// length. Camera frame.
+/// The pressing body: all points within radius_mm of a straight line segment; a ball where the
+/// segment has no length. Camera frame.
 struct PaintedBody {
   Eigen::Vector3d centre_mm;
   double radius_mm = 0;
@@ -41,18 +41,19 @@ struct PaintedBody {
   double half_length_mm = 0;
 };
 
-/// Along a line from `from` in the unit direction `way`: where it first enters the body, mm.
-[[nodiscard]] std::optional<double> way_to_body(const PaintedBody& body,
-                                                const Eigen::Vector3d& from,
-                                                const Eigen::Vector3d& way);
+/// Distance, mm, along a line from `from` along the unit vector `direction` to its first point in
+/// the body.
+[[nodiscard]] std::optional<double> distance_to_body(const PaintedBody& body,
+                                                     const Eigen::Vector3d& from,
+                                                     const Eigen::Vector3d& direction);
 
 class PressPainter {
  public:
   /// `finger` is calibrated and outlives this.
   PressPainter(const FingerSnapshot& finger, double radius_mm);
 
-  /// grey: untouched, CV_8UC1, and the shape of the face in it. With its place, told by that very
-  /// shape. nullopt: nothing found its place on this face.
+  /// grey: untouched, CV_8UC1; shape: of the face in it. The result includes the contact's
+  /// position, from the same shape. nullopt: no valid position on this face.
   [[nodiscard]] std::optional<StudyFrame> ball(const cv::Mat& grey,
                                                const FaceShape& shape,
                                                StudyDraws& draws,

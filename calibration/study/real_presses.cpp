@@ -5,7 +5,7 @@
 #include "calibration/study/study_clock.h"
 #include "calibration/study/study_front.h"
 #include "core/finger/reduced_finger.h"
-#include "core/io/picture.h"
+#include "core/io/image_file.h"
 #include "core/sensing/pipeline.h"
 
 #include <algorithm>
@@ -15,14 +15,14 @@
 namespace alltact {
 namespace {
 
-constexpr std::size_t kMostFolds = 10;
+constexpr std::size_t kMaxFolds = 10;
 
 Error stopped_among_presses() {
   return {en::say("stopped before the study was over"), "", ""};
 }
 
 FaceZone zone_of_contact(const Press& press, const Eigen::Vector3d& centre_mm) {
-  // Where the ball's middle is seen, by the place of that column between the face's ends.
+  // The zone follows from the column of the ball's centre, relative to the face's ends.
   const auto& columns = press.shape.columns();
   int first = -1, last = -1, nearest = -1;
   double least_px = 0;
@@ -53,15 +53,15 @@ std::optional<ErrorSpread> spread_of_errors(std::vector<float>& errors_mm) {
   return ErrorSpread{errors_mm[count / 2], errors_mm[std::min(count - 1, count * 95 / 100)]};
 }
 
-CalibrationSettings as_it_was_chosen(const CalibrationSettings& settings,
+CalibrationSettings fixed_to_mapping(const CalibrationSettings& settings,
                                      const MappingParameters& mapping) {
   CalibrationSettings fixed = settings;
   if (settings.method != CalibrationMethod::kJoint) return fixed;
   fixed.along = mapping.along == MappingAlong::kZ        ? AlongChoice::kZ
                 : mapping.along == MappingAlong::kNormal ? AlongChoice::kNormal
                                                          : AlongChoice::kProjected;
-  if (mapping.variation.is_none()) fixed.over_face = OverFaceChoice::kEven;
-  // A layer is kept as the polynomial that it was turned into, which does not tell a degree.
+  if (mapping.variation.is_none()) fixed.face_variation = FaceVariationChoice::kEven;
+  // A layer model is stored as a polynomial, which does not hold its degree.
   if (settings.family == FamilyChoice::kAuto)
     fixed.family =
         mapping.kind == MappingKind::kMoebius ? FamilyChoice::kMoebius : FamilyChoice::kLayer;
@@ -101,11 +101,11 @@ Result<RealPresses> RealPresses::open(const FingerPtr& finger, const Job& job) {
   auto library = ReferenceLibrary::load(*finger, job);
   if (!library) return library.error();
   RealPresses real(finger, std::move(inputs).value(), std::move(library).value());
-  for (const KeptPress& press : real.inputs_.presses) {
-    const PressNote& note = real.inputs_.said.of(press.name);
+  for (const StoredPress& press : real.inputs_.presses) {
+    const PressNote& note = real.inputs_.press_set.of(press.name);
     if (note.excluded || note.step_mm) continue;
     const auto file = finger->folder / kPressFolder / (press.name + ".png");
-    auto grey = read_grey_picture(file);
+    auto grey = read_grey_image(file);
     if (!grey) return grey.error();
     auto frame = std::make_shared<Frame>();
     frame->grey = std::move(grey).value();
@@ -113,7 +113,7 @@ Result<RealPresses> RealPresses::open(const FingerPtr& finger, const Job& job) {
     frame->origin = file.string();
     real.frames_.push_back(std::move(frame));
   }
-  if (real.frames_.size() < kLeast)
+  if (real.frames_.size() < kMinPresses)
     return Error{
         en::say("the finger keeps too few presses to leave one out: {}", real.frames_.size()),
         (finger->folder / kPressFolder).string(),
@@ -123,8 +123,8 @@ Result<RealPresses> RealPresses::open(const FingerPtr& finger, const Job& job) {
 
 Result<Pipeline> RealPresses::pipeline_of(const PipelineSettings& settings, const Job& job) const {
   const FingerSnapshot finger = finger_->without_mapping();
-  if (settings.resolution == Resolution::kWhole && settings.undistortion == Undistortion::kExact)
-    return Pipeline::over(library_, finger, settings);
+  if (settings.resolution == Resolution::kFull && settings.undistortion == Undistortion::kExact)
+    return Pipeline::with_library(library_, finger, settings);
   return Pipeline::create(finger, settings, job);
 }
 
@@ -139,11 +139,11 @@ Result<std::vector<Press>> RealPresses::measured(const PipelineSettings& setting
     auto result = (*pipeline)(frame);
     if (!result) return result.error();
     if (!result->difference || !result->shape || result->reference->by_shape) continue;
-    const PressNote& note = inputs_.said.of(frame->name);
+    const PressNote& note = inputs_.press_set.of(frame->name);
     presses.push_back(Press{frame->name,
                             std::move(*result->difference),
                             std::move(*result->shape),
-                            inputs_.said.radius_of(frame->name),
+                            inputs_.press_set.radius_of(frame->name),
                             note.ball_mm,
                             note.depth});
   }
@@ -156,16 +156,16 @@ Result<RealErrors> RealPresses::held_out(const PipelineSettings& settings, const
   const Face& face = finger_->finger.face;
   const Camera camera = finger_as_measured(*finger_, settings).camera;
   const CalibrationSettings chosen =
-      as_it_was_chosen(inputs_.calibration, finger_->mapping->parameters());
+      fixed_to_mapping(inputs_.calibration, finger_->mapping->parameters());
   RealErrorSum sum;
   for (std::size_t missing = presses->size(); missing < frames_.size(); ++missing)
     sum.add_missing();
-  const std::size_t folds = std::min(presses->size(), kMostFolds);
+  const std::size_t folds = std::min(presses->size(), kMaxFolds);
   for (std::size_t fold = 0; fold < folds; ++fold) {
-    std::vector<Press> kept, left;
+    std::vector<Press> training, left;
     for (std::size_t i = 0; i < presses->size(); ++i)
-      (i % folds == fold ? left : kept).push_back((*presses)[i]);
-    const auto calibration = calibrate(kept, camera, face, chosen, job);
+      (i % folds == fold ? left : training).push_back((*presses)[i]);
+    const auto calibration = calibrate(training, camera, face, chosen, job);
     if (job.stop_requested()) return stopped_among_presses();
     const auto mapping =
         calibration ? Mapping::create(calibration->mapping) : Result<Mapping>(calibration.error());
@@ -187,24 +187,24 @@ Result<RealErrors> RealPresses::held_out(const PipelineSettings& settings, const
 
 Status add_real_errors(AccuracyStudy& study,
                        const RealPresses& presses,
-                       const std::vector<std::size_t>& wanted,
-                       const KeepRows& keep,
+                       const std::vector<std::size_t>& requested,
+                       const SaveRows& save,
                        const Job& job) {
   const StudyClock clock;
-  for (std::size_t i = 0; i < wanted.size(); ++i) {
-    StudyRow& row = study.rows[wanted[i]];
+  for (std::size_t i = 0; i < requested.size(); ++i) {
+    StudyRow& row = study.rows[requested[i]];
     if (row.real) continue;
     if (job.stop_requested()) return stopped_among_presses();
     clock.report(job,
-                 static_cast<double>(i) / static_cast<double>(wanted.size()),
-                 en::say("leaving out presses, {} of {}", i + 1, wanted.size()));
+                 static_cast<double>(i) / static_cast<double>(requested.size()),
+                 en::say("leaving out presses, {} of {}", i + 1, requested.size()));
     const auto errors = presses.held_out(row.settings, job);
     if (job.stop_requested()) return stopped_among_presses();
-    if (!errors && wanted[i] == 0) return errors.error();
+    if (!errors && requested[i] == 0) return errors.error();
     if (!errors) continue;
     row.real = *errors;
-    if (keep)
-      if (const Status kept = keep({row}); !kept) return kept;
+    if (save)
+      if (const Status saved = save({row}); !saved) return saved;
   }
   return {};
 }

@@ -1,9 +1,9 @@
-// The presses that a finger keeps, as truth that nobody painted: a mapping made without a press is
-// held against the ball's sphere in it.
+// A finger's stored presses as ground truth that is not painted. A mapping made without a press is
+// compared with the ball's sphere in that press.
 //
-// What the error holds: the mapping made from fewer presses than the finger's own, picture noise
-// and reference, and how well the ball is found by the shape of its contact (ball_by_shape.h). What
-// it does not hold: a radius that is wrong for all presses.
+// The error includes: a mapping made from fewer presses than the finger's own, noise of image and
+// reference, and the accuracy of fitting the ball to its contact (ball_by_shape.h). It excludes a
+// radius error common to all presses.
 #pragma once
 
 #include "calibration/finger/calibration_inputs.h"
@@ -24,20 +24,21 @@ namespace alltact {
 
 class RealPresses {
  public:
-  static constexpr std::size_t kLeast = 3;  ///< presses: two calibrate, one is left out
+  static constexpr std::size_t kMinPresses = 3;  ///< presses: two calibrate, one is left out
 
-  /// Reads the pictures of the presses that are not left out, and the finger's reference. Errors:
-  /// the finger keeps no presses, or fewer than kLeast of a ball; those of reading them; stopped.
+  /// Reads the images of the presses that are not left out, and the finger's reference. Errors: the
+  /// finger has no stored presses, or fewer than kMinPresses of a ball; those of reading them;
+  /// stopped.
   [[nodiscard]] static Result<RealPresses> open(const FingerPtr& finger, const Job& job);
 
-  /// As these settings read them, each by itself; those that show no face or no reference are
-  /// missing. Errors: those of Pipeline; stopped.
+  /// The presses measured with these settings, one by one. Presses without a face or a reference
+  /// are omitted. Errors: those of Pipeline; stopped.
   [[nodiscard]] Result<std::vector<Press>> measured(const PipelineSettings& settings,
                                                     const Job& job) const;
 
-  /// Of a finger's usual calibration with the family of its mapping: each press left out in turn,
-  /// of more than ten in ten groups. Errors: those of measured(); no press could be held against a
-  /// mapping.
+  /// Cross-validation of a default calibration with the family of the finger's mapping: each press
+  /// is left out in turn, more than ten presses in ten groups. Errors: those of measured(); no
+  /// press could be compared with a mapping.
   [[nodiscard]] Result<RealErrors> held_out(const PipelineSettings& settings, const Job& job) const;
 
   [[nodiscard]] const FingerSnapshot& finger() const { return *finger_; }
@@ -58,10 +59,10 @@ class RealPresses {
   std::vector<FramePtr> frames_;
 };
 
-/// Absolute errors, mm, of what a mapping reads in presses, by the zone of the face.
+/// Absolute errors, mm, of a mapping's depth in presses, by the zone of the face.
 class RealErrorSum {
  public:
-  /// face_length_mm: of which a third is a zone; of a flat sensor what the camera sees
+  /// face_length_mm: a zone is a third of it; of a flat sensor the visible length
   void add(const Press& press, const Face& face, const Mapping& mapping, const Job& job);
   void add_missing() { ++errors_.presses_missing; }
   /// nullopt: no press was measured.
@@ -72,24 +73,24 @@ class RealErrorSum {
   std::array<std::vector<float>, kFaceZones> by_zone_;
 };
 
-/// That which a mapping is made with again: its family, degree and thickness are not chosen anew.
-[[nodiscard]] CalibrationSettings as_it_was_chosen(const CalibrationSettings& settings,
+/// Settings that repeat a mapping: its family, degree and thickness are fixed, not chosen anew.
+[[nodiscard]] CalibrationSettings fixed_to_mapping(const CalibrationSettings& settings,
                                                    const MappingParameters& mapping);
 
-/// Median and 95 %, of the order of the values independent; nullopt of none.
+/// Median and 95 %, independent of the order of the values; nullopt of an empty vector.
 [[nodiscard]] std::optional<ErrorSpread> spread_of_errors(std::vector<float>& errors_mm);
 
-/// Measures rows that have none yet and that `wanted` names, and puts it into them; `keep` is told
-/// of each. Errors: those of held_out() where the base cannot be measured (of another row it is
-/// absent); what keep says; stopped.
+/// Measures the rows named by `requested` that have no real errors yet, and stores the errors in
+/// them. `keep` receives each row. Errors: those of held_out() for the base (for another row the
+/// field stays empty); those of `keep`; stopped.
 [[nodiscard]] Status add_real_errors(AccuracyStudy& study,
                                      const RealPresses& presses,
-                                     const std::vector<std::size_t>& wanted,
-                                     const KeepRows& keep,
+                                     const std::vector<std::size_t>& requested,
+                                     const SaveRows& save,
                                      const Job& job);
 
-/// Rows that are worth holding against real presses: the base, what presets_of() names, and where
-/// `all` is asked for what one setting makes and what is on the front.
+/// Rows worth comparing with real presses: the base and what presets_of() names. With `all` also
+/// rows that change one setting, and the front.
 [[nodiscard]] std::vector<std::size_t> rows_for_real(const AccuracyStudy& study, bool all);
 
 }  // namespace alltact

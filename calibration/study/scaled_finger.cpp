@@ -16,8 +16,8 @@ double scaled_px(double px, double by) {
   return (px + 0.5) * by - 0.5;
 }
 
-FingerSnapshot at_scale(const FingerSnapshot& whole, double by) {
-  FingerSnapshot scaled = whole;
+FingerSnapshot at_scale(const FingerSnapshot& original, double by) {
+  FingerSnapshot scaled = original;
   CameraParameters& camera = scaled.finger.camera;
   camera.orientation = Orientation::kNone;
   camera.width_px = static_cast<int>(std::lround(camera.width_px * by));
@@ -32,8 +32,8 @@ FingerSnapshot at_scale(const FingerSnapshot& whole, double by) {
     for (Eigen::Vector2d& marker : contact->rest_markers)
       marker = {scaled_px(marker.x(), by), scaled_px(marker.y(), by)};
   }
-  if (auto& reference = scaled.finger.reference; reference && reference->places)
-    reference->places->from_u_px = scaled_px(reference->places->from_u_px, by);
+  if (auto& reference = scaled.finger.reference; reference && reference->positions)
+    reference->positions->from_u_px = scaled_px(reference->positions->from_u_px, by);
   scaled.force.reset();
   return scaled;
 }
@@ -52,14 +52,14 @@ MarkerTable at_scale(MarkerTable table, double by) {
 
 }  // namespace
 
-Result<RecordedPictures> recorded_pictures(const FingerPtr& snapshot, int count, const Job& job) {
+Result<RecordedImages> recorded_images(const FingerPtr& snapshot, int count, const Job& job) {
   const Finger& finger = snapshot->finger;
   StudyWorldOptions few;
   few.frames = 1;
   if (finger.face.kind == FaceKind::kFlat) {
-    auto untouched = untouched_pictures(snapshot, few, job);
+    auto untouched = untouched_images(snapshot, few, job);
     if (!untouched) return untouched.error();
-    return RecordedPictures{{}, std::move(untouched->pictures)};
+    return RecordedImages{{}, std::move(untouched->images)};
   }
   if (!snapshot->mapping || !finger.reference || finger.reference->video.empty())
     return Error{en::say("the finger has no reference recording, or is not calibrated yet"),
@@ -72,13 +72,13 @@ Result<RecordedPictures> recorded_pictures(const FingerPtr& snapshot, int count,
   auto video = VideoFile::open(file, job);
   if (!video) return video.error();
   const std::size_t rows = table->frames.size();
-  const std::size_t kept = std::min(rows, static_cast<std::size_t>(count));
-  RecordedPictures recorded;
+  const std::size_t used = std::min(rows, static_cast<std::size_t>(count));
+  RecordedImages recorded;
   recorded.table.typical = table->typical;
-  recorded.table.layouts.resize(static_cast<Eigen::Index>(kept), table->layouts.cols());
-  for (std::size_t i = 0; i < kept; ++i) {
+  recorded.table.layouts.resize(static_cast<Eigen::Index>(used), table->layouts.cols());
+  for (std::size_t i = 0; i < used; ++i) {
     if (job.stop_requested()) return Error{en::say("stopped before the study was over"), "", ""};
-    const std::size_t row = i * rows / kept;
+    const std::size_t row = i * rows / used;
     const auto frame = video->frame(static_cast<std::size_t>(table->frames[row]));
     if (!frame) return frame.error();
     auto grey = oriented_for(
@@ -88,33 +88,33 @@ Result<RecordedPictures> recorded_pictures(const FingerPtr& snapshot, int count,
     recorded.table.seen.push_back(table->seen[row]);
     recorded.table.layouts.row(static_cast<Eigen::Index>(i)) =
         table->layouts.row(static_cast<Eigen::Index>(row));
-    recorded.pictures.push_back(grey->clone());
+    recorded.images.push_back(grey->clone());
   }
   return recorded;
 }
 
-Result<ScaledFinger> scaled_finger(const FingerSnapshot& whole,
-                                   const RecordedPictures& recorded,
+Result<ScaledFinger> scaled_finger(const FingerSnapshot& original,
+                                   const RecordedImages& recorded,
                                    double by,
                                    std::uint64_t seed,
                                    const Job& job) {
-  FingerSnapshot finger = at_scale(whole, by);
+  FingerSnapshot finger = at_scale(original, by);
   auto camera = Camera::create(finger.finger.camera);
   if (!camera) return camera.error();
   finger.camera = std::move(camera).value();
-  std::vector<cv::Mat> pictures;
-  for (const cv::Mat& picture : recorded.pictures) {
+  std::vector<cv::Mat> images;
+  for (const cv::Mat& image : recorded.images) {
     cv::Mat scaled;
     cv::resize(
-        picture, scaled, finger.camera.size(), 0, 0, by < 1 ? cv::INTER_AREA : cv::INTER_CUBIC);
-    pictures.push_back(std::move(scaled));
+        image, scaled, finger.camera.size(), 0, 0, by < 1 ? cv::INTER_AREA : cv::INTER_CUBIC);
+    images.push_back(std::move(scaled));
   }
-  const auto picture_of = [&](std::size_t number) -> Result<cv::Mat> { return pictures[number]; };
+  const auto image_of = [&](std::size_t number) -> Result<cv::Mat> { return images[number]; };
   auto library = recorded.table.frames.empty()
-                     ? ReferenceLibrary::single(pictures.front())
-                     : ReferenceLibrary::from_frames(picture_of,
-                                                     pictures.size(),
-                                                     whole.folder,
+                     ? ReferenceLibrary::single(images.front())
+                     : ReferenceLibrary::from_frames(image_of,
+                                                     images.size(),
+                                                     original.folder,
                                                      at_scale(recorded.table, by),
                                                      finger.finger,
                                                      finger.camera,
@@ -123,9 +123,9 @@ Result<ScaledFinger> scaled_finger(const FingerSnapshot& whole,
   ScaledFinger scaled{std::move(finger), std::move(library).value(), {}};
   Pipeline pipeline = scaled.pipeline();
   const PressPainter painter(scaled.finger, painted_radius_mm(scaled.finger));
-  for (std::size_t i = 0; i < pictures.size(); ++i) {
+  for (std::size_t i = 0; i < images.size(); ++i) {
     auto frame = std::make_shared<Frame>();
-    frame->grey = pictures[i];
+    frame->grey = images[i];
     frame->name = fmt::format("frame_{:05}", i);
     pipeline.forget();
     const auto seen = pipeline(frame);
@@ -133,13 +133,13 @@ Result<ScaledFinger> scaled_finger(const FingerSnapshot& whole,
     if (!seen->shape) continue;
     StudyDraws draws(seed, static_cast<std::uint32_t>(i));
     const auto painted =
-        painter.ball(pictures[i], *seen->shape, draws, static_cast<FaceZone>(i % kFaceZones));
-    if (painted) frame->grey = painted->picture->grey;
+        painter.ball(images[i], *seen->shape, draws, static_cast<FaceZone>(i % kFaceZones));
+    if (painted) frame->grey = painted->image->grey;
     scaled.frames.push_back(std::move(frame));
   }
   if (scaled.frames.empty())
     return Error{en::say("no picture of the reference recording shows the face"),
-                 whole.folder.string(),
+                 original.folder.string(),
                  en::say("record the finger bending through all its poses")};
   return scaled;
 }

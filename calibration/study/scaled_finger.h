@@ -1,4 +1,4 @@
-// A finger in pictures of more or fewer pixels than its camera gives, to measure time with.
+// A finger in images of more or fewer pixels than its camera's, for timing.
 #pragma once
 
 #include "calibration/study/study_world.h"
@@ -16,30 +16,31 @@
 
 namespace alltact {
 
-/// Pictures of a finger's recording at their own size, with the table of its markers; of a flat
-/// sensor its one picture.
-struct RecordedPictures {
-  MarkerTable table;              ///< rows of `pictures`; empty of a flat sensor
-  std::vector<cv::Mat> pictures;  ///< turned already
+/// Images of a finger's recording in their original size, with the marker table; of a flat sensor
+/// its single image.
+struct RecordedImages {
+  MarkerTable table;            ///< rows of `images`; empty of a flat sensor
+  std::vector<cv::Mat> images;  ///< oriented
 };
 
-/// At most so many, evenly over the recording. Errors: the finger is not calibrated; those of its
-/// recording; stopped.
-[[nodiscard]] Result<RecordedPictures> recorded_pictures(const FingerPtr& finger,
-                                                         int count,
-                                                         const Job& job);
+/// At most `count` images, evenly over the recording. Errors: the finger is not calibrated; those
+/// of its recording; stopped.
+[[nodiscard]] Result<RecordedImages> recorded_images(const FingerPtr& finger,
+                                                     int count,
+                                                     const Job& job);
 
 struct ScaledFinger {
-  FingerSnapshot finger;  ///< its camera gives the pictures below; they are turned already
+  FingerSnapshot finger;  ///< its camera has the size of the images below, which are oriented
   ReferenceLibrary library;
-  std::vector<FramePtr> frames;  ///< each with a ball painted into it, where one found its place
+  /// each with a ball painted into it, where a valid position was found
+  std::vector<FramePtr> frames;
 
-  [[nodiscard]] Pipeline pipeline() const { return Pipeline::over(library, finger, {}); }
+  [[nodiscard]] Pipeline pipeline() const { return Pipeline::with_library(library, finger, {}); }
 };
 
-/// by: of pixels a side, 0.05 to 8. Errors: those of Camera::create and ReferenceLibrary.
+/// by: factor on pixels a side, 0.05 to 8. Errors: those of Camera::create and ReferenceLibrary.
 [[nodiscard]] Result<ScaledFinger> scaled_finger(const FingerSnapshot& finger,
-                                                 const RecordedPictures& recorded,
+                                                 const RecordedImages& recorded,
                                                  double by,
                                                  std::uint64_t seed,
                                                  const Job& job);

@@ -55,9 +55,9 @@ nlohmann::json json_of(const ScalingStudy& study) {
                          {"points", nlohmann::json::array()}};
     if (curve.exponent) entry["exponent"] = *curve.exponent;
     for (const ScalingPoint& point : curve.points) {
-      nlohmann::json told{{"size", point.size}, {"time_ms", point.time_ms}};
-      if (point.memory_bytes) told["memory_bytes"] = *point.memory_bytes;
-      entry["points"].push_back(std::move(told));
+      nlohmann::json point_json{{"size", point.size}, {"time_ms", point.time_ms}};
+      if (point.memory_bytes) point_json["memory_bytes"] = *point.memory_bytes;
+      entry["points"].push_back(std::move(point_json));
     }
     json["curves"].push_back(std::move(entry));
   }

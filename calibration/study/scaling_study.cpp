@@ -2,7 +2,7 @@
 
 #include "calibration/joint/calibrate.h"
 #include "calibration/study/calibrating_bench.h"
-#include "calibration/study/held_memory.h"
+#include "calibration/study/heap_bytes.h"
 #include "calibration/study/painted_press.h"
 #include "calibration/study/scaled_finger.h"
 #include "calibration/study/study_clock.h"
@@ -21,19 +21,19 @@
 namespace alltact {
 namespace {
 
-constexpr int kLibraryPictures = 24;
-constexpr int kSearches = 60, kSearchesByForce = 20;
+constexpr int kLibraryImages = 24;
+constexpr int kSearches = 60, kBruteForceSearches = 20;
 
-/// Seconds that all threads have computed.
-double all_computed_s() {
+/// Processor seconds of all threads.
+double process_cpu_s() {
   timespec now{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// A finger of so many markers that wanders through three modes of motion, a frame a thirtieth of a
-/// second; pixels of a picture of 960 x 540.
-Eigen::MatrixXd made_up_layouts(Eigen::Index frames, int markers) {
+/// A finger of so many markers that moves through three modes of motion, 30 frames a second; pixels
+/// of an image of 960 x 540.
+Eigen::MatrixXd synthetic_layouts(Eigen::Index frames, int markers) {
   Eigen::MatrixXd layouts(frames, 2 * markers);
   const int per_row = markers / 2;
   for (Eigen::Index i = 0; i < frames; ++i) {
@@ -50,7 +50,7 @@ Eigen::MatrixXd made_up_layouts(Eigen::Index frames, int markers) {
 }
 
 /// A row with a little noise and each fifth marker hidden.
-Markers asked_of(const Eigen::MatrixXd& layouts, std::uint64_t seed, std::uint32_t number) {
+Markers noisy_query(const Eigen::MatrixXd& layouts, std::uint64_t seed, std::uint32_t number) {
   StudyDraws draws(seed, number);
   const auto row =
       static_cast<Eigen::Index>(draws.uniform() * static_cast<double>(layouts.rows() - 1));
@@ -65,7 +65,7 @@ Markers asked_of(const Eigen::MatrixXd& layouts, std::uint64_t seed, std::uint32
   return markers;
 }
 
-double least_by_force_px(const Eigen::MatrixXd& layouts, const Markers& markers) {
+double brute_force_min_px(const Eigen::MatrixXd& layouts, const Markers& markers) {
   double least = std::numeric_limits<double>::infinity();
   for (Eigen::Index row = 0; row < layouts.rows(); ++row) {
     double sum = 0;
@@ -81,7 +81,7 @@ double least_by_force_px(const Eigen::MatrixXd& layouts, const Markers& markers)
   return least;
 }
 
-/// The same few frames over and over, as a recording of any length.
+/// Repeats the same few frames, as a recording of any length.
 class RepeatedSource : public Source {
  public:
   RepeatedSource(const std::vector<FramePtr>& frames, std::size_t count)
@@ -106,7 +106,7 @@ class ScalingRun {
   Result<ScalingStudy> run() {
     ScalingStudy study;
     study.about = en::say("how time and memory grow, of {}", finger_->finger.name);
-    auto recorded = recorded_pictures(finger_, kLibraryPictures, job_);
+    auto recorded = recorded_images(finger_, kLibraryImages, job_);
     if (!recorded) return recorded.error();
     recorded_ = std::move(recorded).value();
     using Part = Result<ScalingCurve> (ScalingRun::*)();
@@ -132,9 +132,9 @@ class ScalingRun {
   }
 
  private:
-  void tell(const Message& what) const { clock_.report(job_, done_, what); }
+  void report_step(const Message& what) const { clock_.report(job_, done_, what); }
 
-  /// Of one frame that follows one of the same pose, median, ms.
+  /// Median time, ms, of a frame that follows one of the same pose.
   [[nodiscard]] Result<double> frame_ms(const ScaledFinger& scaled) const {
     Pipeline pipeline = scaled.pipeline();
     std::vector<double> times_ms;
@@ -143,9 +143,9 @@ class ScalingRun {
         if (job_.stop_requested()) return 0.0;
         pipeline.forget();
         if (const auto first = pipeline(frame); !first) return first.error();
-        const double begin_s = computed_s();
+        const double begin_s = thread_cpu_s();
         if (const auto next = pipeline(frame); !next) return next.error();
-        times_ms.push_back(1000 * (computed_s() - begin_s));
+        times_ms.push_back(1000 * (thread_cpu_s() - begin_s));
       }
     return upper_median(times_ms);
   }
@@ -158,13 +158,13 @@ class ScalingRun {
       const auto scaled = scaled_finger(*finger_, recorded_, by, options_.seed, job_);
       if (!scaled) return scaled.error();
       const cv::Size size = scaled->finger.camera.size();
-      tell(en::say("pictures of {} x {}", size.width, size.height));
+      report_step(en::say("pictures of {} x {}", size.width, size.height));
       const auto time_ms = frame_ms(*scaled);
       if (!time_ms) return time_ms.error();
       curve.points.push_back(
           {static_cast<double>(size.area()), *time_ms, scaled->library.memory_bytes()});
     }
-    curve.note = en::say("memory: of a reference of {} frames", recorded_.pictures.size());
+    curve.note = en::say("memory: of a reference of {} frames", recorded_.images.size());
     return curve;
   }
 
@@ -179,19 +179,19 @@ class ScalingRun {
     for (const Eigen::Index frames : options_.quick
                                          ? std::vector<Eigen::Index>{100, 1000, 10000}
                                          : std::vector<Eigen::Index>{100, 1000, 10000, 100000}) {
-      tell(en::say("a recording of {} frames", frames));
-      const Eigen::MatrixXd layouts = made_up_layouts(frames, 12);
+      report_step(en::say("a recording of {} frames", frames));
+      const Eigen::MatrixXd layouts = synthetic_layouts(frames, 12);
       const LayoutSearch search(layouts);
       std::vector<double> times_ms;
       for (int i = 0; i < kSearches; ++i) {
-        const Markers markers = asked_of(layouts, options_.seed, static_cast<std::uint32_t>(i));
-        const double begin_s = computed_s();
+        const Markers markers = noisy_query(layouts, options_.seed, static_cast<std::uint32_t>(i));
+        const double begin_s = thread_cpu_s();
         const auto found = search.nearest(markers);
-        times_ms.push_back(1000 * (computed_s() - begin_s));
-        if (i >= kSearchesByForce) continue;
+        times_ms.push_back(1000 * (thread_cpu_s() - begin_s));
+        if (i >= kBruteForceSearches) continue;
         ++compared;
-        const double least_px = least_by_force_px(layouts, markers);
-        // Kept as float.
+        const double least_px = brute_force_min_px(layouts, markers);
+        // Layouts are stored as float.
         if (std::abs(found.distance_px - least_px) <= 1e-5 * (1000 + least_px)) ++equal;
       }
       curve.points.push_back(
@@ -209,8 +209,8 @@ class ScalingRun {
     int numbered = 0, asked = 0;
     for (const int count :
          options_.quick ? std::vector<int>{12, 24, 50} : std::vector<int>{12, 24, 50, 100, 200}) {
-      tell(en::count("{} markers", "{} marker", count));
-      const Eigen::MatrixXd layouts = made_up_layouts(kFrames, count);
+      report_step(en::count("{} markers", "{} marker", count));
+      const Eigen::MatrixXd layouts = synthetic_layouts(kFrames, count);
       std::vector<Dot> typical(static_cast<std::size_t>(count));
       for (std::size_t m = 0; m < typical.size(); ++m) {
         typical[m].radius_px = 3;
@@ -224,7 +224,7 @@ class ScalingRun {
       for (std::uint32_t i = 0; i < (options_.quick ? 10U : 30U); ++i) {
         if (job_.stop_requested()) return curve;
         std::vector<Dot> dots;
-        const Markers markers = asked_of(layouts, options_.seed, i);
+        const Markers markers = noisy_query(layouts, options_.seed, i);
         for (std::size_t m = 0; m < markers.size(); ++m) {
           if (!markers[m].seen) continue;
           Dot dot = typical[m];
@@ -232,9 +232,9 @@ class ScalingRun {
           dot.v = markers[m].v;
           dots.push_back(dot);
         }
-        const double begin_s = computed_s();
+        const double begin_s = thread_cpu_s();
         const auto found = model->number(dots);
-        times_ms.push_back(1000 * (computed_s() - begin_s));
+        times_ms.push_back(1000 * (thread_cpu_s() - begin_s));
         ++asked;
         if (found) ++numbered;
       }
@@ -256,14 +256,14 @@ class ScalingRun {
     }
     for (const int count :
          options_.quick ? std::vector<int>{4, 8, 16} : std::vector<int>{6, 12, 25, 50, 100, 200}) {
-      tell(en::count("calibrating with {} presses", "calibrating with {} press", count));
+      report_step(en::count("calibrating with {} presses", "calibrating with {} press", count));
       std::vector<Press> presses;
       for (int i = 0; i < count; ++i) {
         presses.push_back(some[static_cast<std::size_t>(i) % some.size()]);
         presses.back().name = fmt::format("press_{}", i);
       }
       const Job quiet(job_, done_, done_);
-      const double begin_s = computed_s();
+      const double begin_s = thread_cpu_s();
       const std::size_t before = heap_bytes();
       const auto made =
           calibrate(presses, bench->finger().camera, bench->finger().finger.face, {}, quiet);
@@ -271,7 +271,7 @@ class ScalingRun {
       if (!made) continue;
       const std::size_t after = heap_bytes();
       curve.points.push_back({static_cast<double>(count),
-                              1000 * (computed_s() - begin_s),
+                              1000 * (thread_cpu_s() - begin_s),
                               after > before ? after - before : 0});
     }
     curve.note = en::count("{} presses are different ones, the others their copies",
@@ -293,7 +293,7 @@ class ScalingRun {
     std::size_t most_frames = 0;
     for (const double seconds : options_.quick ? std::vector<double>{1, 10, 60}
                                                : std::vector<double>{1, 10, 60, 600, 3600}) {
-      tell(en::say("a recording of {:.0f} s", seconds));
+      report_step(en::say("a recording of {:.0f} s", seconds));
       const auto frames = static_cast<std::size_t>(seconds * kPerSecond);
       RepeatedSource source(scaled->frames, frames);
       const std::size_t before = heap_bytes();
@@ -314,11 +314,11 @@ class ScalingRun {
         if (index % kPieceFrames == 0) most = std::max(most, heap_bytes());
         return {};
       };
-      const double begin_s = all_computed_s();
+      const double begin_s = process_cpu_s();
       if (const Status done = measure_batch(source, pipelines, {}, work, job_); !done)
         return done.error();
       if (job_.stop_requested()) return curve;
-      curve.points.push_back({seconds, 1000 * (all_computed_s() - begin_s), most - before});
+      curve.points.push_back({seconds, 1000 * (process_cpu_s() - begin_s), most - before});
       most_frames = std::max(most_frames, measured);
     }
     curve.note = en::say(
@@ -332,7 +332,7 @@ class ScalingRun {
   const ScalingOptions& options_;
   const Job& job_;
   const StudyClock clock_;
-  RecordedPictures recorded_;
+  RecordedImages recorded_;
   double done_ = 0;
 };
 

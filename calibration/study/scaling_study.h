@@ -1,9 +1,9 @@
-// How time and memory grow with what is measured: pixels, recorded frames, markers, presses, the
-// length of recordings.
+// Growth of time and memory with pixels, recorded frames, markers, presses and length of
+// recordings.
 //
-// Times are of processors, not of clocks: what else the computer does is not in them. The exponent
-// is the slope of log(time) over log(size), by least squares over the upper half of the sizes: 1
-// where twice as much takes twice as long.
+// Times are processor times, without the load of other programs. The exponent is the slope of
+// log(time) over log(size), by least squares over the upper half of the sizes. It is 1 where twice
+// the size takes twice the time.
 #pragma once
 
 #include "core/finger/finger_store.h"
@@ -29,11 +29,11 @@ struct ScalingPoint {
 
 struct ScalingCurve {
   std::string key;                   ///< in files: "pixels"
-  Message what;                      ///< a phrase: what takes so long
-  Message of;                        ///< a phrase: what the sizes count
+  Message what;                      ///< a phrase: the operation that is timed
+  Message of;                        ///< a phrase: the unit of the sizes
   std::vector<ScalingPoint> points;  ///< sizes ascending
   std::optional<double> exponent;    ///< of time; absent: fewer than two sizes
-  Message note;                      ///< what else was seen, a sentence; empty: nothing
+  Message note;                      ///< a further observation, a sentence; may be empty
 };
 
 struct ScalingStudy {
@@ -47,14 +47,15 @@ struct ScalingOptions {
   int threads = 1;     ///< that a recording is measured with
 };
 
-/// Of a calibrated finger's own pictures, made larger and smaller, and of made-up layouts of
-/// markers. Errors: those of untouched_pictures() and Pipeline; stopped.
+/// Of a calibrated finger's own images, enlarged and reduced, and of synthetic layouts of markers.
+/// Errors: those of untouched_images() and Pipeline; stopped.
 [[nodiscard]] Result<ScalingStudy> study_scaling(const FingerPtr& finger,
                                                  const ScalingOptions& options,
                                                  const Job& job);
 
-/// Slope of log(y) over log(x) by least squares, over the points with x from the geometric mean of
-/// the least and the greatest on. nullopt: fewer than two of them, or a value that is not positive.
+/// Slope of log(y) over log(x) by least squares, over points with x at or above the geometric mean
+/// of the smallest and the greatest x. nullopt: fewer than two such points, or a value that is not
+/// positive.
 [[nodiscard]] std::optional<double> exponent_of(const std::vector<double>& x,
                                                 const std::vector<double>& y);
 

@@ -7,7 +7,7 @@
 namespace alltact {
 namespace {
 
-/// In no study's pictures the light is other than in the recording that they come from.
+/// A study's images have the light of the recording that they come from.
 const std::pair<std::string, std::string> kUnproven{"light-change", "ignored"};
 
 /// One value of one setting.
@@ -24,7 +24,7 @@ struct TriedValue {
 std::vector<TriedValue> tried_values(const PipelineSettings& base, const Finger& finger) {
   std::vector<TriedValue> values;
   for (const auto& setting : pipeline_settings()) {
-    if (!trades_on(setting, finger)) continue;
+    if (!has_trade_off(setting, finger)) continue;
     for (const std::string& value : setting.trade->tried)
       if (value != setting.get(base)) values.push_back({&setting, value});
   }
@@ -38,7 +38,7 @@ void put(const TriedValue& tried, PipelineSettings& settings) {
 
 PipelineSettings cheapest(PipelineSettings settings, const Finger& finger) {
   for (const auto& setting : pipeline_settings())
-    if (trades_on(setting, finger) && !setting.trade->tried.empty())
+    if (has_trade_off(setting, finger) && !setting.trade->tried.empty())
       put({&setting, setting.trade->tried.front()}, settings);
   return settings;
 }

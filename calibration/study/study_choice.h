@@ -1,4 +1,4 @@
-// Which settings a study looks at, and what they are called.
+// The settings that a study compares, and their names.
 #pragma once
 
 #include "core/finger/finger.h"
@@ -15,23 +15,23 @@ enum class StudyExtent {
   kPairs,      ///< and every two of them at a time, and the cheapest of all
 };
 
-/// The base first, then the others, each once, in a fixed order; of settings that trade something
-/// on this finger (trades_on()).
+/// The base first, then the others, each once, in a fixed order. Only settings that trade accuracy
+/// for time on this finger (has_trade_off()).
 [[nodiscard]] std::vector<PipelineSettings> study_choices(const PipelineSettings& base,
                                                           StudyExtent extent,
                                                           const Finger& finger);
 
-/// What differs: "reference-method nearest, smoothing-px 0"; "as it is" where nothing does.
+/// The differences: "reference-method nearest, smoothing-px 0"; "as it is" where there is none.
 [[nodiscard]] Message words_of(const PipelineSettings& choice, const PipelineSettings& base);
 
 /// The same as flags of the command line: "--reference-method nearest --smoothing-px 0".
 [[nodiscard]] std::string flags_of(const PipelineSettings& choice, const PipelineSettings& base);
 
-/// False: the study's pictures do not show what a value in it, other than the base's, loses: their
-/// light is that of the recording.
+/// False: the choice has a value, different from the base's, whose loss the study's images do not
+/// show: their light is that of the recording.
 [[nodiscard]] bool is_proven(const PipelineSettings& choice, const PipelineSettings& base);
 
-/// All settings with their values, by which choices are told apart.
+/// All settings with their values; unique for each choice.
 [[nodiscard]] std::string key_of(const PipelineSettings& choice);
 
 }  // namespace alltact

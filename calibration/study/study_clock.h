@@ -1,4 +1,4 @@
-// How long a study still takes, as its progress tells it.
+// Remaining time of a study, from its progress.
 #pragma once
 
 #include "core/job.h"
@@ -10,8 +10,8 @@ namespace alltact {
 
 class StudyClock {
  public:
-  /// Reports where the study is, with the time that is left as far as that can be told by what is
-  /// done: after two seconds and two parts in a hundred.
+  /// Reports the progress of the study with the remaining time, after two seconds and 2 % of the
+  /// work.
   void report(const Job& job, double fraction, const Message& what) const {
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin_;
     job.report(fraction, with_time_left(fraction, spent.count(), what));

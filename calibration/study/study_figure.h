@@ -1,4 +1,4 @@
-// Studies as pictures.
+// Plots of studies.
 #pragma once
 
 #include "calibration/study/accuracy_study.h"
@@ -8,13 +8,13 @@
 
 namespace alltact {
 
-/// SVG (study_plot.h): error of depth over the time of a frame, both linear from 0. The front as a
-/// staircase with the median as a dot and a whisker to where 95 % lie within, named in words below
-/// (seven at most, the base always), presses left out marked apart; what is dominated grey; a line
-/// at 33.3 ms, where 30 pictures a second end, or where it lies.
+/// SVG (study_plot.h): depth error over frame time, both linear from 0. The front is a staircase: a
+/// dot for the median, a whisker for 95 %, names below (seven at most, the base always). Presses
+/// left out have their own marks; dominated rows are grey. A line marks 33.3 ms (30 frames a
+/// second), an arrow where it lies outside.
 [[nodiscard]] std::string svg_of(const AccuracyStudy& study);
 
-/// The same of a calibration, over minutes of hand and computing together.
+/// The same for a calibration, over the total minutes of technician and computer.
 [[nodiscard]] std::string svg_of(const CalibratingStudy& study);
 
 }  // namespace alltact

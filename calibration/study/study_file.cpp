@@ -28,8 +28,8 @@ Json errors_json(const StudyRow& row) {
     add(std::string("depth_") + kZoneKeys[zone], row.depth_by_zone[zone]);
   if (row.coverage) json["coverage"] = *row.coverage;
   if (row.false_depth_mm) json["false_depth_mm"] = *row.false_depth_mm;
-  if (row.place_mm) json["place_mm"] = *row.place_mm;
-  if (row.place_p95_mm) json["place_p95_mm"] = *row.place_p95_mm;
+  if (row.position_mm) json["place_mm"] = *row.position_mm;
+  if (row.position_p95_mm) json["place_p95_mm"] = *row.position_p95_mm;
   if (row.angle_deg) json["angle_deg"] = *row.angle_deg;
   if (row.angle_p95_deg) json["angle_p95_deg"] = *row.angle_p95_deg;
   json["bars"] = row.bars;
@@ -75,7 +75,7 @@ RealErrors real_from(const Json& json) {
   return real;
 }
 
-// nullopt: a setting that is not known now, or a value outside its range.
+// nullopt: an unknown setting, or a value outside its range.
 std::optional<StudyRow> row_from(const Json& json) {
   StudyRow row;
   for (const auto& setting : pipeline_settings()) {
@@ -90,8 +90,8 @@ std::optional<StudyRow> row_from(const Json& json) {
     row.depth_by_zone[zone] = spread_at(errors, std::string("depth_") + kZoneKeys[zone]);
   row.coverage = number_at(errors, "coverage");
   row.false_depth_mm = number_at(errors, "false_depth_mm");
-  row.place_mm = number_at(errors, "place_mm");
-  row.place_p95_mm = number_at(errors, "place_p95_mm");
+  row.position_mm = number_at(errors, "place_mm");
+  row.position_p95_mm = number_at(errors, "place_p95_mm");
   row.angle_deg = number_at(errors, "angle_deg");
   row.angle_p95_deg = number_at(errors, "angle_p95_deg");
   row.bars = errors.at("bars");
@@ -127,7 +127,7 @@ std::string text_line(const AccuracyStudy& study, std::size_t number) {
   for (const auto& zone : row.depth_by_zone)
     add(zone ? std::optional(zone->median_mm) : std::nullopt);
   add(row.false_depth_mm);
-  add(row.place_mm);
+  add(row.position_mm);
   line += fmt::format(" {:>8}", row.angle_deg ? fmt::format("{:.2f}", *row.angle_deg) : "-");
   if (study.rows.front().real)
     add(row.real ? std::optional(row.real->depth.median_mm) : std::nullopt);
@@ -148,7 +148,7 @@ Result<std::vector<StudyRow>> rows_of_lines(std::string_view lines, const std::s
   std::vector<StudyRow> rows;
   while (!lines.empty()) {
     const std::size_t end = lines.find('\n');
-    if (end == std::string_view::npos) break;  // cut off while it was written
+    if (end == std::string_view::npos) break;  // truncated while it was written
     const Json json = Json::parse(lines.substr(0, end), nullptr, false);
     lines.remove_prefix(end + 1);
     std::optional<StudyRow> row;
@@ -173,7 +173,7 @@ Json json_of(const AccuracyStudy& study) {
   json["truth"] = study.simulated ? "simulated" : "painted";
   json["world"] = fmt::format("{:016x}", study.world_checksum);
   json["mapping_p95_mm"] = study.mapping_p95_mm;
-  if (const auto limit_mm = usual_place_limit_mm(study)) json["place_limit_mm"] = *limit_mm;
+  if (const auto limit_mm = default_position_limit_mm(study)) json["place_limit_mm"] = *limit_mm;
   Json& rows = json["rows"] = Json::array();
   for (std::size_t i = 0; i < study.rows.size(); ++i) {
     const StudyRow& row = study.rows[i];
@@ -225,8 +225,8 @@ std::string csv_of(const AccuracyStudy& study) {
                        median(row.depth_by_zone[2]),
                        number(row.coverage),
                        number(row.false_depth_mm),
-                       number(row.place_mm),
-                       number(row.place_p95_mm),
+                       number(row.position_mm),
+                       number(row.position_p95_mm),
                        number(row.angle_deg),
                        number(row.angle_p95_deg),
                        row.memory_bytes,

@@ -13,20 +13,19 @@
 
 namespace alltact {
 
-/// One row on one line, as a study that goes on later reads it.
+/// One row on one line, in the form that a resumed study reads.
 [[nodiscard]] std::string line_of(const StudyRow& row);
-/// Error: not such a line; a last line that was cut off is left out.
+/// Error: a malformed line; a truncated last line is ignored.
 [[nodiscard]] Result<std::vector<StudyRow>> rows_of_lines(std::string_view lines,
                                                           const std::string& where);
 
-/// What the study says, to be read by programs: errors apart from times, which hang on the
-/// computer.
+/// The study for other programs: errors apart from times, which depend on the computer.
 [[nodiscard]] nlohmann::json json_of(const AccuracyStudy& study);
 
-/// A line a row, with a headline: for spreadsheets.
+/// A line a row, with a header line: for spreadsheets.
 [[nodiscard]] std::string csv_of(const AccuracyStudy& study);
 
-/// The front and the rows that one setting alone makes, in columns for a terminal.
+/// The front and the rows that change one setting, in columns for a terminal.
 [[nodiscard]] std::string text_of(const AccuracyStudy& study);
 
 }  // namespace alltact

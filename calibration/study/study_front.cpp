@@ -8,22 +8,22 @@
 namespace alltact {
 namespace {
 
-constexpr double kFastIsAtMost = 1.5;     // times the base's error
-constexpr double kFastTakesAtMost = 0.9;  // of the base's time
-constexpr double kFinestIsAtMost = 0.97;  // of the base's error
+constexpr double kFastMaxError = 1.5;     // times the base's error
+constexpr double kFastMaxTime = 0.9;      // of the base's time
+constexpr double kFinestMaxError = 0.97;  // of the base's error
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 double median_error_mm(const StudyRow& row) {
   return row.depth && row.frames_missing == 0 ? row.depth->median_mm : kNever;
 }
 
-double place_error_mm(const StudyRow& row) {
-  return row.place_mm.value_or(kNever);
+double position_error_mm(const StudyRow& row) {
+  return row.position_mm.value_or(kNever);
 }
 
 bool is_better(const AccuracyStudy& study, const StudyRow& a, const StudyRow& b) {
-  const std::array<double, 3> of_a{frame_ms(study, a), median_error_mm(a), place_error_mm(a)};
-  const std::array<double, 3> of_b{frame_ms(study, b), median_error_mm(b), place_error_mm(b)};
+  const std::array<double, 3> of_a{frame_ms(study, a), median_error_mm(a), position_error_mm(a)};
+  const std::array<double, 3> of_b{frame_ms(study, b), median_error_mm(b), position_error_mm(b)};
   bool is_less = false;
   for (std::size_t i = 0; i < of_a.size(); ++i) {
     if (of_a[i] > of_b[i]) return false;
@@ -33,27 +33,28 @@ bool is_better(const AccuracyStudy& study, const StudyRow& a, const StudyRow& b)
 }
 
 /// A row that may be chosen.
-bool counts(const AccuracyStudy& study, const StudyRow& row) {
+bool is_eligible(const AccuracyStudy& study, const StudyRow& row) {
   return median_error_mm(row) != kNever && is_proven(row.settings, study.rows.front().settings);
 }
 
-bool keeps_place(const StudyRow& row, const std::optional<double>& limit_mm) {
-  return !limit_mm || place_error_mm(row) <= *limit_mm;
+bool is_position_within(const StudyRow& row, const std::optional<double>& limit_mm) {
+  return !limit_mm || position_error_mm(row) <= *limit_mm;
 }
 
-/// One figure of a row beside the base's.
+/// One figure of a row and of the base.
 struct Compared {
-  Message (*says)(double now, double before);
+  Message (*describe)(double now, double before);
   std::optional<double> now, before;
-  double least;  // difference that counts
+  double least;  // smallest difference that is listed
 };
 
-void weigh(const Compared& figure, StudyBalance& balance) {
+void add_to_balance(const Compared& figure, StudyBalance& balance) {
   constexpr double kLeastPart = 0.05;
   if (!figure.now || !figure.before) return;
   const double more = *figure.now - *figure.before;
   if (std::abs(more) <= std::max(figure.least, kLeastPart * *figure.before)) return;
-  (more > 0 ? balance.loses : balance.brings).push_back(figure.says(*figure.now, *figure.before));
+  (more > 0 ? balance.loses : balance.brings)
+      .push_back(figure.describe(*figure.now, *figure.before));
 }
 
 }  // namespace
@@ -70,10 +71,10 @@ std::vector<std::size_t> pareto_front(const AccuracyStudy& study) {
   std::vector<std::size_t> front;
   for (std::size_t i = 0; i < study.rows.size(); ++i) {
     const StudyRow& row = study.rows[i];
-    if (!counts(study, row)) continue;
+    if (!is_eligible(study, row)) continue;
     const bool is_dominated =
         std::any_of(study.rows.begin(), study.rows.end(), [&](const StudyRow& other) {
-          return counts(study, other) && is_better(study, other, row);
+          return is_eligible(study, other) && is_better(study, other, row);
         });
     if (!is_dominated) front.push_back(i);
   }
@@ -83,14 +84,14 @@ std::vector<std::size_t> pareto_front(const AccuracyStudy& study) {
   return front;
 }
 
-std::optional<double> usual_place_limit_mm(const AccuracyStudy& study) {
+std::optional<double> default_position_limit_mm(const AccuracyStudy& study) {
   constexpr double kPart = 1.25, kLeastMm = 0.01;
-  const auto& base_mm = study.rows.front().place_mm;
+  const auto& base_mm = study.rows.front().position_mm;
   if (!base_mm) return std::nullopt;
   return std::max(kPart * *base_mm, *base_mm + kLeastMm);
 }
 
-std::optional<double> kept_error_mm(const AccuracyStudy& study, const StudyRow& row) {
+std::optional<double> error_p95_mm(const AccuracyStudy& study, const StudyRow& row) {
   if (median_error_mm(row) == kNever) return std::nullopt;
   return std::hypot(row.depth->p95_mm, study.mapping_p95_mm);
 }
@@ -107,28 +108,29 @@ std::optional<std::size_t> dominated_by(const AccuracyStudy& study,
   return best;
 }
 
-std::optional<std::size_t> as_good_as_fits(const AccuracyStudy& study,
-                                           double budget_ms,
-                                           std::optional<double> place_mm) {
-  if (!place_mm) place_mm = usual_place_limit_mm(study);
+std::optional<std::size_t> most_accurate_within(const AccuracyStudy& study,
+                                                double budget_ms,
+                                                std::optional<double> position_mm) {
+  if (!position_mm) position_mm = default_position_limit_mm(study);
   std::optional<std::size_t> best;
   for (const std::size_t i : pareto_front(study)) {
     const StudyRow& row = study.rows[i];
-    if (frame_ms(study, row) > budget_ms || !keeps_place(row, place_mm)) continue;
+    if (frame_ms(study, row) > budget_ms || !is_position_within(row, position_mm)) continue;
     if (!best || median_error_mm(row) < median_error_mm(study.rows[*best])) best = i;
   }
   return best;
 }
 
-std::optional<std::size_t> as_fast_as_keeps(const AccuracyStudy& study,
-                                            double error_mm,
-                                            std::optional<double> place_mm) {
-  if (!place_mm) place_mm = usual_place_limit_mm(study);
+std::optional<std::size_t> fastest_within(const AccuracyStudy& study,
+                                          double error_mm,
+                                          std::optional<double> position_mm) {
+  if (!position_mm) position_mm = default_position_limit_mm(study);
   std::optional<std::size_t> best;
   for (std::size_t i = 0; i < study.rows.size(); ++i) {
     const StudyRow& row = study.rows[i];
-    const auto kept_mm = kept_error_mm(study, row);
-    if (!counts(study, row) || !kept_mm || *kept_mm > error_mm || !keeps_place(row, place_mm))
+    const auto row_p95_mm = error_p95_mm(study, row);
+    if (!is_eligible(study, row) || !row_p95_mm || *row_p95_mm > error_mm ||
+        !is_position_within(row, position_mm))
       continue;
     if (!best || frame_ms(study, row) < frame_ms(study, study.rows[*best])) best = i;
   }
@@ -167,8 +169,8 @@ StudyBalance balance_of(const AccuracyStudy& study, const StudyRow& row) {
         Compared{[](double now, double before) {
                    return en::say("places told {:.3f} instead of {:.3f} mm off", now, before);
                  },
-                 row.place_mm,
-                 base.place_mm,
+                 row.position_mm,
+                 base.position_mm,
                  kLeastMm},
         Compared{[](double now, double before) {
                    return en::say("angles told {:.1f} instead of {:.1f} degrees off", now, before);
@@ -184,7 +186,7 @@ StudyBalance balance_of(const AccuracyStudy& study, const StudyRow& row) {
                  row.false_depth_mm,
                  base.false_depth_mm,
                  kLeastMm}})
-    weigh(figure, balance);
+    add_to_balance(figure, balance);
   const int missing = row.frames_missing - base.frames_missing;
   if (missing > 0)
     balance.loses.push_back(
@@ -196,16 +198,16 @@ StudyPresets presets_of(const AccuracyStudy& study) {
   StudyPresets presets;
   const StudyRow& base = study.rows.front();
   const double base_error = median_error_mm(base);
-  const auto limit_mm = usual_place_limit_mm(study);
+  const auto limit_mm = default_position_limit_mm(study);
   for (const std::size_t i : pareto_front(study)) {
     const StudyRow& row = study.rows[i];
-    if (!keeps_place(row, limit_mm)) continue;
-    if (!presets.fast && median_error_mm(row) <= kFastIsAtMost * base_error) presets.fast = i;
+    if (!is_position_within(row, limit_mm)) continue;
+    if (!presets.fast && median_error_mm(row) <= kFastMaxError * base_error) presets.fast = i;
     if (!presets.finest || median_error_mm(row) < median_error_mm(study.rows[*presets.finest]))
       presets.finest = i;
   }
-  if (presets.fast && study.rows[*presets.fast].time_ratio > kFastTakesAtMost) presets.fast.reset();
-  if (presets.finest && median_error_mm(study.rows[*presets.finest]) > kFinestIsAtMost * base_error)
+  if (presets.fast && study.rows[*presets.fast].time_ratio > kFastMaxTime) presets.fast.reset();
+  if (presets.finest && median_error_mm(study.rows[*presets.finest]) > kFinestMaxError * base_error)
     presets.finest.reset();
   return presets;
 }

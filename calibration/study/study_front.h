@@ -1,4 +1,4 @@
-// What a study says about which settings to take.
+// The settings that a study recommends.
 #pragma once
 
 #include "calibration/study/accuracy_study.h"
@@ -8,59 +8,59 @@
 
 namespace alltact {
 
-/// Time of a row on this computer, ms: the base's own times its ratio to the base, which does not
-/// hang on what else the computer did while this row was measured.
+/// Time of a row on this computer, ms: the base's own time multiplied by the row's ratio to the
+/// base. The ratio does not depend on the computer's load during the measurement.
 [[nodiscard]] double frame_ms(const AccuracyStudy& study, const StudyRow& row);
 
-/// Error of a row's place that still counts as keeping it: a quarter more than the base's, and a
-/// hundredth of a millimetre at least. nullopt: the base tells no place, and nothing can lose it.
-[[nodiscard]] std::optional<double> usual_place_limit_mm(const AccuracyStudy& study);
+/// Acceptable position error of a row, mm: a quarter more than the base's, at least 0.01 mm.
+/// nullopt: the base has no position, so that there is no limit.
+[[nodiscard]] std::optional<double> default_position_limit_mm(const AccuracyStudy& study);
 
-/// What 95 % of a row's depths are within, with what the mapping is wrong by besides (
-/// AccuracyStudy::mapping_p95_mm; independent errors). nullopt: no depth, or frames without.
-[[nodiscard]] std::optional<double> kept_error_mm(const AccuracyStudy& study, const StudyRow& row);
+/// 95 % bound of a row's depth error, mm, including the mapping's own error
+/// (AccuracyStudy::mapping_p95_mm; independent errors). nullopt: no depth, or frames without depth.
+[[nodiscard]] std::optional<double> error_p95_mm(const AccuracyStudy& study, const StudyRow& row);
 
-/// 95 % of a row's frames take at most so long, on the same footing as frame_ms().
+/// 95 % bound of a row's frame time, computed as in frame_ms().
 [[nodiscard]] double frame_p95_ms(const AccuracyStudy& study, const StudyRow& row);
 
-/// Rows (by index, fastest first) that no other is better than: nothing is at most as slow, at most
-/// as wrong in depth (median) and in place (median), and less in one of these. Rows without depth
-/// are never among them; a row without a place is worse than any with one. Rows that are not proven
-/// (is_proven()) take no part, and are never chosen by what follows.
+/// Rows (by index, fastest first) that no other row dominates: none is at most as slow and at most
+/// as wrong in depth and position (medians), and better in one of them. Rows without depth are
+/// excluded; a row without a position ranks behind any with one. Rows that are not proven
+/// (is_proven()) are excluded here and from all selections below.
 [[nodiscard]] std::vector<std::size_t> pareto_front(const AccuracyStudy& study);
 
-/// A row of the front that is better than this one in all three: that with the least error of
-/// depth. nullopt: it is on the front, or has no depth.
+/// A row of the front that is better than this one in all three: the one with the smallest depth
+/// error. nullopt: it is on the front, or has no depth.
 [[nodiscard]] std::optional<std::size_t> dominated_by(const AccuracyStudy& study,
                                                       const std::vector<std::size_t>& front,
                                                       std::size_t row);
 
-/// The row with the least error of depth (median) of those that take at most so long and whose
-/// place (median) is at most so wrong. nullopt: none is.
-///   place_mm: absent: usual_place_limit_mm()
-[[nodiscard]] std::optional<std::size_t> as_good_as_fits(const AccuracyStudy& study,
-                                                         double budget_ms,
-                                                         std::optional<double> place_mm = {});
+/// The row with the smallest median depth error among those within the time budget and the limit of
+/// the median position error. nullopt: none is.
+///   position_mm: empty: default_position_limit_mm()
+[[nodiscard]] std::optional<std::size_t> most_accurate_within(
+    const AccuracyStudy& study, double budget_ms, std::optional<double> position_mm = {});
 
-/// The fastest row of whose pixels 95 % are at most so wrong (kept_error_mm) and that keeps its
-/// place as above. nullopt: none is.
-[[nodiscard]] std::optional<std::size_t> as_fast_as_keeps(const AccuracyStudy& study,
-                                                          double error_mm,
-                                                          std::optional<double> place_mm = {});
+/// The fastest row whose 95 % error (error_p95_mm) is within error_mm and whose position error is
+/// within the limit as above. nullopt: none is.
+[[nodiscard]] std::optional<std::size_t> fastest_within(const AccuracyStudy& study,
+                                                        double error_mm,
+                                                        std::optional<double> position_mm = {});
 
-/// What a row loses against the base, and what it brings, each in a phrase with its figures: time
-/// by more than 2 %, errors by more than 5 % and 1 micrometre (0.1 degrees).
+/// Losses and gains of a row against the base, each a phrase with its figures. Counted are times
+/// that differ by more than 2 %, errors by more than 5 % and 1 micrometre (0.1 degrees).
 struct StudyBalance {
   std::vector<Message> loses, brings;
 };
 [[nodiscard]] StudyBalance balance_of(const AccuracyStudy& study, const StudyRow& row);
 
-/// Settings with a name of their own, where they bring something on this finger and keep the place.
+/// Named settings, where they improve something on this finger and stay within the position limit.
 struct StudyPresets {
-  std::optional<std::size_t> fast;    ///< least time, at most half as wrong again as the base, and
-                                      ///< at least a tenth faster
+  /// least time; error at most 1.5 times the base's, at least 10 % faster
+  std::optional<std::size_t> fast;
+  ///< at least a tenth faster
   std::size_t balanced = 0;           ///< the base
-  std::optional<std::size_t> finest;  ///< least error, by at least 3 % of the base's
+  std::optional<std::size_t> finest;  ///< least error, at least 3 % below the base's
 };
 [[nodiscard]] StudyPresets presets_of(const AccuracyStudy& study);
 

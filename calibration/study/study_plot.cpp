@@ -14,10 +14,11 @@ namespace {
 constexpr double kWidth = 900;
 constexpr double kLeft = 80, kRight = 870, kTop = 64, kBottom = 404;  // of the axes
 constexpr double kLine = 20;
-constexpr std::size_t kMostNames = 7;
-constexpr double kAroundFront = 1.6;  // times the slowest that is worth taking
-constexpr double kApartPx = 20;  // dots that are named; nearer ones are told by their neighbour
-constexpr std::size_t kLineOfNames = 118;  // characters that fit below the figure
+constexpr std::size_t kMaxNames = 7;
+constexpr double kAroundFront = 1.6;  // times the slowest row on the front
+// distance between named dots; nearer ones get no name of their own
+constexpr double kMinGapPx = 20;
+constexpr std::size_t kNameLineLength = 118;  // characters that fit below the plot
 constexpr const char* kFrontColour = "#1f6fb2";
 constexpr const char* kRealColour = "#c2571a";
 constexpr const char* kBeatenColour = "#b8b8b8";
@@ -35,13 +36,13 @@ std::string escaped(const std::string& text) {
   return safe;
 }
 
-/// Words on lines of at most kLineOfNames characters.
-std::vector<std::string> broken(const std::string& words) {
+/// Words on lines of at most kNameLineLength characters.
+std::vector<std::string> wrapped(const std::string& words) {
   std::vector<std::string> lines;
   std::string rest = words;
-  while (rest.size() > kLineOfNames) {
-    std::size_t cut = rest.rfind(' ', kLineOfNames);
-    if (cut == std::string::npos || cut == 0) cut = kLineOfNames;
+  while (rest.size() > kNameLineLength) {
+    std::size_t cut = rest.rfind(' ', kNameLineLength);
+    if (cut == std::string::npos || cut == 0) cut = kNameLineLength;
     lines.push_back(rest.substr(0, cut));
     rest = rest.substr(rest[cut] == ' ' ? cut + 1 : cut);
   }
@@ -52,13 +53,13 @@ std::vector<std::string> broken(const std::string& words) {
 class DrawnPlot {
  public:
   explicit DrawnPlot(const StudyPlot& plot) : plot_(plot) {
-    // What is far slower or worse than what is worth taking would squeeze that into a corner.
+    // Dots far outside the front and the base would compress the rest into a corner.
     double farthest = 0, highest = 0;
     const bool any = std::any_of(plot.dots.begin(), plot.dots.end(), [](const PlotDot& dot) {
-      return dot.is_on_front || dot.is_usual;
+      return dot.is_on_front || dot.is_base;
     });
     for (const PlotDot& dot : plot.dots) {
-      if (any && !dot.is_on_front && !dot.is_usual) continue;
+      if (any && !dot.is_on_front && !dot.is_base) continue;
       farthest = std::max(farthest, dot.x);
       highest = std::max({highest, dot.y, dot.y95.value_or(0), dot.real95.value_or(0)});
     }
@@ -110,7 +111,7 @@ class DrawnPlot {
                          y2,
                          how);
   }
-  /// A whisker ends within the axes; a cap shows that it ends there.
+  /// A whisker ends within the axes; a cap marks a true end.
   void whisker(double at_x, double from, double to, const char* colour) {
     const double end = std::min(to, most_y_);
     const std::string how = fmt::format("stroke=\"{}\"", colour);
@@ -181,19 +182,19 @@ class DrawnPlot {
     std::sort(front.begin(), front.end(), [](const auto* a, const auto* b) {
       return a->x != b->x ? a->x < b->x : a->y < b->y;
     });
-    std::string way;
+    std::string path;
     double least = most_y_;
     for (const PlotDot* dot : front) {
-      if (dot->y >= least) continue;  // on the front for something else
-      if (!way.empty()) way += fmt::format("{:.1f},{:.1f} ", x(dot->x), y(least));
-      way += fmt::format("{:.1f},{:.1f} ", x(dot->x), y(dot->y));
+      if (dot->y >= least) continue;  // on the front for another figure
+      if (!path.empty()) path += fmt::format("{:.1f},{:.1f} ", x(dot->x), y(least));
+      path += fmt::format("{:.1f},{:.1f} ", x(dot->x), y(dot->y));
       least = dot->y;
     }
-    if (way.empty()) return;
-    way += fmt::format("{:.1f},{:.1f}", kRight, y(least));
+    if (path.empty()) return;
+    path += fmt::format("{:.1f},{:.1f}", kRight, y(least));
     text_ +=
         fmt::format("<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.5\"/>\n",
-                    way,
+                    path,
                     kFrontColour);
   }
 
@@ -217,10 +218,10 @@ class DrawnPlot {
                            at_x,
                            y(dot.y),
                            colour,
-                           dot.is_usual ? " stroke=\"black\" stroke-width=\"2\"" : "");
+                           dot.is_base ? " stroke=\"black\" stroke-width=\"2\"" : "");
       write(at_x - 9, y(dot.y) - 8, "end", 13, fmt::format("{}", number + 1));
       bool is_first = true;
-      for (const std::string& words : broken(dot.words)) {
+      for (const std::string& words : wrapped(dot.words)) {
         if (is_first) write(kLeft, next_y_, "end", 13, fmt::format("{}", number + 1));
         write(kLeft + 10, next_y_, "start", 13, words);
         is_first = false;
@@ -264,19 +265,19 @@ class DrawnPlot {
     return std::find(named_.begin(), named_.end(), dot) != named_.end();
   }
 
-  // What is in use, and then what stands apart, so that no number lies on another.
+  // First the base, then dots that stand apart, so that numbers do not overlap.
   void choose_names() {
     const auto add = [&](std::size_t i) {
       const PlotDot& dot = plot_.dots[i];
-      if (named_.size() >= kMostNames || is_named(i) || !is_inside(dot)) return;
+      if (named_.size() >= kMaxNames || is_named(i) || !is_inside(dot)) return;
       const bool is_apart = std::all_of(named_.begin(), named_.end(), [&](std::size_t other) {
         const PlotDot& there = plot_.dots[other];
-        return std::hypot(x(dot.x) - x(there.x), y(dot.y) - y(there.y)) > kApartPx;
+        return std::hypot(x(dot.x) - x(there.x), y(dot.y) - y(there.y)) > kMinGapPx;
       });
       if (is_apart) named_.push_back(i);
     };
     for (std::size_t i = 0; i < plot_.dots.size(); ++i)
-      if (plot_.dots[i].is_usual) add(i);
+      if (plot_.dots[i].is_base) add(i);
     for (const std::size_t i : plot_.named) add(i);
     std::sort(named_.begin(), named_.end(), [&](std::size_t a, std::size_t b) {
       return plot_.dots[a].x < plot_.dots[b].x;

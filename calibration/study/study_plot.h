@@ -1,4 +1,4 @@
-// A figure of what something costs and brings, as SVG: dots, whiskers, a staircase, a few names.
+// A plot of cost against benefit, as SVG: dots, whiskers, a staircase, a few names.
 #pragma once
 
 #include <optional>
@@ -12,24 +12,24 @@ struct PlotDot {
   std::optional<double> y95;   ///< end of the whisker
   std::optional<double> real;  ///< the same measured with real presses: marked apart
   std::optional<double> real95;
-  std::string words;         ///< told below where the dot is named
+  std::string words;         ///< label below the plot where the dot is named
   bool is_on_front = false;  ///< else grey
-  bool is_usual = false;     ///< ringed, and always named
+  bool is_base = false;      ///< ringed, and always named
 };
 
 struct StudyPlot {
   std::string title, subtitle, x_label, y_label;
-  std::string real_label;        ///< what the real marks are; empty: there are none
+  std::string real_label;        ///< of the real marks; empty: there are none
   std::vector<PlotDot> dots;     ///< at least one; x and y finite and not negative
-  bool has_staircase = true;     ///< along the front's running least
-  std::optional<double> budget;  ///< a line at this x, or an arrow where it lies beyond
+  bool has_staircase = true;     ///< along the front's running minimum
+  std::optional<double> budget;  ///< a line at this x, or an arrow where it lies outside
   std::string budget_words;
-  std::vector<std::size_t> named;  ///< in the order of preference; those that lie apart, up to
-                                   ///< seven, get a number and a line below
+  /// in the order of preference; those that lie apart, up to seven, get a number and a line below
+  std::vector<std::size_t> named;
 };
 
-/// SVG, 900 px wide and as high as its names need. Both axes are linear from 0; what lies far
-/// beyond the front and the usual choice is counted, not drawn.
+/// SVG, 900 px wide and as high as its names need. Both axes are linear from 0. Dots far outside
+/// the front and the base are counted, not drawn.
 [[nodiscard]] std::string svg_of(const StudyPlot& plot);
 
 }  // namespace alltact

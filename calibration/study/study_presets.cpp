@@ -7,25 +7,25 @@
 
 namespace alltact {
 
-MeasuringPresets presets_to_keep(const AccuracyStudy& study, const std::string& machine) {
-  MeasuringPresets kept;
-  kept.date = utc_now();
-  kept.program_version = program_version();
-  kept.machine = machine;
-  kept.about = fmt::format("{}, {} pictures", study.about.english(), study.rows.front().frames);
-  kept.calibrated = kept.now = study.rows.front().settings;
+MeasuringPresets presets_to_save(const AccuracyStudy& study, const std::string& machine) {
+  MeasuringPresets saved;
+  saved.date = utc_now();
+  saved.program_version = program_version();
+  saved.machine = machine;
+  saved.about = fmt::format("{}, {} pictures", study.about.english(), study.rows.front().frames);
+  saved.calibrated = saved.now = study.rows.front().settings;
   const StudyPresets found = presets_of(study);
   const auto add = [&](const char* name, std::optional<std::size_t> number) {
     if (!number) return;
     const StudyRow& row = study.rows[*number];
     if (!row.depth) return;
-    kept.presets.push_back(
+    saved.presets.push_back(
         {name, row.settings, frame_ms(study, row), row.depth->median_mm, row.depth->p95_mm});
   };
   add("fast", found.fast);
   add("balanced", found.balanced);
   add("finest", found.finest);
-  return kept;
+  return saved;
 }
 
 }  // namespace alltact

@@ -1,4 +1,4 @@
-// What a study finds, as a finger keeps it.
+// The presets of a study, in the form that a finger stores.
 #pragma once
 
 #include "calibration/finger/measuring_presets.h"
@@ -8,10 +8,10 @@
 
 namespace alltact {
 
-/// The study's presets (presets_of), to be kept with keep_presets(): balanced always, fast and
-/// finest where they bring something. The study's base is taken for the calibration's settings.
+/// The study's presets (presets_of), for save_presets(): balanced always, fast and finest where
+/// they improve something. The study's base counts as the calibration's settings.
 ///   machine: processor and number of threads, for people
-[[nodiscard]] MeasuringPresets presets_to_keep(const AccuracyStudy& study,
+[[nodiscard]] MeasuringPresets presets_to_save(const AccuracyStudy& study,
                                                const std::string& machine);
 
 }  // namespace alltact

@@ -9,18 +9,18 @@
 namespace alltact {
 namespace {
 
-constexpr float kLeastPressMm = 0.02F;
+constexpr float kMinPressMm = 0.02F;
 
-void add_picture(Checksum& checksum, const cv::Mat& picture) {
-  const std::size_t bytes = static_cast<std::size_t>(picture.cols) * picture.elemSize();
-  for (int row = 0; row < picture.rows; ++row) checksum.add(picture.ptr(row), bytes);
+void add_image(Checksum& checksum, const cv::Mat& image) {
+  const std::size_t bytes = static_cast<std::size_t>(image.cols) * image.elemSize();
+  for (int row = 0; row < image.rows; ++row) checksum.add(image.ptr(row), bytes);
 }
 
 }  // namespace
 
 std::optional<FaceZone> zone_of_press(const cv::Mat& depth_mm, const cv::Mat& view_z_mm) {
   float nearest = std::numeric_limits<float>::infinity(), farthest = -nearest;
-  float greatest = kLeastPressMm;
+  float greatest = kMinPressMm;
   std::optional<float> z;  // where it is deepest
   for (int v = 0; v < depth_mm.rows; ++v) {
     const auto* depth = depth_mm.ptr<float>(v);
@@ -40,8 +40,8 @@ std::optional<FaceZone> zone_of_press(const cv::Mat& depth_mm, const cv::Mat& vi
 std::uint64_t checksum_of(const std::vector<StudyFrame>& frames) {
   Checksum checksum;
   for (const StudyFrame& frame : frames) {
-    add_picture(checksum, frame.picture->grey);
-    add_picture(checksum, frame.depth_mm);
+    add_image(checksum, frame.image->grey);
+    add_image(checksum, frame.depth_mm);
   }
   return checksum.value();
 }

@@ -1,15 +1,13 @@
-// Pictures whose answer is known, to measure settings by.
+// Images with known ground truth, to compare settings on.
 //
 // Two kinds:
-//   simulated   a scene: the picture and its truth come from the simulator, the finger that
-//   measures
-//               it is recorded and calibrated from scenes as well.
-//   painted     a finger that is at hand: balls of known place and depth are painted into untouched
-//               pictures of its own recording, so that shape, light, dirt and noise are this
-//               finger's. A pixel under the ball is made darker by what the finger's mapping says
-//               of that depth; the reference is computed from what remains of the recording when
-//               the picture's neighbours in time are left out. What the mapping itself is wrong by
-//               is not in there: presses that the calibration left out tell that.
+//   simulated   a scene: the simulator gives image and ground truth. The measuring finger is
+//               recorded and calibrated from scenes as well.
+//   painted     a real finger: balls of known position and depth are painted into untouched images
+//               of its own recording, so that shape, light, dirt and noise are this finger's. The
+//               finger's mapping gives the darkening of a pixel at that depth. The reference is
+//               computed from the recording without the image's neighbours in time. The mapping's
+//               own error is not included: presses that the calibration left out show it.
 #pragma once
 
 #include "core/finger/finger_store.h"
@@ -32,23 +30,23 @@
 
 namespace alltact {
 
-/// Thirds of the face from its end near the camera to the far one, by z; of a flat sensor by
+/// Thirds of the face by z, from its end near the camera to the far one; of a flat sensor by
 /// column.
 enum class FaceZone { kBase = 0, kMiddle, kTip };
 inline constexpr std::size_t kFaceZones = 3;
 
 struct StudyFrame {
-  FramePtr picture;
+  FramePtr image;
   cv::Mat depth_mm;                   ///< CV_32FC1 along z; NaN off the face
-  FaceZone zone = FaceZone::kMiddle;  ///< of what presses
-  /// Where the skin is pressed deepest, along the face and across it (FaceShape::place_mm); absent:
-  /// nobody knows.
-  std::optional<Eigen::Vector2d> place_mm = std::nullopt;
-  /// Of a bar: how it is turned, as ContactRegion::angle_deg.
+  FaceZone zone = FaceZone::kMiddle;  ///< of the pressing body
+  /// Position of the greatest depth, along and across the face (FaceShape::position_mm); empty:
+  /// unknown.
+  std::optional<Eigen::Vector2d> position_mm = std::nullopt;
+  /// Of a bar: its orientation, as ContactRegion::angle_deg.
   std::optional<double> angle_deg = std::nullopt;
 };
 
-/// The library of the same pictures that pipelines of these settings need (finger_as_measured()).
+/// The library of the same images for pipelines with these settings (finger_as_measured()).
 using LibraryForSettings =
     std::function<Result<ReferenceLibrary>(const PipelineSettings& settings, const Job& job)>;
 
@@ -56,13 +54,13 @@ struct StudyWorld {
   Message about;           ///< a phrase
   bool simulated = false;  ///< false: painted
   FingerPtr finger;
-  /// Of which every pipeline takes its share; a copy costs nothing.
+  /// Shared by all pipelines; a copy is cheap.
   ReferenceLibrary library;
   std::vector<StudyFrame> frames;
-  std::uint64_t checksum = 0;         ///< of pictures and truth
-  std::vector<StudyFrame> bars = {};  ///< only the angles are told of them
-  /// 95 % of what the finger's mapping is wrong by, where the pictures do not show it (painted);
-  /// 0 where they do.
+  std::uint64_t checksum = 0;         ///< of images and ground truth
+  std::vector<StudyFrame> bars = {};  ///< used for angles only
+  /// 95 % bound of the finger's mapping error where the images do not show it (painted); 0 where
+  /// they do.
   double mapping_p95_mm = 0;
   LibraryForSettings library_for = {};
 };
@@ -70,34 +68,34 @@ struct StudyWorld {
 struct StudyWorldOptions {
   int frames = 24;         ///< at most
   std::uint64_t seed = 1;  ///< of everything random
-  int threads = 1;         ///< that render; the pictures are the same for any number
+  int threads = 1;         ///< for rendering; the images are the same for any number
 };
 
-/// Paints balls of the radius that the finger was calibrated with (3 mm if none is known).
-/// Errors: the finger is not calibrated; those of its recording; fewer than 3 of its pictures show
-/// the face; stopped.
+/// Paints balls of the radius that the finger was calibrated with (3 mm if none is known). Errors:
+/// the finger is not calibrated; those of its recording; fewer than 3 of its images show the face;
+/// stopped.
 [[nodiscard]] Result<StudyWorld> painted_world(const FingerPtr& finger,
                                                const StudyWorldOptions& options,
                                                const Job& job);
 
-/// Untouched pictures of a finger, for painting into, and what they are compared with.
-struct UntouchedPictures {
-  FingerPtr finger;          ///< whose pictures are turned already
-  ReferenceLibrary library;  ///< without the pictures and their neighbours in time
-  std::vector<cv::Mat> pictures;
+/// Untouched images of a finger to paint into, and their reference.
+struct UntouchedImages {
+  FingerPtr finger;          ///< whose images are oriented already
+  ReferenceLibrary library;  ///< without the images and their neighbours in time
+  std::vector<cv::Mat> images;
   LibraryForSettings library_for;
 };
 
-/// At most so many as the options say, evenly over the recording; of a flat sensor its one picture
-/// with as much more noise as two pictures differ by. Errors: as painted_world().
-[[nodiscard]] Result<UntouchedPictures> untouched_pictures(const FingerPtr& finger,
-                                                           const StudyWorldOptions& options,
-                                                           const Job& job);
+/// At most options.frames images, evenly over the recording; of a flat sensor its single image with
+/// added noise, as much as two images differ by. Errors: as painted_world().
+[[nodiscard]] Result<UntouchedImages> untouched_images(const FingerPtr& finger,
+                                                       const StudyWorldOptions& options,
+                                                       const Job& job);
 
-/// Of the ball that the finger was calibrated with; 3 mm if none is known.
+/// Radius of the ball that the finger was calibrated with; 3 mm if none is known.
 [[nodiscard]] double painted_radius_mm(const FingerSnapshot& finger);
 
-/// Where on the face a truth is deepest. nullopt where nothing presses deeper than 0.02 mm.
+/// Zone of the greatest depth of a ground truth. nullopt where nothing presses deeper than 0.02 mm.
 ///   depth_mm, view_z_mm: CV_32FC1, NaN off the face
 [[nodiscard]] std::optional<FaceZone> zone_of_press(const cv::Mat& depth_mm,
                                                     const cv::Mat& view_z_mm);

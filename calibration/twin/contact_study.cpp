@@ -1,6 +1,6 @@
 #include "calibration/twin/contact_study.h"
 
-#include "calibration/twin/twin_picture.h"
+#include "calibration/twin/twin_image.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 namespace alltact {
 namespace {
 
-// Grey levels a block that a standard deviation of a told depth weighs, in all blocks of a sector.
-constexpr double kToldGrey = 1.0;
+// Weight of a given depth: grey levels a block per standard deviation, over all blocks of a sector.
+constexpr double kGivenDepthGrey = 1.0;
 
 }  // namespace
 
@@ -123,27 +123,27 @@ void ContactStudy::choose(ContactChoice choice) {
   for (std::size_t ball = 0; ball < scene_.balls.size(); ++ball) add_ball(ball, choice.light);
 }
 
-/// Block means of the twin's picture of one press.
+/// Block means of the twin's image of one press.
 bool ContactStudy::predict(const TwinScene& scene, std::size_t press, double* means) const {
   const TwinPatch& patch = patches_[press];
   TwinScene one = scene.with_ball(scene.balls[press]);
   one.camera = cropped_camera(one.camera, patch.view);
   if (patch.is_coarse) {
-    one.camera = thinned_camera(one.camera, patch.side_px);
+    one.camera = downsampled_camera(one.camera, patch.side_px);
     one.blur_px /= patch.side_px;
   }
-  const auto picture = twin_picture(one, 1);
-  if (!picture) return false;
+  const auto image = twin_image(one, 1);
+  if (!image) return false;
   if (patch.is_coarse) {
     for (const cv::Point& corner : patch.corners)
-      *means++ = picture->at<float>((corner.y - patch.view.y) / patch.side_px,
-                                    (corner.x - patch.view.x) / patch.side_px);
+      *means++ = image->at<float>((corner.y - patch.view.y) / patch.side_px,
+                                  (corner.x - patch.view.x) / patch.side_px);
     return true;
   }
   for (const cv::Point& corner : patch.corners) {
     double sum = 0;
     for (int v = 0; v < patch.side_px; ++v) {
-      const auto* row = picture->ptr<float>(corner.y - patch.view.y + v) + corner.x - patch.view.x;
+      const auto* row = image->ptr<float>(corner.y - patch.view.y + v) + corner.x - patch.view.x;
       for (int u = 0; u < patch.side_px; ++u) sum += row[u];
     }
     *means++ = sum / (patch.side_px * patch.side_px);
@@ -175,13 +175,13 @@ bool ContactStudy::evaluate(const Eigen::VectorXd& x,
     }
     at += n;
   }
-  for (const std::size_t press : told_) {
-    const ToldDepth& told = *presses_[press].told_depth;
-    const double weight = kToldGrey *
+  for (const std::size_t press : given_depths_) {
+    const GivenDepth& given = *presses_[press].given_depth;
+    const double weight = kGivenDepthGrey *
                           std::sqrt(static_cast<double>(patches_[press].target.size())) /
-                          (kTwinSectors * std::max(1e-3, told.sd_mm));
-    const double upright = std::cos(scene.incline_rad);  // depth along z to that along the normal
-    residuals_out[at] = weight * (upright * scene.balls[press].depth_mm - told.mm);
+                          (kTwinSectors * std::max(1e-3, given.sd_mm));
+    const double upright = std::cos(scene.incline_rad);  // depth along z to depth along the normal
+    residuals_out[at] = weight * (upright * scene.balls[press].depth_mm - given.mm);
     for (std::size_t i = 0; slopes && i < unknowns_.size(); ++i) {
       TwinScene moved = scene_;
       if (unknowns_[i].ball != static_cast<int>(press)) continue;
@@ -201,7 +201,7 @@ std::vector<int> ContactStudy::clusters() const {
   for (std::size_t press = 0; press < patches_.size(); ++press)
     for (const int sector : patches_[press].sectors)
       all.push_back(static_cast<int>(press) * kTwinSectors + sector);
-  for (const std::size_t press : told_)
+  for (const std::size_t press : given_depths_)
     all.push_back(static_cast<int>((patches_.size() + press) * kTwinSectors));
   return all;
 }

@@ -1,4 +1,4 @@
-// The residuals of pressed pictures, and how layer, roll-off, bulge, blur and balls move them.
+// The residuals of pressed images, and their derivatives by layer, roll-off, bulge, blur and balls.
 #pragma once
 
 #include "calibration/twin/twin_contact.h"
@@ -9,15 +9,15 @@
 
 namespace alltact {
 
-/// What is fitted at once.
+/// Parameters that are fitted together.
 struct ContactChoice {
   bool coat = true, blur = true, light = true;
 };
 
-/// One unknown: how the scene holds it, and how it is scaled.
+/// One unknown: its scaling, and how to store it in the scene.
 struct ContactUnknown {
   double start, low, high;  // scaled
-  int ball;                 // whose it is; -1: all presses'
+  int ball;                 // whose ball it is; -1: shared by all presses
   std::function<void(TwinScene&, double)> put;
   std::function<std::optional<double>*(ContactSpread&)> spread;
   std::function<double(double)> value_per_unit;  // derivative of the value by the scaled unknown
@@ -33,11 +33,11 @@ class ContactStudy {
     choose(choice);
     for (const TwinPatch& patch : patches) residuals_ += patch.target.size();
     for (std::size_t i = 0; i < presses.size(); ++i)
-      if (presses[i].told_depth) told_.push_back(i);
+      if (presses[i].given_depth) given_depths_.push_back(i);
   }
 
   [[nodiscard]] Eigen::Index residuals() const {
-    return residuals_ + static_cast<Eigen::Index>(told_.size());
+    return residuals_ + static_cast<Eigen::Index>(given_depths_.size());
   }
   [[nodiscard]] TwinUnknowns unknowns() const {
     const auto n = static_cast<Eigen::Index>(unknowns_.size());
@@ -52,7 +52,7 @@ class ContactStudy {
     TwinScene scene = scene_;
     for (std::size_t i = 0; i < unknowns_.size(); ++i)
       unknowns_[i].put(scene, x[static_cast<Eigen::Index>(i)]);
-    // The untouched face stays as bright as it is.
+    // The brightness of the untouched face stays unchanged.
     const double t = scene.face.layer_mm;
     const double share = scene_.layer.reflectance(t) / scene.layer.reflectance(t);
     for (TwinLamp& lamp : scene.lamps) lamp.power *= share;
@@ -86,7 +86,7 @@ class ContactStudy {
   const std::vector<TwinPatch>& patches_;
   const std::vector<TwinPress>& presses_;
   std::vector<ContactUnknown> unknowns_;
-  std::vector<std::size_t> told_;
+  std::vector<std::size_t> given_depths_;
   Eigen::Index residuals_ = 0;
 };
 

@@ -1,9 +1,9 @@
 #include "calibration/twin/twin.h"
 #include "calibration/twin/twin_contact.h"
 #include "calibration/twin/twin_figures.h"
+#include "calibration/twin/twin_image.h"
 #include "calibration/twin/twin_lamps.h"
 #include "calibration/twin/twin_noise.h"
-#include "calibration/twin/twin_picture.h"
 #include "calibration/twin/twin_pose.h"
 #include "calibration/twin/twin_residual.h"
 #include "core/simulation/plan.h"
@@ -14,8 +14,8 @@
 namespace alltact {
 namespace {
 
-constexpr double kPlane_mm = 30;  // where an orthographic camera's plane is put: no picture tells
-constexpr double kLightTold = 5e-4;  // a smaller change of the lamps is none
+constexpr double kPlane_mm = 30;  // plane of an orthographic camera; images do not determine it
+constexpr double kMinLightChange = 5e-4;  // smaller changes of the lamps count as none
 
 Error stopped_twin() {
   return {en::say("stopped before the twin was found"), "", ""};
@@ -57,16 +57,17 @@ Status take_poses(const TwinInput& input,
   return {};
 }
 
-/// mm on the face where a press is, about.
+/// mm per px on the face at a press, approximate.
 double mm_per_px_at(const TwinScene& scene, const TwinPress& press) {
   return scene.camera.model == CameraModel::kOrthographic
              ? scene.camera.mm_per_px
              : std::max(1.0, press.ball_mm.z() - press.ball_radius_mm) / scene.camera.fx_px;
 }
 
-/// Where the fit begins: balls as deep as their rims say, and the halo of the press that shows
-/// most.
-void place_balls(const TwinInput& input, const std::vector<TwinPose>& poses, TwinScene& scene) {
+/// Initial values of the fit: ball depths from their rims, the halo from the press that shows most.
+void initialise_balls(const TwinInput& input,
+                      const std::vector<TwinPose>& poses,
+                      TwinScene& scene) {
   double brightest = 0;
   for (std::size_t i = 0; i < input.presses.size(); ++i) {
     const TwinPress& press = input.presses[i];
@@ -75,26 +76,26 @@ void place_balls(const TwinInput& input, const std::vector<TwinPose>& poses, Twi
     const double rim =
         std::min(0.95 * radius, mm_per_px * std::max(rings.rim_px, press.disc_radius_px));
     const double depth = radius - std::sqrt(radius * radius - rim * rim);
-    const Eigen::Vector2d place = place_under(scene, poses[i], press.ball_mm);
+    const Eigen::Vector2d position = position_under(scene, poses[i], press.ball_mm);
     scene.balls.push_back(
         {press.name,
          radius,
-         place.x(),
-         place.y(),
+         position.x(),
+         position.y(),
          std::clamp(
-             press.told_depth ? press.told_depth->mm : depth, 0.05, 0.9 * scene.face.layer_mm),
+             press.given_depth ? press.given_depth->mm : depth, 0.05, 0.9 * scene.face.layer_mm),
          1,
          poses[i]});
     if (rings.brightest <= brightest) continue;
     brightest = rings.brightest;
-    // A change of brightness is so many layers at first: t dR / (R dt) = 1 / (1 + St).
+    // First estimate of the layer from a change of brightness: t dR / (R dt) = 1 / (1 + St).
     const double st = scene.layer.scatter_per_mm * scene.face.layer_mm;
     scene.halo_share = std::clamp(brightest * (1 + st), 0.005, 0.45);
     scene.halo_width_mm = std::clamp(mm_per_px * rings.halo_px, 0.2, 5.0);
   }
 }
 
-/// The untouched pictures, each once: presses of a flat sensor share theirs.
+/// The reference images, each once; presses of a flat sensor share theirs.
 std::vector<TwinUntouched> untouched_of(const TwinInput& input,
                                         const std::vector<TwinPose>& poses) {
   std::vector<TwinUntouched> all;
@@ -116,9 +117,9 @@ double rms_of(const cv::Mat& real, const cv::Mat& twin) {
   return count > 0 ? std::sqrt(sum / count) : 0;
 }
 
-/// 255 where a press shows the untouched face; of a flat sensor only, whose pixels stay where they
-/// are.
-cv::Mat beside_contact(const TwinPress& press, double times) {
+/// 255 where a press shows the untouched face. Flat sensors only, whose pixels show the same skin
+/// in all images.
+cv::Mat outside_contact(const TwinPress& press, double times) {
   cv::Mat used(press.grey.size(), CV_8UC1, cv::Scalar(255));
   for (int v = 0; v < used.rows; ++v)
     for (int u = 0; u < used.cols; ++u)
@@ -131,36 +132,36 @@ cv::Mat beside_contact(const TwinPress& press, double times) {
 TwinNoise noise_of(const TwinInput& input) {
   const TwinPress& first = input.presses.front();
   const bool is_flat = input.face.kind == FaceKind::kFlat;
-  std::vector<NoisyPicture> untouched;
+  std::vector<NoisyImage> untouched;
   for (const cv::Mat& grey : input.untouched) {
     cv::Mat used(grey.size(), CV_8UC1, cv::Scalar(255));
     if (!is_flat) used = first.reference > 0;
     untouched.push_back({grey, used});
   }
   if (untouched.empty()) {
-    std::vector<NoisyPicture> pressed;
+    std::vector<NoisyImage> pressed;
     for (const TwinPress& press : input.presses)
-      pressed.push_back({press.grey, beside_contact(press, 0)});
+      pressed.push_back({press.grey, outside_contact(press, 0)});
     return measure_noise({}, pressed, "");
   }
   if (untouched.size() > 1 || !is_flat)
     return measure_noise(untouched,
                          untouched,
                          en::say("noise is told from {} untouched pictures", untouched.size()));
-  const std::vector<NoisyPicture> alike{untouched.front(),
-                                        {first.grey, beside_contact(first, kTwinReach)}};
+  const std::vector<NoisyImage> alike{untouched.front(),
+                                      {first.grey, outside_contact(first, kTwinReach)}};
   const Message from = en::say(
       "noise in time is told from one untouched picture and {} beside its contact", first.name);
   return measure_noise(alike, untouched, from);
 }
 
-/// Where the twin's contact is in the picture.
+/// Pixel of the twin's contact.
 Eigen::Vector2d contact_px(const TwinScene& scene, const TwinBall& ball, const TwinPress& press) {
   const auto parsed = Scene::parse(scene.with_ball(ball).to_yaml(false), "the twin's scene");
   if (!parsed) return press.disc_px;
   const auto plan = Plan::compile(*parsed, 1);
   if (!plan) return press.disc_px;
-  const Truth truth = plan->truth(1, TruthDetail::kWithoutPictures);
+  const Truth truth = plan->truth(1, TruthDetail::kWithoutImages);
   if (truth.balls.empty()) return press.disc_px;
   const Eigen::Vector3d deepest =
       truth.balls.front().centre_mm - Eigen::Vector3d(0, 0, truth.balls.front().radius_mm);
@@ -169,13 +170,13 @@ Eigen::Vector2d contact_px(const TwinScene& scene, const TwinBall& ball, const T
   return pixel ? *pixel : press.disc_px;
 }
 
-Status judge(const TwinInput& input, const std::vector<TwinPose>& poses, Twin& twin) {
+Status compute_residuals(const TwinInput& input, const std::vector<TwinPose>& poses, Twin& twin) {
   for (std::size_t i = 0; i < input.presses.size(); ++i) {
     const TwinPress& press = input.presses[i];
     const TwinBall& ball = twin.scene.balls[i];
-    const auto untouched = twin_picture(twin.scene.untouched(poses[i]), 0);
+    const auto untouched = twin_image(twin.scene.untouched(poses[i]), 0);
     if (!untouched) return untouched.error();
-    const auto pressed = twin_picture(twin.scene, static_cast<int>(i) + 1);
+    const auto pressed = twin_image(twin.scene, static_cast<int>(i) + 1);
     if (!pressed) return pressed.error();
     twin.untouched_rms = std::max(twin.untouched_rms, rms_of(press.reference, *untouched));
     twin.residuals.push_back(
@@ -196,11 +197,11 @@ Result<Twin> fit_twin(const TwinInput& input, const Job& job) {
   if (!lamps) return lamps.error();
   scene.lamps = lamps->lamps;
   scene.room_level = lamps->room_level;
-  place_balls(input, poses, scene);
+  initialise_balls(input, poses, scene);
 
   std::vector<TwinPatch> coarse, patches;
   for (std::size_t i = 0; i < input.presses.size(); ++i) {
-    const auto untouched = twin_picture(scene.untouched(poses[i]), 0);
+    const auto untouched = twin_image(scene.untouched(poses[i]), 0);
     if (!untouched) return untouched.error();
     coarse.push_back(patch_of(input.presses[i], *untouched, scene.camera, true));
     patches.push_back(patch_of(input.presses[i], *untouched, scene.camera, false));
@@ -219,14 +220,14 @@ Result<Twin> fit_twin(const TwinInput& input, const Job& job) {
   for (std::size_t i = 0; i < twin.scene.balls.size(); ++i) {
     double& light = twin.scene.balls[i].light;
     const auto& sd = contact->spread.balls[i].light;
-    if (std::abs(light - 1) < std::max(kLightTold, sd ? 2 * *sd : 0.0)) light = 1;
+    if (std::abs(light - 1) < std::max(kMinLightChange, sd ? 2 * *sd : 0.0)) light = 1;
   }
   const TwinNoise noise = noise_of(input);
   twin.scene.read_sd = noise.read_sd;
   twin.scene.shot_gain = noise.shot_gain;
   twin.scene.prnu = noise.prnu;
-  if (const Status status = judge(input, poses, twin); !status) return status.error();
-  tell_figures(*lamps, *contact, noise, twin);
+  if (const Status status = compute_residuals(input, poses, twin); !status) return status.error();
+  write_figures(*lamps, *contact, noise, twin);
   twin.yaml = twin.scene.to_yaml(true);
   job.report(1.0, en::say("done"));
   return twin;

@@ -8,9 +8,9 @@
 namespace alltact {
 namespace {
 
-constexpr double kWorthAKind = 0.99;    // of the residual with the simpler kind
-constexpr double kNothing_sd = 2;       // what is nearer to nothing counts as nothing
-constexpr double kLeastBlur_px = 0.25;  // narrower is none to be seen
+constexpr double kMaxKindResidual = 0.99;  // of the residual with the simpler kind
+constexpr double kNothing_sd = 2;          // nearer to zero counts as zero
+constexpr double kLeastBlur_px = 0.25;     // narrower is invisible
 
 struct ContactRound {
   TwinScene scene;
@@ -42,8 +42,8 @@ class ContactSearch {
     return ContactRound{study.scene_at(solution->x), study.spread_of(*solution), solution->rms()};
   }
 
-  /// One kind of roll-off and halo, first in the same light: a halo must not be taken for brighter
-  /// lamps.
+  /// One kind of roll-off and halo, first with fixed light: a halo must not be explained by
+  /// brighter lamps.
   [[nodiscard]] Result<ContactRound> solve_kind(TwinScene from,
                                                 TwinRolloff rolloff,
                                                 TwinHalo halo) const {
@@ -63,7 +63,7 @@ bool is_nothing(double value, const std::optional<double>& sd) {
   return !sd || value < kNothing_sd * *sd;
 }
 
-/// The simplest scene that is as good.
+/// The simplest scene with an equally small residual.
 Result<ContactRound> simplify(const ContactSearch& search, ContactRound round) {
   ContactChoice choice;
   TwinScene simple = round.scene;
@@ -81,7 +81,7 @@ Result<ContactRound> simplify(const ContactSearch& search, ContactRound round) {
   simple.room_level *= share;
   auto last = search.solve(simple, choice, {});
   if (!last) return last.error();
-  // What looked like nothing was something after all: the presses need it.
+  // A removed part was significant after all: the presses need it.
   if (last->rms > 1.02 * round.rms) return search.solve(round.scene, {}, {});
   return last;
 }
@@ -95,12 +95,12 @@ Result<TwinContact> fit_contact(const TwinScene& scene,
                                 const Job& job) {
   const ContactSearch search(coarse, presses, job);
   job.report(0.0, en::say("fitting the presses"));
-  // Over a black coat, and with the halo that is seen or with a usual one first: depth and
-  // scattering take each other's place, and a fit that may change all at once ends anywhere.
+  // Starts over a black coat, with the visible halo or a typical one. Depth and scattering are
+  // correlated, and a fit of all parameters at once may converge anywhere.
   std::optional<ContactRound> begun;
-  TwinScene usual = scene;
-  usual.halo_share = 0.06, usual.halo_width_mm = scene.face.layer_mm;
-  for (const TwinScene& from : {scene, usual}) {
+  TwinScene typical = scene;
+  typical.halo_share = 0.06, typical.halo_width_mm = scene.face.layer_mm;
+  for (const TwinScene& from : {scene, typical}) {
     auto round = search.solve(from, {false, true, false}, {40, 1e-4});
     if (!round) return round.error();
     if (!begun || round->rms < begun->rms) begun = std::move(*round);
@@ -109,12 +109,12 @@ Result<TwinContact> fit_contact(const TwinScene& scene,
   if (!hertz) return hertz.error();
   auto exponential = search.solve_kind(hertz->scene, TwinRolloff::kHertz, TwinHalo::kExponential);
   if (!exponential) return exponential.error();
-  const bool is_long = exponential->rms < kWorthAKind * hertz->rms;
+  const bool is_long = exponential->rms < kMaxKindResidual * hertz->rms;
   if (is_long) hertz = std::move(exponential);
   job.report(0.3, en::say("fitting the presses"));
   auto smooth = search.solve_kind(hertz->scene, TwinRolloff::kSmooth, hertz->scene.halo);
   if (!smooth) return smooth.error();
-  const bool is_smooth = smooth->rms < kWorthAKind * hertz->rms;
+  const bool is_smooth = smooth->rms < kMaxKindResidual * hertz->rms;
   job.report(0.5, en::say("fitting the presses"));
   const ContactSearch closer(patches, presses, job);
   auto all = closer.solve((is_smooth ? smooth : hertz)->scene, {}, {40, 1e-5});

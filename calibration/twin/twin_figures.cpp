@@ -7,18 +7,18 @@
 namespace alltact {
 namespace {
 
-constexpr double kHardlyTold = 0.5;  // sd over value
+constexpr double kMaxRelativeSd = 0.5;  // sd over value
 
 std::string with_sd(const TwinFigure& figure) {
   return figure.sd ? fmt::format("{:.4g} +- {:.2g}", figure.value, *figure.sd)
                    : fmt::format("{:.4g}", figure.value);
 }
 
-class Teller {
+class FigureWriter {
  public:
-  explicit Teller(Twin& twin) : twin_(twin) {}
+  explicit FigureWriter(Twin& twin) : twin_(twin) {}
 
-  /// `positive`: a number of which half its own size is a lot.
+  /// `positive`: half its own size is a large uncertainty of the number.
   void add(const std::string& key,
            const Message& what,
            double value,
@@ -28,7 +28,7 @@ class Teller {
     if (!sd)
       figure.remark =
           en::say("not observable: at the end of its range, or another number does the same");
-    else if (positive && *sd > kHardlyTold * value)
+    else if (positive && *sd > kMaxRelativeSd * value)
       figure.remark = en::say("hardly observable in these pictures");
     twin_.figures.push_back(std::move(figure));
   }
@@ -46,26 +46,27 @@ class Teller {
   Twin& twin_;
 };
 
-void tell_layer(const TwinContact& contact, Teller& tell, Twin& twin) {
+void write_layer(const TwinContact& contact, FigureWriter& writer, Twin& twin) {
   const TwinScene& scene = twin.scene;
   const ContactSpread& sd = contact.spread;
-  tell.add("scatter_per_mm",
-           en::say("scattering of the layer, per mm"),
-           scene.layer.scatter_per_mm,
-           sd.scatter_per_mm);
+  writer.add("scatter_per_mm",
+             en::say("scattering of the layer, per mm"),
+             scene.layer.scatter_per_mm,
+             sd.scatter_per_mm);
   std::size_t count = 1;
   if (scene.layer.coat > 0) {
-    tell.add("coat", en::say("what the coat below the layer reflects"), scene.layer.coat, sd.coat);
+    writer.add(
+        "coat", en::say("what the coat below the layer reflects"), scene.layer.coat, sd.coat);
     ++count;
   } else {
     twin.remarks.push_back(
         en::say("the coat below the layer is taken to be black: the presses do not say otherwise"));
   }
-  tell.comment("layer", "told by how the presses darken", count);
+  writer.comment("layer", "told by how the presses darken", count);
   twin.remarks.push_back(en::say(
       "absorption in the layer is not observable: scattering and coat bend the same curve"));
-  tell.add("rolloff length_mm", en::say("roll-off length, mm"), scene.rolloff_mm, sd.rolloff_mm);
-  tell.comment(
+  writer.add("rolloff length_mm", en::say("roll-off length, mm"), scene.rolloff_mm, sd.rolloff_mm);
+  writer.comment(
       "rolloff",
       fmt::format("told by the rims of the contacts, where kind {} leaves {:.2f} times as much",
                   contact.other_rolloff == TwinRolloff::kHertz ? "hertz" : "smooth",
@@ -73,88 +74,88 @@ void tell_layer(const TwinContact& contact, Teller& tell, Twin& twin) {
       1);
 }
 
-void tell_halo(const TwinContact& contact, Teller& tell, Twin& twin) {
+void write_halo(const TwinContact& contact, FigureWriter& writer, Twin& twin) {
   const TwinScene& scene = twin.scene;
   const ContactSpread& sd = contact.spread;
   if (scene.halo == TwinHalo::kNone) {
     twin.remarks.push_back(en::say("no swelling around the contacts is to be seen"));
   } else {
     std::size_t count = 2;
-    tell.add("bulge share",
-             en::say("height of the swelling, share of the layer"),
-             scene.halo_share,
-             sd.halo_share);
-    tell.add("bulge width_mm",
-             en::say("its distance from the rim, mm"),
-             scene.halo_width_mm,
-             sd.halo_width_mm);
+    writer.add("bulge share",
+               en::say("height of the swelling, share of the layer"),
+               scene.halo_share,
+               sd.halo_share);
+    writer.add("bulge width_mm",
+               en::say("its distance from the rim, mm"),
+               scene.halo_width_mm,
+               sd.halo_width_mm);
     if (scene.halo == TwinHalo::kExponential) {
-      tell.add("bulge steepness",
-               en::say("how steeply it falls off"),
-               scene.halo_steepness,
-               sd.halo_steepness);
+      writer.add("bulge steepness",
+                 en::say("how steeply it falls off"),
+                 scene.halo_steepness,
+                 sd.halo_steepness);
       ++count;
     }
-    tell.comment("bulge", "told by the bright halos", count);
+    writer.comment("bulge", "told by the bright halos", count);
   }
   if (scene.blur_px > 0) {
-    tell.add("blur_px", en::say("blur, standard deviation in pixels"), scene.blur_px, sd.blur_px);
-    tell.comment("defocus", "told by the steepest edges of the presses", 1);
+    writer.add("blur_px", en::say("blur, standard deviation in pixels"), scene.blur_px, sd.blur_px);
+    writer.comment("defocus", "told by the steepest edges of the presses", 1);
   } else {
     twin.remarks.push_back(en::say("no blur is to be seen beside the roll-off"));
   }
 }
 
-void tell_balls(const TwinContact& contact, Teller& tell, const Twin& twin) {
+void write_balls(const TwinContact& contact, FigureWriter& writer, const Twin& twin) {
   for (std::size_t i = 0; i < twin.scene.balls.size(); ++i) {
     const TwinBall& ball = twin.scene.balls[i];
     const ContactSpread::Ball& sd = contact.spread.balls[i];
-    tell.add(
+    writer.add(
         ball.press + " depth_mm", en::say("{}: depth, mm", ball.press), ball.depth_mm, sd.depth_mm);
-    tell.add(ball.press + " s_mm",
-             en::say("{}: place along the face, mm", ball.press),
-             ball.s_mm,
-             sd.s_mm,
-             false);
-    tell.add(ball.press + " y_mm",
-             en::say("{}: place across the face, mm", ball.press),
-             ball.y_mm,
-             sd.y_mm,
-             false);
+    writer.add(ball.press + " s_mm",
+               en::say("{}: place along the face, mm", ball.press),
+               ball.s_mm,
+               sd.s_mm,
+               false);
+    writer.add(ball.press + " y_mm",
+               en::say("{}: place across the face, mm", ball.press),
+               ball.y_mm,
+               sd.y_mm,
+               false);
     std::size_t count = 3;
     if (ball.light != 1) {
-      tell.add(ball.press + " light",
-               en::say("{}: light, share of that in its untouched picture", ball.press),
-               ball.light,
-               sd.light);
+      writer.add(ball.press + " light",
+                 en::say("{}: light, share of that in its untouched picture", ball.press),
+                 ball.light,
+                 sd.light);
       ++count;
     }
-    tell.comment("ball " + ball.press, ball.press, count);
+    writer.comment("ball " + ball.press, ball.press, count);
   }
 }
 
-void tell_lamps(const TwinLamps& lamps, Teller& tell, Twin& twin) {
+void write_lamps(const TwinLamps& lamps, FigureWriter& writer, Twin& twin) {
   int hardly = 0;
   double least = 0, most = 0;
   for (std::size_t i = 0; i < lamps.lamps.size(); ++i) {
-    // The powers follow the layer that the presses told.
+    // The powers follow the layer, which the presses determine.
     const double power = twin.scene.lamps[i].power;
     std::optional<double> sd = lamps.spread[i].power;
     if (sd) *sd *= power / lamps.lamps[i].power;
-    tell.add(fmt::format("lamp {} power", i + 1), en::say("lamp {}: power", i + 1), power, sd);
+    writer.add(fmt::format("lamp {} power", i + 1), en::say("lamp {}: power", i + 1), power, sd);
     const std::optional<Eigen::Vector3d>& at_sd = lamps.spread[i].at_mm;
     const double distance = twin.scene.face.kind == FaceKind::kFlat
                                 ? twin.scene.face.plane_z_mm - lamps.lamps[i].at_mm.z()
                                 : lamps.lamps[i].at_mm.norm();
     std::optional<double> distance_sd;
     if (at_sd) distance_sd = twin.scene.face.kind == FaceKind::kFlat ? at_sd->z() : at_sd->norm();
-    tell.add(fmt::format("lamp {} distance_mm", i + 1),
-             twin.scene.face.kind == FaceKind::kFlat
-                 ? en::say("lamp {}: distance from the face, mm", i + 1)
-                 : en::say("lamp {}: distance from the camera, mm", i + 1),
-             distance,
-             distance_sd);
-    if (!distance_sd || *distance_sd > kHardlyTold * distance) ++hardly;
+    writer.add(fmt::format("lamp {} distance_mm", i + 1),
+               twin.scene.face.kind == FaceKind::kFlat
+                   ? en::say("lamp {}: distance from the face, mm", i + 1)
+                   : en::say("lamp {}: distance from the camera, mm", i + 1),
+               distance,
+               distance_sd);
+    if (!distance_sd || *distance_sd > kMaxRelativeSd * distance) ++hardly;
     least = i == 0 ? distance : std::min(least, distance);
     most = std::max(most, distance);
   }
@@ -172,37 +173,38 @@ void tell_lamps(const TwinLamps& lamps, Teller& tell, Twin& twin) {
               lamps.lamps.size()));
 }
 
-void tell_noise(const TwinNoise& noise, Teller& tell, Twin& twin) {
+void write_noise(const TwinNoise& noise, FigureWriter& writer, Twin& twin) {
   if (noise.read_sd > 0) {
-    tell.add("read sd", en::say("read noise, grey levels"), noise.read_sd, noise.read_sd_sd);
-    tell.comment("read", noise.from.english(), 1);
+    writer.add("read sd", en::say("read noise, grey levels"), noise.read_sd, noise.read_sd_sd);
+    writer.comment("read", noise.from.english(), 1);
   }
   if (noise.shot_gain > 0) {
-    tell.add("shot gain", en::say("shot noise, grey levels"), noise.shot_gain, noise.shot_gain_sd);
-    tell.comment("shot", noise.from.english(), 1);
+    writer.add(
+        "shot gain", en::say("shot noise, grey levels"), noise.shot_gain, noise.shot_gain_sd);
+    writer.comment("shot", noise.from.english(), 1);
   } else {
     twin.remarks.push_back(en::say(
         "shot noise cannot be told from read noise: the face is too evenly lit, or there is none"));
   }
   if (noise.prnu > 0) {
-    tell.add("fixed-pattern prnu", en::say("fixed pattern, share"), noise.prnu, noise.prnu_sd);
-    tell.comment("fixed-pattern", noise.from.english(), 1);
+    writer.add("fixed-pattern prnu", en::say("fixed pattern, share"), noise.prnu, noise.prnu_sd);
+    writer.comment("fixed-pattern", noise.from.english(), 1);
   }
   twin.remarks.push_back(noise.from);
 }
 
 }  // namespace
 
-void tell_figures(const TwinLamps& lamps,
-                  const TwinContact& contact,
-                  const TwinNoise& noise,
-                  Twin& twin) {
-  Teller tell(twin);
-  tell_layer(contact, tell, twin);
-  tell_halo(contact, tell, twin);
-  tell_balls(contact, tell, twin);
-  tell_lamps(lamps, tell, twin);
-  tell_noise(noise, tell, twin);
+void write_figures(const TwinLamps& lamps,
+                   const TwinContact& contact,
+                   const TwinNoise& noise,
+                   Twin& twin) {
+  FigureWriter writer(twin);
+  write_layer(contact, writer, twin);
+  write_halo(contact, writer, twin);
+  write_balls(contact, writer, twin);
+  write_lamps(lamps, writer, twin);
+  write_noise(noise, writer, twin);
   if (twin.scene.face.kind == FaceKind::kFinRay)
     twin.remarks.push_back(
         en::say("the scene holds the face alone: no side faces, no dots, no twist"));

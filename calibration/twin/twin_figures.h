@@ -1,4 +1,4 @@
-// What is said of a twin's numbers, to people and in its scene.
+// Text on a twin's numbers, for people and for its scene.
 #pragma once
 
 #include "calibration/twin/twin.h"
@@ -8,10 +8,11 @@
 
 namespace alltact {
 
-/// Fills figures, remarks, and the comments of the scene. The scene's numbers and residuals stand.
-void tell_figures(const TwinLamps& lamps,
-                  const TwinContact& contact,
-                  const TwinNoise& noise,
-                  Twin& twin);
+/// Fills figures, remarks, and the comments of the scene. The scene's numbers and residuals are
+/// final.
+void write_figures(const TwinLamps& lamps,
+                   const TwinContact& contact,
+                   const TwinNoise& noise,
+                   Twin& twin);
 
 }  // namespace alltact

@@ -2,7 +2,7 @@
 
 #include "calibration/finger/calibration_inputs.h"
 #include "calibration/finger/measuring_settings.h"
-#include "calibration/presses/placed_ball.h"
+#include "calibration/presses/manual_ball.h"
 #include "calibration/reference/reference_recording.h"
 #include "core/sensing/face/face_runs.h"
 #include "core/sensing/pipeline.h"
@@ -14,17 +14,18 @@
 namespace alltact {
 namespace {
 
-constexpr float kSaturated = 253.5F;  // grey levels: the light may have been any that is brighter
-constexpr double kMargin_px = 4;      // of the face's edges: blur carries what is beside them in
+constexpr float kSaturated = 253.5F;  // grey levels: the true brightness may be any higher value
+constexpr double kMargin_px = 4;      // of the face's edges: blur mixes in the background
 
-/// The finger as it is measured: an orthographic camera's plane may lie anywhere.
+/// The finger and its measurement: an orthographic camera's plane may lie anywhere.
 struct Measuring {
   const FingerSnapshot& finger;
   PipelineSettings settings;
-  std::optional<Pipeline> pipeline;     ///< of a finger with edges or a recording
-  std::vector<cv::Mat> untouched;       ///< CV_8UC1, turned; empty: the recording tells
-  std::optional<ReferencePicture> one;  ///< the first of these
-  cv::Mat shared;                       ///< of a flat sensor: what all presses are compared with
+  std::optional<Pipeline> pipeline;  ///< of a finger with edges or a recording
+  /// CV_8UC1, oriented; empty: the recording is the reference
+  std::vector<cv::Mat> untouched;
+  std::optional<ReferenceImage> one;  ///< the first of these
+  cv::Mat shared;                     ///< of a flat sensor: reference of all presses
 
   [[nodiscard]] bool is_flat() const { return finger.finger.face.kind == FaceKind::kFlat; }
 };
@@ -40,10 +41,10 @@ Result<std::vector<cv::Mat>> read_untouched(const FingerSnapshot& finger,
                  en::say("--reference with a picture in which nothing touches it")};
   std::vector<cv::Mat> all;
   for (const std::filesystem::path& file : files) {
-    const auto picture = read_untouched_picture(file);
-    if (!picture) return picture.error();
+    const auto image = read_untouched_image(file);
+    if (!image) return image.error();
     const auto grey = oriented_for(finger.finger.camera,
-                                   picture->grey,
+                                   image->grey,
                                    en::say("the untouched picture"),
                                    file,
                                    en::say("a picture of this finger, at the size of its camera"));
@@ -56,7 +57,8 @@ Result<std::vector<cv::Mat>> read_untouched(const FingerSnapshot& finger,
 Result<Measuring> make_measuring(const FingerSnapshot& finger,
                                  const TwinFiles& files,
                                  const Job& job) {
-  Measuring measuring{finger, for_presses(measuring_settings(finger.folder)), {}, {}, {}, {}};
+  Measuring measuring{
+      finger, settings_for_presses(measuring_settings(finger.folder)), {}, {}, {}, {}};
   auto untouched = read_untouched(finger, files.untouched);
   if (!untouched) return untouched.error();
   measuring.untouched = std::move(*untouched);
@@ -68,7 +70,7 @@ Result<Measuring> make_measuring(const FingerSnapshot& finger,
   if (measuring.is_flat()) return measuring;
   if (measuring.one) {
     measuring.pipeline.emplace(
-        Pipeline::before_reference(finger.without_mapping(), measuring.settings));
+        Pipeline::without_reference(finger.without_mapping(), measuring.settings));
     return measuring;
   }
   auto pipeline = Pipeline::create(finger.without_mapping(), measuring.settings, job);
@@ -77,7 +79,7 @@ Result<Measuring> make_measuring(const FingerSnapshot& finger,
   return measuring;
 }
 
-/// The reference on the face, NaN beside it.
+/// The reference on the face, NaN outside.
 cv::Mat on_face(const cv::Mat& reference, const FaceShape& shape) {
   cv::Mat result(reference.size(), CV_32FC1, cv::Scalar(std::numeric_limits<float>::quiet_NaN()));
   for (const FaceRun& run : face_runs(shape, kMargin_px, reference.size()).runs) {
@@ -89,15 +91,15 @@ cv::Mat on_face(const cv::Mat& reference, const FaceShape& shape) {
 }
 
 /// A press with its face, before its ball is known.
-struct Seen {
+struct AnalysedPress {
   cv::Mat grey, reference;
   std::optional<FaceShape> shape;
   std::optional<Difference> difference;
   Message problem;
 };
 
-Result<Seen> see(Measuring& measuring, const FramePtr& frame) {
-  Seen seen;
+Result<AnalysedPress> see(Measuring& measuring, const FramePtr& frame) {
+  AnalysedPress seen;
   std::optional<Reference> reference;
   if (measuring.is_flat()) {
     const auto grey = oriented_for(measuring.finger.finger.camera,
@@ -124,40 +126,39 @@ Result<Seen> see(Measuring& measuring, const FramePtr& frame) {
   }
   if (measuring.one) {
     reference.emplace();
-    reference->picture = *measuring.one;
+    reference->image = *measuring.one;
     DifferenceOptions options;
     options.smoothing = smoothing_of(measuring.settings.smoothing_px);
     seen.difference = difference(seen.grey, *reference, *seen.shape, options);
   }
   if (!measuring.one || !measuring.is_flat()) {
-    seen.reference = on_face(reference->picture.grey(), *seen.shape);
+    seen.reference = on_face(reference->image.grey(), *seen.shape);
   } else {
-    if (measuring.shared.empty())
-      measuring.shared = on_face(reference->picture.grey(), *seen.shape);
+    if (measuring.shared.empty()) measuring.shared = on_face(reference->image.grey(), *seen.shape);
     seen.reference = measuring.shared;
   }
   return seen;
 }
 
-/// The twin's press, or why there is none.
+/// The twin's press, or the reason why there is none.
 Result<TwinPress> press_from(const Measuring& measuring,
                              const std::string& name,
-                             Seen seen,
-                             const PressSet& said) {
+                             AnalysedPress seen,
+                             const PressSet& press_set) {
   if (!seen.problem.empty()) return Error{seen.problem, "", ""};
-  const PressNote& note = said.of(name);
+  const PressNote& note = press_set.of(name);
   if (note.excluded) return Error{en::say("excluded"), "", ""};
   if (note.step_mm) return Error{en::say("a punch with a step is no ball"), "", ""};
   const Press press{name,
                     std::move(*seen.difference),
                     *seen.shape,
-                    said.radius_of(name),
+                    press_set.radius_of(name),
                     note.ball_mm,
                     note.depth,
                     {}};
   const Face& face = measuring.finger.finger.face;
   const auto guess =
-      note.ball_mm ? guess_of_placed_ball(press, face, *note.ball_mm) : find_ball(press, face);
+      note.ball_mm ? guess_of_manual_ball(press, face, *note.ball_mm) : find_ball(press, face);
   if (!guess) return guess.error();
   return TwinPress{name,
                    seen.grey,
@@ -170,27 +171,27 @@ Result<TwinPress> press_from(const Measuring& measuring,
                    note.depth};
 }
 
-Result<PressSet> what_is_said(const FingerSnapshot& finger, const TwinFiles& files) {
-  PressSet said = finger.presses;
-  if (files.said.ball_radius_mm > 0) said.ball_radius_mm = files.said.ball_radius_mm;
-  for (const auto& [name, note] : files.said.notes) said.say(name, note);
-  if (!(said.ball_radius_mm > 0))
+Result<PressSet> press_set_for(const FingerSnapshot& finger, const TwinFiles& files) {
+  PressSet press_set = finger.presses;
+  if (files.press_set.ball_radius_mm > 0) press_set.ball_radius_mm = files.press_set.ball_radius_mm;
+  for (const auto& [name, note] : files.press_set.notes) press_set.say(name, note);
+  if (!(press_set.ball_radius_mm > 0))
     return Error{en::say("the radius of the ball that was pressed is not known"),
                  finger.folder,
                  en::say("--ball-radius-mm with the radius of the ball")};
-  return said;
+  return press_set;
 }
 
 Result<PressInput> presses_of(const FingerSnapshot& finger, const TwinFiles& files) {
   if (!files.presses.files.empty() || !files.presses.frames.empty()) return files.presses;
-  auto kept = kept_presses(finger.folder);
-  if (!kept) return kept.error();
-  if (kept->empty())
+  auto stored = stored_presses(finger.folder);
+  if (!stored) return stored.error();
+  if (stored->empty())
     return Error{en::say("no press was given, and the finger keeps none"),
                  finger.folder,
                  en::say("pictures of a ball of known radius pressed into its face")};
   PressInput presses;
-  presses.files = std::move(*kept);
+  presses.files = std::move(*stored);
   return presses;
 }
 
@@ -199,8 +200,8 @@ Result<PressInput> presses_of(const FingerSnapshot& finger, const TwinFiles& fil
 Result<TwinMeasured> measure_for_twin(const FingerSnapshot& finger,
                                       const TwinFiles& files,
                                       const Job& job) {
-  const auto said = what_is_said(finger, files);
-  if (!said) return said.error();
+  const auto press_set = press_set_for(finger, files);
+  if (!press_set) return press_set.error();
   const auto presses = presses_of(finger, files);
   if (!presses) return presses.error();
   auto measuring = make_measuring(finger, files, job);
@@ -225,13 +226,13 @@ Result<TwinMeasured> measure_for_twin(const FingerSnapshot& finger,
                    en::say("giving the pictures different names")};
     auto seen = see(*measuring, *frame);
     if (!seen) return seen.error();
-    auto press = press_from(*measuring, name, std::move(*seen), *said);
+    auto press = press_from(*measuring, name, std::move(*seen), *press_set);
     if (press)
       measured.input.presses.push_back(std::move(*press));
     else
       measured.left_out.push_back(en::say("{}: {}", name, press.error().what));
   }
-  for (const auto& [name, note] : files.said.notes)
+  for (const auto& [name, note] : files.press_set.notes)
     if (!names.contains(name)) return Error{en::say("no press is called '{}'", name), "", ""};
   if (measured.input.presses.empty())
     return Error{

@@ -1,4 +1,4 @@
-// What a twin is fitted to: pictures on disk, measured as a calibration measures them.
+// Input of a twin: images on disk, measured as a calibration measures them.
 #pragma once
 
 #include "calibration/presses/press_input.h"
@@ -13,10 +13,10 @@
 namespace alltact {
 
 struct TwinFiles {
-  PressInput presses;  ///< nothing: those that the finger keeps
-  PressSet said;  ///< of the presses, in place of what the finger keeps; radius 0: what that tells
-  /// Pictures of the untouched finger, in the pose of its presses; none: the finger's own
-  /// reference.
+  PressInput presses;  ///< empty: those stored with the finger
+  PressSet
+      press_set;  ///< of the presses, overrides the finger's stored notes; radius 0: the stored one
+  /// Images of the untouched finger, in the pose of its presses; empty: the finger's own reference.
   std::vector<std::filesystem::path> untouched;
 };
 
@@ -25,9 +25,9 @@ struct TwinMeasured {
   std::vector<Message> left_out;  ///< presses that cannot be used, "press_3: why"
 };
 
-/// Reads and measures, finding the balls. Calibrated or not makes no difference. Errors: no radius
-/// is known; no press, or none that can be used, with each one's reason; no untouched picture;
-/// pictures that are unreadable, coloured or of another size; those of the finger's reference;
+/// Reads and measures the images, and finds the balls. The finger need not be calibrated. Errors:
+/// no radius is known; no press, or no usable press, with each one's reason; no untouched image;
+/// images that are unreadable, coloured or of another size; those of the finger's reference;
 /// stopped.
 [[nodiscard]] Result<TwinMeasured> measure_for_twin(const FingerSnapshot& finger,
                                                     const TwinFiles& files,

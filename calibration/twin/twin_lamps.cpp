@@ -1,6 +1,6 @@
 #include "calibration/twin/twin_lamps.h"
 
-#include "calibration/twin/twin_picture.h"
+#include "calibration/twin/twin_image.h"
 #include "calibration/twin/twin_solver.h"
 #include "core/camera/camera.h"
 
@@ -13,13 +13,13 @@
 namespace alltact {
 namespace {
 
-constexpr int kThinWidth = 100;        // px, of the pictures that lamps are told from
-constexpr double kWorthALamp = 0.967;  // of the residual without it
-constexpr double kGoodEnough = 0.05;   // grey levels: below what a camera tells
-constexpr double kUnit = 1e5;          // power that pictures of single lamps are rendered with
-constexpr int kTiles = 6;              // along either side: clusters of residuals
+constexpr int kThinWidth = 100;             // px, of the images that lamps are fitted to
+constexpr double kMaxLampResidual = 0.967;  // of the residual without it
+constexpr double kGreyTolerance = 0.05;     // grey levels: below a camera's resolution
+constexpr double kUnit = 1e5;               // power of single lamps in rendered images
+constexpr int kTiles = 6;                   // along either side: clusters of residuals
 
-/// The face as lamps see it: its middle, and half of how far it goes.
+/// The lit face: its middle, and half of its extent.
 struct LitFace {
   Eigen::Vector3d middle_mm;
   double reach_mm;
@@ -34,15 +34,15 @@ class LampStudy {
     study.scene_.balls.clear();
     study.scene_.blur_px = 0;
     const int side = std::max(1, scene.camera.width_px / kThinWidth);
-    study.scene_.camera = thinned_camera(scene.camera, side);
+    study.scene_.camera = downsampled_camera(scene.camera, side);
     for (const TwinUntouched& one : untouched) {
       study.poses_.push_back(one.pose);
-      study.masks_.push_back(thinned_picture(one.grey, side));
+      study.masks_.push_back(downsampled_image(one.grey, side));
     }
-    // Where lamp light does not reach there is no face in the picture to compare.
+    // Pixels that lamp light does not reach show no face to compare.
     std::vector<double> target;
     for (std::size_t i = 0; i < study.poses_.size(); ++i)
-      study.take_places(static_cast<int>(i), target);
+      study.add_pixels(static_cast<int>(i), target);
     if (target.size() < 50)
       return Error{en::say("too little of the untouched face is seen"),
                    "",
@@ -59,7 +59,7 @@ class LampStudy {
   [[nodiscard]] bool is_flat() const { return scene_.face.kind == FaceKind::kFlat; }
   [[nodiscard]] const TwinScene& scene() const { return scene_; }
 
-  /// What one lamp of power kUnit makes of all places. Nothing: there is no such picture.
+  /// Brightness of all pixels under one lamp of power kUnit. nullopt: there is no such image.
   [[nodiscard]] std::optional<Eigen::VectorXd> light_of(TwinLamp lamp) const {
     lamp.power = kUnit;
     Eigen::VectorXd light(target_.size());
@@ -67,9 +67,9 @@ class LampStudy {
     for (std::size_t i = 0; i < poses_.size(); ++i) {
       TwinScene one = scene_.untouched(poses_[i]);
       one.lamps = {lamp};
-      const auto picture = twin_picture(one, 0);
-      if (!picture) return std::nullopt;
-      for (const cv::Point& place : places_[i]) light[at++] = picture->at<float>(place);
+      const auto image = twin_image(one, 0);
+      if (!image) return std::nullopt;
+      for (const cv::Point& pixel : pixels_[i]) light[at++] = image->at<float>(pixel);
     }
     return light;
   }
@@ -81,14 +81,14 @@ class LampStudy {
   [[nodiscard]] std::vector<TwinLamp> candidates() const;
 
  private:
-  void take_places(int number, std::vector<double>& target) {
+  void add_pixels(int number, std::vector<double>& target) {
     const cv::Mat& grey = masks_[static_cast<std::size_t>(number)];
-    places_.emplace_back();
+    pixels_.emplace_back();
     for (int v = 0; v < grey.rows; ++v)
       for (int u = 0; u < grey.cols; ++u) {
         const float level = grey.at<float>(v, u);
         if (!std::isfinite(level)) continue;
-        places_.back().emplace_back(u, v);
+        pixels_.back().emplace_back(u, v);
         target.push_back(level);
         clusters_.push_back(kTiles * kTiles * number + kTiles * (kTiles * v / grey.rows) +
                             kTiles * u / grey.cols);
@@ -112,7 +112,7 @@ class LampStudy {
   TwinScene scene_;
   std::vector<TwinPose> poses_;
   std::vector<cv::Mat> masks_;
-  std::vector<std::vector<cv::Point>> places_;
+  std::vector<std::vector<cv::Point>> pixels_;
   Eigen::VectorXd target_;
   std::vector<int> clusters_;
   LitFace face_{};
@@ -144,8 +144,8 @@ std::vector<TwinLamp> LampStudy::candidates() const {
   return all;
 }
 
-/// Shares of `columns`, none negative, that come nearest to the target (Lawson and Hanson's
-/// condition reached by leaving out what would be negative).
+/// Non-negative shares of `columns` closest to the target (Lawson and Hanson's condition, reached
+/// by dropping columns with a negative share).
 Eigen::VectorXd shares_of(const std::vector<Eigen::VectorXd>& columns,
                           const Eigen::VectorXd& target) {
   std::vector<std::size_t> used;
@@ -167,8 +167,8 @@ Eigen::VectorXd shares_of(const std::vector<Eigen::VectorXd>& columns,
   return shares;
 }
 
-/// Lamps' places and powers as unknowns, four a lamp: place in units of the face's reach, and the
-/// logarithm of the power. The last one is the room's level, in tens of grey levels.
+/// Positions and powers of lamps as unknowns, four a lamp: position in units of the face's extent,
+/// and the logarithm of the power. The last unknown is the room's level, in tens of grey levels.
 struct LampUnknowns {
   const LampStudy& study;
   std::vector<TwinLamp> lamps;
@@ -257,7 +257,7 @@ Result<LampRound> refine(const LampStudy& study,
   return round;
 }
 
-/// The candidate that does most for what the lamps so far leave.
+/// The candidate that reduces the remaining residual most.
 std::size_t best_candidate(const std::vector<Eigen::VectorXd>& lights,
                            const std::vector<Eigen::VectorXd>& used,
                            const Eigen::VectorXd& target) {
@@ -294,10 +294,10 @@ Result<TwinLamps> fit_lamps(const TwinScene& scene,
     return Error{
         en::say("no lamp would light the face"), "", en::say("checking the finger's face")};
   std::optional<LampRound> best;
-  while (!best || best->lamps.size() < kMostLamps) {
+  while (!best || best->lamps.size() < kMaxLamps) {
     if (job.stop_requested()) return Error{en::say("stopped before the twin was found"), "", ""};
     std::vector<TwinLamp> lamps = best ? best->lamps : std::vector<TwinLamp>();
-    job.report(static_cast<double>(lamps.size()) / kMostLamps, en::say("finding the lamps"));
+    job.report(static_cast<double>(lamps.size()) / kMaxLamps, en::say("finding the lamps"));
     std::vector<Eigen::VectorXd> used{study->room_light()};
     for (const TwinLamp& lamp : lamps)
       if (auto light = study->light_of(lamp)) used.push_back(std::move(*light));
@@ -314,9 +314,9 @@ Result<TwinLamps> fit_lamps(const TwinScene& scene,
       }
     auto round = refine(*study, std::move(shining), shares[0], {8, 1e-3}, job);
     if (!round) return round.error();
-    if (best && round->solution.rms() > kWorthALamp * best->solution.rms()) break;
+    if (best && round->solution.rms() > kMaxLampResidual * best->solution.rms()) break;
     best = std::move(*round);
-    if (best->solution.rms() < kGoodEnough) break;
+    if (best->solution.rms() < kGreyTolerance) break;
   }
   if (!best)
     return Error{en::say("no lamp comes near the untouched picture"),

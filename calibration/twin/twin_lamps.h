@@ -1,4 +1,4 @@
-// Which lamps light a finger as it is lit.
+// Lamps that reproduce the light of a finger.
 #pragma once
 
 #include "calibration/twin/twin_scene.h"
@@ -12,13 +12,13 @@
 
 namespace alltact {
 
-/// An untouched picture.
+/// An untouched image.
 struct TwinUntouched {
   TwinPose pose;
-  cv::Mat grey;  ///< CV_32FC1; NaN where it tells nothing
+  cv::Mat grey;  ///< CV_32FC1; NaN where it has no information
 };
 
-/// Standard deviations of one lamp's numbers; absent: the pictures do not tell them.
+/// Standard deviations of one lamp's numbers; empty: the images do not determine them.
 struct LampSpread {
   std::optional<Eigen::Vector3d> at_mm;
   std::optional<double> power;
@@ -31,11 +31,11 @@ struct TwinLamps {
   double rms = 0;                  ///< of block means, grey levels
 };
 
-inline constexpr std::size_t kMostLamps = 8;
+inline constexpr std::size_t kMaxLamps = 8;
 
-/// Of a scene whose camera, face and layer stand. Lamps are added one by one, from a grid about the
-/// face and aimed along it, as long as they make the residual smaller by a thirtieth, and moved
-/// together. Errors: nothing to compare, the scene cannot be rendered, stopped.
+/// Needs a scene with final camera, face and layer. Lamps are added one by one from a grid about
+/// the face, aimed along it, while each reduces the residual by a thirtieth, and are then moved
+/// together. Errors: nothing to compare; the scene cannot be rendered; stopped.
 [[nodiscard]] Result<TwinLamps> fit_lamps(const TwinScene& scene,
                                           const std::vector<TwinUntouched>& untouched,
                                           const Job& job);

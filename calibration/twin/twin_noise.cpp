@@ -10,12 +10,12 @@ namespace alltact {
 namespace {
 
 constexpr double kMaskPower = 36;        // sum of the squares of the second differences' weights
-constexpr double kQuantised = 1.0 / 12;  // variance of rounding to whole grey levels
+constexpr double kQuantised = 1.0 / 12;  // variance of rounding to integer grey levels
 constexpr int kLevels = 12;              // groups by brightness
-constexpr double kCut = 3.5;             // sd beyond which a second difference is no noise
-constexpr double kCutVariance = 0.9939;  // of a normal law cut there
+constexpr double kCut = 3.5;             // sd; larger second differences are structure, not noise
+constexpr double kCutVariance = 0.9939;  // of a normal distribution truncated there
 
-/// One second difference: its square as a variance, where it was taken.
+/// One second difference: its square as a variance, and the grey level.
 struct Wiggle {
   double level, variance;
 };
@@ -39,7 +39,7 @@ void collect(const cv::Mat& values,
     }
 }
 
-/// Without dots, edges and scratches.
+/// Removes dots, edges and scratches.
 void cut(std::vector<Wiggle>& wiggles) {
   for (int round = 0; round < 4 && !wiggles.empty(); ++round) {
     double mean = 0;
@@ -54,8 +54,8 @@ struct NoiseLaw {
   double count = 0;
 };
 
-/// variance = constant + per_level * level, by groups of equal number. A group's variance is known
-/// to sqrt(2 / n) of itself, times what neighbouring second differences share.
+/// variance = constant + per_level * level, from groups of equal number. A group's variance has a
+/// relative sd of sqrt(2 / n), times the correlation of neighbouring second differences.
 NoiseLaw law_of(std::vector<Wiggle> wiggles, double rounding) {
   cut(wiggles);
   NoiseLaw law;
@@ -78,7 +78,8 @@ NoiseLaw law_of(std::vector<Wiggle> wiggles, double rounding) {
     level /= n, variance /= n;
     law.level += level / kLevels;
     law.variance += variance / kLevels;
-    // 36^2 over the mask's autocorrelation squared and summed: 4900 / 1296 independent ones less.
+    // 36^2 over the sum of the mask's squared autocorrelation: fewer independent values by 4900 /
+    // 1296.
     const double sd = std::max(1e-3, variance) * std::sqrt(2 * 4900.0 / 1296 / n);
     const Eigen::Vector2d row(1, level);
     normal += row * row.transpose() / (sd * sd);
@@ -120,18 +121,18 @@ void put_law(const NoiseLaw& law, TwinNoise& noise) {
 
 }  // namespace
 
-TwinNoise measure_noise(const std::vector<NoisyPicture>& alike,
-                        const std::vector<NoisyPicture>& alone,
+TwinNoise measure_noise(const std::vector<NoisyImage>& alike,
+                        const std::vector<NoisyImage>& singles,
                         const Message& what_is_alike) {
   TwinNoise noise;
   std::vector<Wiggle> single;
-  for (const NoisyPicture& one : alone) {
+  for (const NoisyImage& one : singles) {
     const cv::Mat values = as_float(one.grey);
     collect(values, one.used, smooth_levels(values), 1, single);
   }
-  const NoiseLaw of_pictures = law_of(single, kQuantised);
+  const NoiseLaw spatial = law_of(single, kQuantised);
   if (alike.size() < 2) {
-    put_law(of_pictures, noise);
+    put_law(spatial, noise);
     noise.from = en::say(
         "noise is told from single pictures: a fixed pattern of the camera cannot be told from "
         "noise "
@@ -148,9 +149,9 @@ TwinNoise measure_noise(const std::vector<NoisyPicture>& alike,
   const NoiseLaw in_time = law_of(pairs, kQuantised);
   put_law(in_time, noise);
   noise.from = what_is_alike;
-  const double fixed = of_pictures.variance - in_time.variance;
+  const double fixed = spatial.variance - in_time.variance;
   const double fixed_sd = std::sqrt(2 * 4900.0 / 1296 / std::max(1.0, in_time.count)) *
-                          std::hypot(of_pictures.variance, in_time.variance);
+                          std::hypot(spatial.variance, in_time.variance);
   if (fixed > 2 * fixed_sd && in_time.level > 0) {
     noise.prnu = std::sqrt(fixed) / in_time.level;
     noise.prnu_sd = fixed_sd / (2 * std::sqrt(fixed)) / in_time.level;

@@ -1,4 +1,4 @@
-// How noisy a real camera's pictures are, for the scene's shot and read noise and fixed pattern.
+// Noise of a real camera's images: the scene's shot and read noise and fixed pattern.
 #pragma once
 
 #include "core/message.h"
@@ -10,28 +10,28 @@
 
 namespace alltact {
 
-/// A picture and which of its pixels count.
-struct NoisyPicture {
+/// An image and a mask of its valid pixels.
+struct NoisyImage {
   cv::Mat grey;  ///< CV_8UC1
   cv::Mat used;  ///< CV_8UC1, 0: not used
 };
 
 struct TwinNoise {
-  double read_sd = 0;    ///< grey levels; 0: below what whole grey levels hide
-  double shot_gain = 0;  ///< grey levels; 0: none that could be told from read noise
-  double prnu = 0;       ///< share; 0: none, or not told
+  double read_sd = 0;    ///< grey levels; 0: below the rounding to integer grey levels
+  double shot_gain = 0;  ///< grey levels; 0: not distinguishable from read noise
+  double prnu = 0;       ///< fraction; 0: none, or not determined
   std::optional<double> read_sd_sd, shot_gain_sd, prnu_sd;
-  double sd = 0;  ///< of one picture in time, at its mean brightness
-  Message from;   ///< what it was told from, a sentence without full stop
+  double sd = 0;  ///< of one image in time, at its mean brightness
+  Message from;   ///< source of the estimate, a sentence without full stop
 };
 
-/// Noise is told from second differences along both axes, which what is smooth leaves alone: of the
-/// difference of two pictures that show the same (noise in time), and of the picture itself (noise
-/// in time and fixed pattern).
-///   alike: pictures that show the same where both are used; two or more tell noise in time
-///   alone: pictures of any kind; used where there are not two alike
-[[nodiscard]] TwinNoise measure_noise(const std::vector<NoisyPicture>& alike,
-                                      const std::vector<NoisyPicture>& alone,
+/// Noise is estimated from second differences along both axes, which cancel smooth content. The
+/// difference of two images of the same view gives noise in time. A single image gives noise in
+/// time and fixed pattern.
+///   alike: images of the same view where both are used; two or more give noise in time
+///   alone: images of any kind; used without two of the same view
+[[nodiscard]] TwinNoise measure_noise(const std::vector<NoisyImage>& alike,
+                                      const std::vector<NoisyImage>& singles,
                                       const Message& what_is_alike);
 
 }  // namespace alltact

@@ -1,5 +1,5 @@
 #include "calibration/twin/twin_contact.h"
-#include "calibration/twin/twin_picture.h"
+#include "calibration/twin/twin_image.h"
 #include "core/camera/camera.h"
 
 #include <algorithm>
@@ -14,11 +14,11 @@ namespace {
 constexpr int kBlocksAcross = 40;  // of a dark disc's diameter
 constexpr int kBlurBorder_px = 20;
 
-/// The blocks' part of the picture with a border of what a blur reaches; all of it where no camera
-/// sees a part so far from the axis.
+/// The blocks' part of the image with a border for blur; the full image where no camera model
+/// covers a part so far from the axis.
 cv::Rect view_of(const TwinPatch& patch, const CameraParameters& camera) {
-  const cv::Rect whole(0, 0, camera.width_px, camera.height_px);
-  if (patch.corners.empty()) return whole;
+  const cv::Rect full(0, 0, camera.width_px, camera.height_px);
+  if (patch.corners.empty()) return full;
   const int side = patch.side_px, border = (kBlurBorder_px / side + 1) * side;
   cv::Rect view = cv::boundingRect(patch.corners);
   view = cv::Rect(view.x - border,
@@ -26,9 +26,9 @@ cv::Rect view_of(const TwinPatch& patch, const CameraParameters& camera) {
                   view.width + side + 2 * border,
                   view.height + side + 2 * border);
   const int left = std::max(0, view.x), top = std::max(0, view.y);
-  view = cv::Rect(left, top, view.br().x - left, view.br().y - top) & whole;
+  view = cv::Rect(left, top, view.br().x - left, view.br().y - top) & full;
   const CameraParameters seen = cropped_camera(camera, view);
-  return Camera::create(seen) && Camera::create(thinned_camera(seen, side)) ? view : whole;
+  return Camera::create(seen) && Camera::create(downsampled_camera(seen, side)) ? view : full;
 }
 
 }  // namespace

@@ -11,11 +11,11 @@
 namespace alltact {
 namespace {
 
-constexpr int kColumns = 80;           // of a picture
-constexpr double kKeep_per_mm = 1e-4;  // how much a bend of 1 mm counts against residuals in mm
+constexpr int kColumns = 80;                // of an image
+constexpr double kBendPrior_per_mm = 1e-4;  // weight of a bend of 1 mm against residuals in mm
 constexpr int kPoseUnknowns = 3;
 
-/// A column's ray, and where it meets the middle line.
+/// A column's ray, and its intersection with the middle line.
 struct MiddleRay {
   double origin_x, direction_x, z_mm, y_mm;
 };
@@ -86,14 +86,14 @@ class PoseStudy {
     for (std::size_t i = 0; i < rays_.size(); ++i) {
       const FaceCurve curve = curve_of(poses, poses.poses[i]);
       for (const MiddleRay& ray : rays_[i]) {
-        const double s = curve.meet(ray.origin_x, ray.direction_x);
+        const double s = curve.intersect(ray.origin_x, ray.direction_x);
         if (!std::isfinite(s)) return false;
         const FaceCurve::Node node = curve.at(s);
         residuals[k++] = node.z_mm - ray.z_mm;
         residuals[k++] = node.shift_mm - ray.y_mm;
       }
       for (const double mm : {poses.poses[i].q1_mm, poses.poses[i].q2_mm, poses.poses[i].sway_mm})
-        residuals[k++] = kKeep_per_mm * mm;
+        residuals[k++] = kBendPrior_per_mm * mm;
     }
     return true;
   }
@@ -120,7 +120,7 @@ class PoseStudy {
   std::vector<std::vector<MiddleRay>> rays_;
 };
 
-/// A straight face through what the first shape shows.
+/// A straight face through the visible points of the first shape.
 TwinPoses straight_start(const std::vector<const FaceShape*>& shapes,
                          const std::vector<MiddleRay>& rays) {
   TwinPoses start;
@@ -177,9 +177,9 @@ Result<TwinPoses> fit_poses(const std::vector<const FaceShape*>& shapes, const J
   return poses;
 }
 
-Eigen::Vector2d place_under(const TwinScene& scene,
-                            const TwinPose& pose,
-                            const Eigen::Vector3d& ball_mm) {
+Eigen::Vector2d position_under(const TwinScene& scene,
+                               const TwinPose& pose,
+                               const Eigen::Vector3d& ball_mm) {
   if (scene.face.kind == FaceKind::kFlat) return ball_mm.head<2>();
   const TwinPoses poses{scene.base_mm, scene.incline_rad, scene.length_mm, {}, 0};
   const FaceCurve curve = curve_of(poses, pose);

@@ -1,4 +1,4 @@
-// How a Fin Ray finger lies in every picture, as the scene's bend and sway say it.
+// Pose of a Fin Ray finger in every image, as the scene's bend and sway.
 #pragma once
 
 #include "calibration/twin/twin_scene.h"
@@ -19,16 +19,16 @@ struct TwinPoses {
   double rms_mm = 0;            ///< of z along the middle line
 };
 
-/// Least squares of the middle line's z and y at the columns' rays. The base is where the first
-/// shape begins to be seen: s counts from there. Errors: the base is on the right of the picture,
-/// where no scene has it; a shape with too few columns; a line that no bend comes near.
+/// Least squares of the middle line's z and y at the columns' rays. The base is the first visible
+/// point of the first shape: s counts from there. Errors: the base is on the right of the image,
+/// which no scene supports; a shape with too few columns; a line that no bend fits.
 [[nodiscard]] Result<TwinPoses> fit_poses(const std::vector<const FaceShape*>& shapes,
                                           const Job& job);
 
-/// The place on the untouched outer side under a ball's centre, as the effect `ball` says it (s,
+/// Position on the untouched outer side under a ball's centre, as the effect `ball` defines it (s,
 /// y); of a flat sensor x and y.
-[[nodiscard]] Eigen::Vector2d place_under(const TwinScene& scene,
-                                          const TwinPose& pose,
-                                          const Eigen::Vector3d& ball_mm);
+[[nodiscard]] Eigen::Vector2d position_under(const TwinScene& scene,
+                                             const TwinPose& pose,
+                                             const Eigen::Vector3d& ball_mm);
 
 }  // namespace alltact

@@ -1,4 +1,4 @@
-// How far a twin's picture of a press is from the real one.
+// Difference between a twin's image of a press and the real one.
 #pragma once
 
 #include "calibration/twin/twin.h"

@@ -40,7 +40,7 @@ std::string face_text(const Face& face) {
   return "  " + block.on_one_line();
 }
 
-/// Effects as lines, each with what it is from.
+/// Effects as lines, each with its source.
 class EffectLines {
  public:
   explicit EffectLines(const std::map<std::string, std::string>& comments) : comments_(comments) {}

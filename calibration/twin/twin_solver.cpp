@@ -10,8 +10,8 @@
 namespace alltact {
 namespace {
 
-constexpr double kUntold = 1e-7;    // eigenvalue of the normal equations with a diagonal of 1
-constexpr double kConcerned = 0.1;  // part of such an eigenvector
+constexpr double kSingular = 1e-7;  // eigenvalue of the normal equations with a diagonal of 1
+constexpr double kMinShare = 0.1;   // part of such an eigenvector
 
 class TwinCost final : public ceres::CostFunction {
  public:
@@ -27,11 +27,11 @@ class TwinCost final : public ceres::CostFunction {
     const Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(parameters[0], n);
     Eigen::VectorXd r(num_residuals());
     Eigen::MatrixXd slopes;
-    const bool wanted = jacobians != nullptr && jacobians[0] != nullptr;
-    if (!model_(x, r, wanted ? &slopes : nullptr) || !r.allFinite()) return false;
+    const bool needs_jacobian = jacobians != nullptr && jacobians[0] != nullptr;
+    if (!model_(x, r, needs_jacobian ? &slopes : nullptr) || !r.allFinite()) return false;
     Eigen::Map<Eigen::VectorXd>(residuals, r.size()) = r;
     using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    if (wanted) {
+    if (needs_jacobian) {
       if (!slopes.allFinite()) return false;
       if (n == 1)
         Eigen::Map<Eigen::VectorXd>(jacobians[0], r.size()) = slopes.col(0);
@@ -79,7 +79,7 @@ Result<TwinSolution> solve_twin(const TwinModel& model,
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_QR;
   options.max_num_iterations = effort.iterations;
-  options.function_tolerance = effort.least_gain;
+  options.function_tolerance = effort.min_gain;
   options.parameter_tolerance = 1e-5;
   options.logging_type = ceres::SILENT;
   options.num_threads = 1;
@@ -121,13 +121,12 @@ std::vector<std::optional<double>> clustered_sd(const TwinSolution& solution,
   Eigen::VectorXd inverse = Eigen::VectorXd::Zero(n);
   std::vector<char> untold(static_cast<std::size_t>(n), 0);
   for (Eigen::Index k = 0; k < n; ++k) {
-    if (eigen.eigenvalues()[k] > kUntold) {
+    if (eigen.eigenvalues()[k] > kSingular) {
       inverse[k] = 1 / eigen.eigenvalues()[k];
       continue;
     }
     for (Eigen::Index i = 0; i < n; ++i)
-      if (std::abs(eigen.eigenvectors()(i, k)) > kConcerned)
-        untold[static_cast<std::size_t>(i)] = 1;
+      if (std::abs(eigen.eigenvectors()(i, k)) > kMinShare) untold[static_cast<std::size_t>(i)] = 1;
   }
   const Eigen::MatrixXd bread =
       eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose();

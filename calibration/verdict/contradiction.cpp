@@ -71,7 +71,7 @@ Message sentence(const Contradiction& one) {
           "the lens",
           one.given_mm,
           range_mm(one));
-    case ContradictionKind::kReferenceTouched:
+    case ContradictionKind::kReferenceContact:
       break;
   }
   return en::say(

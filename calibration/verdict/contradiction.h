@@ -1,4 +1,4 @@
-// A number that was given for a calibration and that its presses contradict.
+// A number given for a calibration that its presses contradict.
 #pragma once
 
 #include "core/finger/finger.h"
@@ -16,7 +16,7 @@ enum class ContradictionKind {
   kContactDeeperThanLayer,    ///< a ball lies deeper than the layer is thick
   kDepthBeyondMapping,        ///< a press is darker than the mapping reaches
   kFaceWidthAgainstCamera,    ///< the face's edges and the camera give another width
-  kReferenceTouched,          ///< skin is brighter in presses than in the reference
+  kReferenceContact,          ///< skin is brighter in presses than in the reference
 };
 /// As finger.yaml writes it: "contact_wider_than_ball", ...
 [[nodiscard]] std::string_view to_string(ContradictionKind kind);
@@ -25,18 +25,20 @@ struct Contradiction {
   ContradictionKind kind;
   std::vector<std::string> presses;  ///< that show it, by name
   double given_mm = 0;               ///< the number: a ball's radius, the layer, the width, a depth
-  double measured_mm = 0;            ///< what the presses show: least of them; a place along it
-  double measured_to_mm = 0;         ///< greatest; 0: as measured_mm
-  int of = 0;                        ///< presses that were looked at
+  /// in the presses: the smallest value, or a position along the face
+  double measured_mm = 0;
+  double measured_to_mm = 0;  ///< the greatest; 0: as measured_mm
+  int of = 0;                 ///< presses that were analysed
 };
 
-/// The number cannot be right, so that no depth can: nothing better than unfit.
+/// The number is certainly wrong, so that no depth is valid: the grade is unfit at best.
 [[nodiscard]] bool rules_out_use(ContradictionKind kind);
 
-/// What contradicts what, and what to check.
+/// The two sides of the contradiction, and what to check.
 [[nodiscard]] Message sentence(const Contradiction& contradiction);
 
-/// For finger.yaml, where presses are counted, and back; nullopt for a kind of a later version.
+/// The form stored in finger.yaml, where presses are counted, and back; nullopt for a kind of a
+/// later version.
 [[nodiscard]] RecordedContradiction recorded(const Contradiction& contradiction);
 [[nodiscard]] std::optional<Contradiction> from_record(const RecordedContradiction& recorded);
 

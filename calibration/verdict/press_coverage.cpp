@@ -64,9 +64,9 @@ PressCoverage coverage_of(std::vector<ContactSpot> spots) {
     squares += (spot.along_mm - mean) * (spot.along_mm - mean);
   // Over a face from 0 to its length.
   const double apart = 0.5 * length_mm - mean;
-  const double wanted = apart * apart + length_mm * length_mm / 12;
+  const double mean_square = apart * apart + length_mm * length_mm / 12;
   coverage.leverage =
-      std::min(kMostLeverage, 1 / n + (squares > 0 ? wanted / squares : kMostLeverage));
+      std::min(kMaxLeverage, 1 / n + (squares > 0 ? mean_square / squares : kMaxLeverage));
   return coverage;
 }
 

@@ -8,18 +8,19 @@ namespace alltact {
 namespace {
 
 // A spread from n positions has n - 1 degrees of freedom. Its 95 % upper bound is 4.4 times the
-// estimate with 2, 2.9 with 3, 2.4 with 4: below 3 a small error on presses left out says nothing.
+// estimate with 2, 2.9 with 3, 2.4 with 4: below 3 a small error on presses left out proves
+// nothing.
 constexpr int kGoodPresses = 4;
 // Two positions fix a line along the face, the third is the first that can contradict it.
 constexpr int kGoodPositions = 3;
-// Depths that differ by less than this part leave offset and scale of the curve apart only by the
-// balls' curvature: the ratio's sd is then above 1 at 2 % of error in each press.
+// Smaller depth ratios separate offset and scale of the curve by the balls' curvature alone: the
+// ratio's sd is then above 1 at 2 % of error in each press.
 constexpr double kDepthRatio = 1.15;
-// The interval at which measuring instruments are calibrated where nothing else is known
-// (ILAC-G24, "staircase" method's usual start).
+// The interval at which measuring instruments are calibrated where nothing else is known (ILAC-G24,
+// "staircase" method's typical start).
 constexpr double kCalibrationDays = 365;
 // Half of the presses may be wrong before a robust estimate breaks down.
-constexpr double kMostLeftOut = 0.5;
+constexpr double kMaxLeftOut = 0.5;
 
 double square(double x) {
   return x * x;
@@ -29,8 +30,8 @@ double square(double x) {
 /// the deepest over the contact's area.
 constexpr double kMeanDepth = 0.5;
 
-/// Neither a depth nor a step was measured, which alone tell what light that scatters does to the
-/// scale: balls of two radii agree with each other all the same.
+/// Neither a depth nor a step was measured, which alone show the effect of scattered light on the
+/// scale. Balls of two radii agree with each other in spite of it.
 bool is_scale_from_balls_alone(const std::vector<double>& radii_mm) {
   return std::find(radii_mm.begin(), radii_mm.end(), 0.0) == radii_mm.end();
 }
@@ -42,7 +43,7 @@ std::vector<ErrorPart> parts_of(const CalibrationEvidence& e) {
   // Presses spread evenly over the face have 2 / n: of the mean and of the slope.
   const double even = e.positions > 0 ? 2.0 / e.positions : 0.0;
   const double excess = e.position_leverage - even;
-  const double leverage = excess <= 0 ? 0.0 : excess;  // no number stays none
+  const double leverage = excess <= 0 ? 0.0 : excess;  // NaN stays NaN
   const double depth_mm = kMeanDepth * e.deepest_mm;
   double radius = 0;
   for (const double radius_mm : e.ball_radii_mm) {
@@ -50,7 +51,7 @@ std::vector<ErrorPart> parts_of(const CalibrationEvidence& e) {
     const double part = std::abs(e.depth_per_radius) * kRadiusSdMm / radius_mm * depth_mm;
     if (!(part <= radius)) radius = part;
   }
-  // A scale that nothing tells makes depths wrong by themselves, and by no more.
+  // An undetermined scale makes depths wrong by their own size at most.
   const double scale = student * kMeanOfSd * e.scale_sd_mm;
   const bool is_bounded = depth_mm > 0 && scale > depth_mm;
   std::vector<ErrorPart> parts{
@@ -72,7 +73,7 @@ std::vector<ErrorPart> parts_of(const CalibrationEvidence& e) {
   return parts;
 }
 
-/// The largest part, and what makes it smaller.
+/// The largest part, and what reduces it.
 Message largest_cause(ErrorCause cause) {
   switch (cause) {
     case ErrorCause::kShape:
@@ -150,7 +151,7 @@ Message sentence(ReferenceState state) {
       return en::say("the reference is cut off or unreadable: record it again");
     case ReferenceState::kOtherImage:
       return en::say("the reference has another image size than the camera: record it again");
-    case ReferenceState::kWhole:
+    case ReferenceState::kIntact:
       break;
   }
   return {};
@@ -301,7 +302,7 @@ const std::vector<Requirement>& calibration_requirements() {
   static const std::vector<Requirement> kRequirements{
       {"reference_whole",
        Grade::kUnfit,
-       [](const Evidence& e, double) { return e.reference == ReferenceState::kWhole; },
+       [](const Evidence& e, double) { return e.reference == ReferenceState::kIntact; },
        [](const Evidence& e, double) { return sentence(e.reference); }},
       {"numbers_unchanged",
        Grade::kUnfit,
@@ -313,7 +314,7 @@ const std::vector<Requirement>& calibration_requirements() {
        [](const Evidence& e, double) { return contradictions(e, true); }},
       {"error_usable",
        Grade::kUnfit,
-       // What too few positions leave open is no evidence against the presses: "positions" below.
+       // Too few positions are no evidence against the presses: see "positions" below.
        [](const Evidence& e, double error_mm) {
          const bool is_open = e.has_basis && e.positions < kGoodPositions && error_mm > 0;
          return error_mm <= kUsableErrorMm || (is_open && e.residual_mm <= kUsableErrorMm);
@@ -391,7 +392,7 @@ const std::vector<Requirement>& calibration_requirements() {
       {"few_left_out",
        Grade::kUnproven,
        [](const Evidence& e, double) {
-         return e.left_out <= kMostLeftOut * (e.presses + e.left_out);
+         return e.left_out <= kMaxLeftOut * (e.presses + e.left_out);
        },
        [](const Evidence& e, double) {
          return en::say("{} of {} presses had to be left out; find out why",
@@ -459,7 +460,7 @@ Verdict verdict(const CalibrationEvidence& evidence) {
     result.missing_names.push_back(requirement.name);
   }
   result.rests_on = rests_on(evidence);
-  std::vector<Message> clauses = result.missing;  // what contradicts comes first
+  std::vector<Message> clauses = result.missing;  // contradictions come first
   if (std::isfinite(result.error_mm)) {
     if (!result.parts.empty()) result.cause = largest_cause(result.parts.front().cause);
     clauses.push_back(result.cause.empty()
@@ -479,11 +480,11 @@ CheckVerdict check_verdict(const CheckEvidence& e) {
     CheckVerdict word;
     bool (*holds)(const CheckEvidence& e);
   };
-  // The first that holds. A clear failure is seen in one press; that all is well is not.
+  // The first that holds. One press shows a clear failure; a pass needs more.
   static constexpr Rule kRules[] = {
       {CheckVerdict::kRecalibrate,
        [](const CheckEvidence& of) {
-         return of.reference_is_touched || !(of.error <= of.recalibrate_above) ||
+         return of.reference_has_contact || !(of.error <= of.recalibrate_above) ||
                 !(of.light_change <= of.light_recalibrate_above);
        }},
       {CheckVerdict::kTooFew,
@@ -505,7 +506,7 @@ FingerDue due_of(const DueEvidence& e) {
     FingerDue due;
     bool (*holds)(const DueEvidence& e);
   };
-  // The first that holds; "nothing" needs that none does.
+  // The first that holds; "nothing" requires that none does.
   static constexpr Rule kRules[] = {
       {FingerDue::kRecording,
        [](const DueEvidence& of) {
@@ -513,21 +514,22 @@ FingerDue due_of(const DueEvidence& e) {
        }},
       {FingerDue::kRepair,
        [](const DueEvidence& of) {
-         return of.reference != ReferenceState::kWhole && of.reference != ReferenceState::kAbsent;
+         return of.reference != ReferenceState::kIntact && of.reference != ReferenceState::kAbsent;
        }},
       {FingerDue::kCalibration,
        [](const DueEvidence& of) {
          return !of.has_mapping || of.reference == ReferenceState::kAbsent;
        }},
       {FingerDue::kRepeat, [](const DueEvidence& of) { return of.must_repeat; }},
-      {FingerDue::kAgain,
+      {FingerDue::kCalibrateAgain,
        [](const DueEvidence& of) {
          return of.grade == Grade::kUnfit || of.check == CheckVerdict::kRecalibrate;
        }},
       {FingerDue::kEvidence,
        [](const DueEvidence& of) { return !of.grade || of.grade == Grade::kUnproven; }},
       {FingerDue::kFirstCheck, [](const DueEvidence& of) { return !of.check; }},
-      {FingerDue::kLook, [](const DueEvidence& of) { return of.check == CheckVerdict::kDrifting; }},
+      {FingerDue::kInspect,
+       [](const DueEvidence& of) { return of.check == CheckVerdict::kDrifting; }},
       {FingerDue::kMorePresses,
        [](const DueEvidence& of) { return of.check == CheckVerdict::kTooFew; }},
       {FingerDue::kCheck,

@@ -9,8 +9,8 @@
 namespace alltact {
 namespace {
 
-/// Frames that follow each other, and those before them.
-struct Piece {
+/// Consecutive frames, and those before them.
+struct FramePiece {
   std::size_t number = 0;
   std::vector<FramePtr> before;
   std::vector<BatchFrame> frames;
@@ -26,44 +26,44 @@ class Batch {
       : source_(source), pipelines_(pipelines), frames_(frames), work_(work), job_(job) {}
 
   Status run() {
-    const bool in_one = pipelines_.front().remembers_long();
+    const bool is_sequential = pipelines_.front().has_long_memory();
     next_index_ = frames_.first;
     next_taken_ = frames_.first / kPieceFrames;
     skip_to_first();
-    const std::size_t count = in_one ? 1 : pipelines_.size();
+    const std::size_t count = is_sequential ? 1 : pipelines_.size();
     window_ = count + 1;
     {
       std::vector<std::jthread> others;
       for (std::size_t i = 1; i < count; ++i)
         others.emplace_back([this, i] { work_on(pipelines_[i], false); });
-      work_on(pipelines_.front(), in_one);
+      work_on(pipelines_.front(), is_sequential);
     }
     return failed_ ? Status(*failed_) : Status();
   }
 
  private:
-  /// Reads the frames before the first, as far as they are looked at.
+  /// Skips to the first frame, and reads the warm-up frames before it.
   void skip_to_first() {
-    const std::size_t looked_at =
+    const std::size_t warm_up_count =
         std::min(frames_.first, source_.is_continuous() ? kWarmUpFrames : 0);
-    source_.skip(frames_.first - looked_at);
-    for (std::size_t i = 0; i < looked_at; ++i) {
+    source_.skip(frames_.first - warm_up_count);
+    for (std::size_t i = 0; i < warm_up_count; ++i) {
       const auto frame = source_.next();
       tail_.push_back(frame ? *frame : nullptr);
     }
   }
 
-  /// The next piece; nullopt: there is none, or nothing more is wanted.
-  std::optional<Piece> read() {
+  /// The next piece; nullopt: there is none, or the batch has ended.
+  std::optional<FramePiece> read() {
     const std::lock_guard reading(reader_);
     {
       std::unique_lock lock(order_);
-      news_.wait(lock,
-                 [&] { return failed_ || next_index_ / kPieceFrames < next_taken_ + window_; });
+      changed_.wait(lock,
+                    [&] { return failed_ || next_index_ / kPieceFrames < next_taken_ + window_; });
       if (failed_) return std::nullopt;
     }
     if (is_over_ || job_.stop_requested()) return std::nullopt;
-    Piece piece{next_index_ / kPieceFrames, {tail_.begin(), tail_.end()}, {}};
+    FramePiece piece{next_index_ / kPieceFrames, {tail_.begin(), tail_.end()}, {}};
     while (piece.frames.size() < kPieceFrames && next_index_ < frames_.end) {
       auto frame = source_.next();
       if (frame && !*frame) break;
@@ -75,7 +75,7 @@ class Batch {
         next.problem = frame.error();
       tail_.push_back(next.frame);
       if (tail_.size() > kWarmUpFrames) tail_.pop_front();
-      if (work_.look) work_.look(next);
+      if (work_.inspect) work_.inspect(next);
       piece.frames.push_back(std::move(next));
     }
     is_over_ = piece.frames.size() < kPieceFrames || next_index_ >= frames_.end;
@@ -83,18 +83,18 @@ class Batch {
     return piece;
   }
 
-  void work_on(Pipeline& pipeline, bool in_one) {
+  void work_on(Pipeline& pipeline, bool is_sequential) {
     try {
       while (auto piece = read()) {
         std::vector<FrameLine> lines;
-        if (!in_one) begin(pipeline, *piece);
+        if (!is_sequential) begin(pipeline, *piece);
         for (BatchFrame& frame : piece->frames) {
           if (!source_.is_continuous()) pipeline.forget();
-          measure(pipeline, frame, in_one);
+          measure(pipeline, frame, is_sequential);
           auto line = work_.write(frame, pipeline);
           if (!line) return fail(line.error());
           lines.push_back(std::move(*line));
-          frame = {};  // its memory goes to the next one
+          frame = {};  // releases its memory
         }
         if (!done(piece->number, std::move(lines))) return;
       }
@@ -105,16 +105,17 @@ class Batch {
     }
   }
 
-  void begin(Pipeline& pipeline, const Piece& piece) const {
+  void begin(Pipeline& pipeline, const FramePiece& piece) const {
     pipeline.forget();
     if (!source_.is_continuous()) return;
     for (const FramePtr& frame : piece.before)
       if (frame) pipeline.warm_up(frame);
   }
 
-  static void measure(Pipeline& pipeline, BatchFrame& frame, bool in_one) {
+  static void measure(Pipeline& pipeline, BatchFrame& frame, bool is_sequential) {
     if (frame.problem || !frame.frame) return;
-    auto result = in_one ? pipeline(frame.frame) : pipeline.alone(frame.frame, frame.contacts);
+    auto result = is_sequential ? pipeline(frame.frame)
+                                : pipeline.measure_untracked(frame.frame, frame.contacts);
     if (result)
       frame.result = std::move(*result);
     else
@@ -124,10 +125,10 @@ class Batch {
   void fail(Error error) {
     const std::lock_guard lock(order_);
     if (!failed_) failed_ = std::move(error);
-    news_.notify_all();
+    changed_.notify_all();
   }
 
-  /// False: nothing more is wanted.
+  /// Delivers finished pieces in order. False: the batch has ended.
   bool done(std::size_t number, std::vector<FrameLine>&& lines) {
     const std::lock_guard lock(order_);
     done_.emplace(number, std::move(lines));
@@ -140,7 +141,7 @@ class Batch {
       done_.erase(done_.begin());
       ++next_taken_;
     }
-    news_.notify_all();
+    changed_.notify_all();
     return !failed_;
   }
 
@@ -150,17 +151,17 @@ class Batch {
   const BatchWork& work_;
   const Job& job_;
 
-  std::mutex reader_;  // over:
+  std::mutex reader_;  // guards:
   std::size_t next_index_ = 0;
-  std::deque<FramePtr> tail_;  // the last frames read; null: could not be
+  std::deque<FramePtr> tail_;  // the last frames read; null: could not be read
   bool is_over_ = false;
 
-  std::mutex order_;  // over:
-  std::condition_variable news_;
-  std::map<std::size_t, std::vector<FrameLine>> done_;  // pieces that wait for one before them
+  std::mutex order_;  // guards:
+  std::condition_variable changed_;
+  std::map<std::size_t, std::vector<FrameLine>> done_;  // pieces that wait for an earlier one
   std::size_t next_taken_ = 0;                          // piece
   std::optional<Error> failed_;
-  std::size_t window_ = 2;  // pieces that may be under way
+  std::size_t window_ = 2;  // pieces that may be in progress
 };
 
 }  // namespace

@@ -1,10 +1,10 @@
-// A recording measured on all cores, the same whatever their number.
+// Measures a recording on all cores; results do not depend on their number.
 //
-// The frames are cut into pieces of kPieceFrames at places that depend on nothing but their
-// numbers. Each piece is measured by itself, after a look at where the markers are in the
-// kWarmUpFrames before it, which is all that the frames before have to tell: the markers are
-// followed from frame to frame, and a camera that stands still shows by two pictures that are the
-// same. What lasts longer, the contact, is told afterwards, in the frames' order (contact_lines.h).
+// The frames are split into pieces of kPieceFrames at positions that depend on frame numbers only.
+// Each piece is measured independently, after its pipeline has located the markers in the
+// kWarmUpFrames before it. No other state of earlier frames is required: the markers are tracked
+// from frame to frame, and a frozen camera shows as two equal images. Contacts, which last longer,
+// are determined afterwards, in the frames' order (contact_lines.h).
 #pragma once
 
 #include "core/batch/contact_lines.h"
@@ -38,21 +38,21 @@ struct BatchFrames {
 };
 
 struct BatchWork {
-  /// Of a frame as it is read, in the order of their numbers, one at a time: may set its problem,
-  /// and then it is not measured. May be empty.
-  std::function<void(BatchFrame&)> look;
-  /// Writes what one frame is to leave behind, and says what is to be kept of it. Several threads
-  /// at once, in any order. Error: nothing more can be written, the batch ends.
+  /// Called for each frame as it is read, in order and one at a time. It may set the frame's
+  /// problem, which excludes it from measuring. May be empty.
+  std::function<void(BatchFrame&)> inspect;
+  /// Writes the outputs of one frame and returns its line. Called by several threads at once, in
+  /// any order. Error: nothing more can be written, the batch ends.
   std::function<Result<FrameLine>(BatchFrame&, const Pipeline&)> write;
-  /// In the order of their numbers, one at a time. Error: as above.
+  /// Takes the lines in the order of their frames, one at a time. Error: as above.
   std::function<Status(std::size_t index, FrameLine&&)> take;
 };
 
-/// Measures the frames with one thread for each pipeline; with one, on the caller's own. Holds no
-/// more than about four pieces of pictures and one finished piece a thread. Where a pipeline
-/// remembers_long(), only the first is used, frame after frame.
-/// Error: that of `write` or `take`; what was taken before stays. When the job is stopped, what was
-/// measured up to a piece's end is taken.
+/// Measures the frames with one thread per pipeline; with one pipeline, on the caller's thread.
+/// Memory is limited to about four pieces of images and one finished piece per thread. Where a
+/// pipeline has long-lasting state, only the first is used, frame by frame.
+/// Error: that of `write` or `take`; lines taken before remain. When the job is stopped, lines up
+/// to the end of a measured piece are taken.
 [[nodiscard]] Status measure_batch(Source& source,
                                    std::vector<Pipeline>& pipelines,
                                    const BatchFrames& frames,

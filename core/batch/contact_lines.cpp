@@ -9,27 +9,27 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json seen_json(const ContactState::Seen& seen) {
+Json seen_json(const ContactState::Observation& seen) {
   Json entry = Json::object();
   if (seen.time_s) entry["time_s"] = *seen.time_s;
   entry["strength"] = seen.strength;
-  if (seen.place_mm) {
-    entry["place_mm"] = {seen.place_mm->x(), seen.place_mm->y()};
-    const Eigen::Matrix2d& c = seen.place_covariance_mm2;
+  if (seen.position_mm) {
+    entry["place_mm"] = {seen.position_mm->x(), seen.position_mm->y()};
+    const Eigen::Matrix2d& c = seen.position_covariance_mm2;
     entry["covariance_mm2"] = {c(0, 0), c(0, 1), c(1, 0), c(1, 1)};
   }
   entry["skin_along_mm"] = seen.skin_along_mm;
   return entry;
 }
 
-ContactState::Seen seen_of(const Json& entry) {
-  ContactState::Seen seen;
+ContactState::Observation seen_of(const Json& entry) {
+  ContactState::Observation seen;
   if (entry.contains("time_s")) seen.time_s = entry.at("time_s").get<double>();
   seen.strength = entry.at("strength");
   if (entry.contains("place_mm")) {
-    const Json &place = entry.at("place_mm"), &c = entry.at("covariance_mm2");
-    seen.place_mm = Eigen::Vector2d(place.at(0), place.at(1));
-    seen.place_covariance_mm2 << c.at(0), c.at(1), c.at(2), c.at(3);
+    const Json &position = entry.at("place_mm"), &c = entry.at("covariance_mm2");
+    seen.position_mm = Eigen::Vector2d(position.at(0), position.at(1));
+    seen.position_covariance_mm2 << c.at(0), c.at(1), c.at(2), c.at(3);
   }
   seen.skin_along_mm = entry.at("skin_along_mm");
   return seen;
@@ -55,7 +55,7 @@ std::string FrameLine::to_json() const {
   json["total_ms"] = total_ms;
   if (contacts) {
     json["seen"] = seen_json(contacts->seen);
-    // Mostly all five are the same; each is kept once.
+    // All five are mostly equal; each text is stored once.
     Json texts = Json::array(), which = Json::array(), faces = Json::array();
     for (std::size_t i = 0; i < contacts->texts.size(); ++i) {
       std::size_t same = 0;
@@ -97,27 +97,27 @@ Result<FrameLine> FrameLine::from_json(std::string_view text) {
 }
 
 std::optional<LastingContacts::Lasting> LastingContacts::operator()(
-    const ContactState::Seen* seen, const std::array<PushedFace, 5>& faces) {
+    const ContactState::Observation* seen, const std::array<PushedFace, 5>& faces) {
   if (!is_continuous_) {
     state_.forget();
     face_.reset();
   }
   if (seen == nullptr) return std::nullopt;
-  const ContactState::Told told = state_.add(*seen);
-  if (!told.is_touched) {
+  const ContactState::Estimate estimate = state_.add(*seen);
+  if (!estimate.has_contact) {
     face_.reset();
     return std::nullopt;
   }
   const std::size_t before = face_ ? static_cast<std::size_t>(*face_) : 0;
   face_ = faces[before];
-  return Lasting{before, told};
+  return Lasting{before, estimate};
 }
 
 std::string ContactLines::operator()(const FrameLine& frame) {
   const auto& contacts = frame.contacts;
   const auto lasting =
       contacts ? lasting_(&contacts->seen, contacts->faces) : lasting_(nullptr, {});
-  return lasting ? with_contact(frame.line, contacts->texts[lasting->which], lasting->told)
+  return lasting ? with_contact(frame.line, contacts->texts[lasting->which], lasting->estimate)
                  : frame.line;
 }
 

@@ -1,4 +1,5 @@
-// The contacts that last over the frames of a recording, told after its frames were measured apart.
+// Determines the contacts that last over the frames of a recording, after its frames were measured
+// independently.
 #pragma once
 
 #include "core/result.h"
@@ -12,22 +13,23 @@
 
 namespace alltact {
 
-/// A frame measured by itself: its line of results.jsonl without a contact, and what decides it.
+/// Result of one frame by itself: its line of results.jsonl without a contact, and the evidence of
+/// contacts.
 struct FrameLine {
   std::string frame;  ///< its name
   std::string line;
   bool is_measured = false;           ///< it has a depth
-  double total_ms = 0;                ///< that measuring it took
-  std::vector<std::string> warnings;  ///< for whoever watches; not kept
-  std::string depth_packet;           ///< of the run's depth video (depth_video.h); not kept
+  double total_ms = 0;                ///< time to measure it
+  std::vector<std::string> warnings;  ///< for progress messages; not stored
+  std::string depth_packet;           ///< of the run's depth video (depth_video.h); not stored
   struct Contacts {
-    ContactState::Seen seen;
+    ContactState::Observation seen;
     std::array<std::string, 5> texts;  ///< contact_text() of FrameContacts::by_face
     std::array<PushedFace, 5> faces{};
   };
-  std::optional<Contacts> contacts;  ///< absent: the frame tells nothing of any
+  std::optional<Contacts> contacts;  ///< empty: the frame shows no evidence
 
-  /// As one line of a part's file, from which from_json() makes the same to the bit.
+  /// One line of a part's file; from_json() restores it to the bit.
   [[nodiscard]] std::string to_json() const;
   /// Error without `where`: it was not made by to_json().
   [[nodiscard]] static Result<FrameLine> from_json(std::string_view text);
@@ -35,19 +37,19 @@ struct FrameLine {
 
 [[nodiscard]] FrameLine::Contacts contacts_of(const FrameContacts& frame);
 
-/// Goes through frames in their order and tells which contact lasts.
+/// Takes frames in order and determines which contact lasts.
 class LastingContacts {
  public:
-  /// False: the frames of this recording do not follow each other.
+  /// False: the frames of this recording are not consecutive.
   explicit LastingContacts(bool is_continuous) : is_continuous_(is_continuous) {}
 
   struct Lasting {
-    std::size_t which = 0;  ///< of FrameContacts::by_face
-    ContactState::Told told;
+    std::size_t which = 0;  ///< index into FrameContacts::by_face
+    ContactState::Estimate estimate;
   };
-  /// nullopt: nothing touches. `seen`: null where the frame tells nothing of any contact.
+  /// nullopt: there is no contact. `seen`: null where the frame has no evidence of contacts.
   ///   faces: of FrameContacts::by_face
-  [[nodiscard]] std::optional<Lasting> operator()(const ContactState::Seen* seen,
+  [[nodiscard]] std::optional<Lasting> operator()(const ContactState::Observation* seen,
                                                   const std::array<PushedFace, 5>& faces);
 
  private:
@@ -56,7 +58,7 @@ class LastingContacts {
   std::optional<PushedFace> face_;
 };
 
-/// Goes through frames in their order and completes their lines.
+/// Takes frames in order and completes their lines.
 class ContactLines {
  public:
   explicit ContactLines(bool is_continuous) : lasting_(is_continuous) {}

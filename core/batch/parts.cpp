@@ -19,9 +19,9 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kFormat = "alltact-part/1";
-constexpr int kMostParts = 10000;
+constexpr int kMaxParts = 10000;
 
-struct PartFound {
+struct FoundPart {
   fs::path file;
   PartResults results;
 };
@@ -33,10 +33,10 @@ Error damaged(const fs::path& file) {
 }
 
 bool is_possible(const Part& part) {
-  return part.number >= 1 && part.number <= part.of && part.of <= kMostParts;
+  return part.number >= 1 && part.number <= part.of && part.of <= kMaxParts;
 }
 
-/// Not rounded, as the library would round 1.5, and not cut off, as it would cut 1e99.
+/// Strict: the library would round 1.5 and truncate 1e99.
 template <class Count>
 Count count_in(const Json& head, const char* key) {
   const Json& value = head.at(key);
@@ -92,9 +92,9 @@ bool is_part_video(const fs::path& file) {
   return file.filename().string().starts_with("depth.part-");
 }
 
-/// By number, one of each, all of one run.
-Result<std::map<int, PartFound>> find_parts(const std::vector<fs::path>& folders) {
-  std::map<int, PartFound> parts;
+/// Parts by number, each once, all of one run.
+Result<std::map<int, FoundPart>> find_parts(const std::vector<fs::path>& folders) {
+  std::map<int, FoundPart> parts;
   for (const fs::path& folder : folders) {
     const auto files = files_in(folder);
     if (!files) return files.error();
@@ -110,7 +110,7 @@ Result<std::map<int, PartFound>> find_parts(const std::vector<fs::path>& folders
                      file.string(),
                      en::say("the folders of one run, or reconstruct all its parts again")};
       const int number = results->part.number;
-      const auto [before, is_new] = parts.emplace(number, PartFound{file, std::move(*results)});
+      const auto [before, is_new] = parts.emplace(number, FoundPart{file, std::move(*results)});
       if (!is_new)
         return Error{
             en::say("part {} is there twice: {} and {}", number, before->second.file, file),
@@ -121,13 +121,13 @@ Result<std::map<int, PartFound>> find_parts(const std::vector<fs::path>& folders
   return parts;
 }
 
-Status check_complete(const std::map<int, PartFound>& parts, const fs::path& folder) {
+Status check_complete(const std::map<int, FoundPart>& parts, const fs::path& folder) {
   if (parts.empty())
     return Error{en::say("there are no parts of a reconstruction"),
                  folder.string(),
                  en::say("alltact reconstruct with --shard 1/N to N/N first")};
   const int of = parts.begin()->second.results.part.of;
-  const std::size_t whole = parts.begin()->second.results.frame_count;
+  const std::size_t total_frames = parts.begin()->second.results.frame_count;
   std::string missing;
   for (int number = 1; number <= of; ++number)
     if (!parts.contains(number)) missing += (missing.empty() ? "" : ", ") + std::to_string(number);
@@ -137,7 +137,7 @@ Status check_complete(const std::map<int, PartFound>& parts, const fs::path& fol
                  en::say("reconstruct these parts, too")};
   for (const auto& [number, part] : parts) {
     const BatchFrames frames = frames_of(part.results.part, part.results.frame_count);
-    if (part.results.first != frames.first || part.results.frame_count != whole)
+    if (part.results.first != frames.first || part.results.frame_count != total_frames)
       return damaged(part.file);
     if (part.results.lines.size() != frames.end - frames.first)
       return Error{en::say("the part was stopped after {} of {} frames",
@@ -154,7 +154,7 @@ struct MergedLines {
   std::string text;
 };
 
-Result<MergedLines> merge_lines(const std::map<int, PartFound>& parts) {
+Result<MergedLines> merge_lines(const std::map<int, FoundPart>& parts) {
   MergedLines merged;
   ContactLines contacts(parts.begin()->second.results.is_continuous);
   std::set<std::string> names;
@@ -174,7 +174,7 @@ Result<MergedLines> merge_lines(const std::map<int, PartFound>& parts) {
   return merged;
 }
 
-/// The files of frames, not the parts.
+/// Moves the files of frames, not the parts.
 Status move_files(const fs::path& from, const fs::path& to) {
   const auto files = files_in(from);
   if (!files) return files.error();
@@ -197,8 +197,9 @@ Status move_files(const fs::path& from, const fs::path& to) {
   return {};
 }
 
-/// Those of a run that made any, by part; a part without frames needs none. Error: one is missing.
-Result<std::vector<fs::path>> part_videos(const std::map<int, PartFound>& parts) {
+/// The depth videos by part, if the run made any; a part without frames needs none. Error: one is
+/// missing.
+Result<std::vector<fs::path>> part_videos(const std::map<int, FoundPart>& parts) {
   std::vector<fs::path> videos;
   bool any = false;
   const fs::path* missing = nullptr;
@@ -221,14 +222,14 @@ Result<std::vector<fs::path>> part_videos(const std::map<int, PartFound>& parts)
   return videos;
 }
 
-/// The pictures of all, one after the other, as they are compressed.
-Status join_videos(const std::vector<fs::path>& videos, const fs::path& whole) {
+/// Joins the compressed images of all videos without encoding them again.
+Status join_videos(const std::vector<fs::path>& videos, const fs::path& joined) {
   std::optional<DepthVideoWriter> writer;
   for (const fs::path& file : videos) {
     auto video = DepthVideo::open(file);
     if (!video) return video.error();
     if (!writer) {
-      auto made = DepthVideoWriter::create(whole, video->size(), video->frames_per_s());
+      auto made = DepthVideoWriter::create(joined, video->size(), video->frames_per_s());
       if (!made) return made.error();
       writer = std::move(*made);
     }

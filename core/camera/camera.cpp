@@ -137,7 +137,7 @@ Result<Camera> Camera::create(const CameraParameters& parameters) {
     camera.max_radius_ = BrownDistortion(parameters.distortion).valid_radius();
   if (parameters.model == CameraModel::kFisheye)
     camera.max_radius_ = FisheyeDistortion(parameters.distortion).valid_angle();
-  if (camera.folds_in_picture())
+  if (camera.folds_in_image())
     return Error{
         en::say("the distortion folds over inside the picture: near its border two directions "
                 "would be seen in one pixel"),
@@ -147,13 +147,13 @@ Result<Camera> Camera::create(const CameraParameters& parameters) {
   return camera;
 }
 
-bool Camera::folds_in_picture() const {
+bool Camera::folds_in_image() const {
   const CameraParameters& p = parameters_;
   const bool is_brown = p.model == CameraModel::kBrown;
   if (!is_brown && p.model != CameraModel::kFisheye) return false;
   if (p.model == CameraModel::kFisheye && max_radius_ >= FisheyeDistortion::kLimit) return false;
-  // The seen region has no holes: a border that lies inside it encloses pixels that all do.
-  // The border is seen as four smooth curves; its corners, the furthest places, are included.
+  // The valid region has no holes: a border inside it encloses only valid pixels. The border is
+  // seen as four smooth curves; its corners, the furthest pixels, are included.
   constexpr int kSamples = 128;
   const double right = p.width_px - 1, bottom = p.height_px - 1;
   for (int i = 0; i <= kSamples; ++i) {
@@ -224,7 +224,7 @@ double Camera::mm_per_px_at(double z_mm) const {
   return (port ? apparent_distance_mm(*port, z_mm) : z_mm) / parameters_.fy_px;
 }
 
-double Camera::seen_from_mm(double z_mm) const {
+double Camera::ray_origin_z_mm(double z_mm) const {
   const auto& port = parameters_.port;
   return port ? port->medium_index * apparent_distance_mm(*port, z_mm) : z_mm;
 }

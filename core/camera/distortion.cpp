@@ -18,7 +18,7 @@ std::vector<double> derivative(std::span<const double> powers) {
   return result;
 }
 
-/// x between low and high where the polynomial changes its sign, to the last bit.
+/// Returns x between low and high where the polynomial changes its sign, to the last bit.
 double bisect(std::span<const double> powers, double low, double high) {
   const bool rises = horner(powers, low) < 0;
   while (true) {
@@ -28,15 +28,15 @@ double bisect(std::span<const double> powers, double low, double high) {
   }
 }
 
-/// All places in (low, high) where the polynomial changes its sign, in order: between two
-/// neighbouring ones of its derivative there is at most one.
+/// All x in (low, high) where the polynomial changes its sign, in order. Between two neighbouring
+/// ones of its derivative there is at most one.
 std::vector<double> sign_changes(std::span<const double> powers, double low, double high) {
   if (powers.size() < 2) return {};
-  std::vector<double> places = sign_changes(derivative(powers), low, high);
-  places.push_back(high);
+  std::vector<double> roots = sign_changes(derivative(powers), low, high);
+  roots.push_back(high);
   std::vector<double> result;
   double begin = low;
-  for (double end : places) {
+  for (double end : roots) {
     if ((horner(powers, begin) < 0) != (horner(powers, end) < 0))
       result.push_back(bisect(powers, begin, end));
     begin = end;
@@ -44,8 +44,8 @@ std::vector<double> sign_changes(std::span<const double> powers, double low, dou
   return result;
 }
 
-/// The x in [0, limit) with x g(x^2) = target, where x g(x^2) grows; nullopt beyond its end.
-/// Newton's method, and bisection where that would leave the bracket.
+/// Returns x in [0, limit) with x g(x^2) = target, where x g(x^2) grows; nullopt beyond its end.
+/// Newton's method, with bisection where that would leave the bracket.
 std::optional<double> invert_radial(std::span<const double> g, double target, double limit) {
   const auto value = [&](double x) { return x * horner(g, x * x); };
   const auto slope = [&](double x) {
@@ -57,7 +57,7 @@ std::optional<double> invert_radial(std::span<const double> g, double target, do
   if (!(target < value(limit))) return std::nullopt;
   double low = 0, high = limit;
   double x = std::min(target, 0.5 * limit);
-  constexpr int kSteps = 200;  // bisection alone needs 60, Newton at most 12 in practice
+  constexpr int kSteps = 200;  // bisection needs 60, Newton at most 12 in practice
   for (int step = 0; step < kSteps; ++step) {
     const double excess = value(x) - target;
     if (excess == 0) return x;
@@ -73,8 +73,8 @@ std::optional<double> invert_radial(std::span<const double> g, double target, do
 }  // namespace
 
 double first_root(std::span<const double> powers, double limit) {
-  const auto places = sign_changes(powers, 0, limit);
-  return places.empty() ? limit : places.front();
+  const auto roots = sign_changes(powers, 0, limit);
+  return roots.empty() ? limit : roots.front();
 }
 
 BrownDistortion::BrownDistortion(std::span<const double> coefficients) {
@@ -115,8 +115,8 @@ std::optional<Eigen::Vector2d> BrownDistortion::undistort(const Eigen::Vector2d&
     if (!radius) return std::nullopt;
     return point * (*radius / distance);
   }
-  // The radial inverse is the start; the small tangential part is left to Newton in two dimensions.
-  // Steps are halved until the residual falls: the Jacobian is positive definite on the disc.
+  // The radial inverse is the start; Newton in two dimensions adds the small tangential part. Steps
+  // are halved until the residual falls: the Jacobian is positive definite on the disc.
   Eigen::Vector2d found = point * (radius.value_or(0.999 * valid_radius) / distance);
   Eigen::Vector2d residual = distort(found) - point;
   constexpr int kSteps = 60;

@@ -14,11 +14,11 @@ namespace alltact {
 [[nodiscard]] double first_root(std::span<const double> powers, double limit);
 
 /// Brown's model: P (1 + k1 r^2 + k2 r^4 + k3 r^6) + q r^2 + 2 (q.P) P, with q = (p2, p1). The map
-/// is the gradient of a function of P, so its Jacobian is symmetric, and where that is positive
-/// definite on a disc no two points of the disc meet.
+/// is the gradient of a function of P, so its Jacobian is symmetric. Where that is positive
+/// definite on a disc, no two points of the disc meet.
 class BrownDistortion {
  public:
-  /// k1 k2 p1 p2 k3; those that are missing are 0.
+  /// k1 k2 p1 p2 k3; missing ones are 0.
   explicit BrownDistortion(std::span<const double> coefficients);
 
   /// Radius of the undistorted disc on which the map is one to one; at most kLimit. With r f(r)
@@ -43,7 +43,7 @@ class BrownDistortion {
 /// t (1 + k1 t^2 + k2 t^4 + k3 t^6 + k4 t^8).
 class FisheyeDistortion {
  public:
-  /// k1 k2 k3 k4; those that are missing are 0.
+  /// k1 k2 k3 k4; missing ones are 0.
   explicit FisheyeDistortion(std::span<const double> coefficients);
 
   /// Angle up to which the distance grows; at most kLimit.

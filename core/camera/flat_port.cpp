@@ -3,13 +3,13 @@
 namespace alltact {
 namespace {
 
-/// With a = tan of the angle in air, its tangent in a medium of index n >= 1, where
-/// sin = a / sqrt(1 + a^2) is n times smaller. Written without a difference that cancels.
+/// With a = tan of the angle in air, its tangent in a medium of index n >= 1, where sin = a /
+/// sqrt(1 + a^2) is n times smaller. Written without a difference that cancels.
 double tangent_in(double index, double a) {
   return a / std::sqrt(index * index + (index - 1) * (index + 1) * a * a);
 }
 
-/// Derivative of the above by a.
+/// Derivative of tangent_in() by a.
 double tangent_slope_in(double index, double a) {
   const double root = std::sqrt(index * index + (index - 1) * (index + 1) * a * a);
   return index * index / (root * root * root);

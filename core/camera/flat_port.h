@@ -1,8 +1,8 @@
-// A flat window between the lens and what it looks at: air, a plate, then a clear medium.
+// A flat window between lens and finger: air, a plate, then a clear medium.
 //
-// The window stands at right angles to the optical axis, the camera's centre in the air before it.
-// A lens calibrated in air sees what lies in silicone too large: taken for air, its distance comes
-// out by about a quarter too small.
+// The window is perpendicular to the optical axis, with the camera's centre in the air before it. A
+// lens calibrated in air shows objects in silicone too large: without this model their distance is
+// about a quarter too small.
 #pragma once
 
 #include "core/camera/ray.h"
@@ -26,19 +26,19 @@ struct FlatPort {
 /// Error: a number outside its range; `where` names it ("gap_mm").
 [[nodiscard]] Status check_port(const FlatPort& port);
 
-/// Where light goes that leaves the camera along `air_direction` (z > 0): a ray in the medium, in
-/// the camera's frame and extended backwards to z = 0. Snell's law at both surfaces, exact.
-/// nullopt when the direction does not point forwards.
+/// The ray in the medium of light that leaves the camera along `air_direction` (z > 0), in the
+/// camera frame and extended backwards to z = 0. Snell's law at both surfaces, exact. nullopt when
+/// the direction does not point forwards.
 [[nodiscard]] std::optional<Ray> ray_through(const FlatPort& port,
                                              const Eigen::Vector3d& air_direction);
 
 /// The direction in air (z = 1) along which the camera sees a point of the medium: the one root of
-/// Snell's law, by Newton's method between bounds, to rounding. nullopt for a point that is not
-/// behind the plate, and for one that would be seen more than 89.9 degrees off the axis.
+/// Snell's law, by Newton's method between bounds, to rounding. nullopt for a point not behind the
+/// plate, or seen more than 89.9 degrees off the axis.
 [[nodiscard]] std::optional<Eigen::Vector3d> direction_to(const FlatPort& port,
                                                           const Eigen::Vector3d& point_mm);
 
-/// Distance at which a point on the axis, z_mm away, seems to lie for who takes all for air.
+/// Apparent distance in air of a point on the axis at z_mm.
 [[nodiscard]] double apparent_distance_mm(const FlatPort& port, double z_mm);
 
 }  // namespace alltact

@@ -7,7 +7,7 @@
 namespace alltact {
 namespace {
 
-/// The word's meaning; the words are those of to_string().
+/// The enumerator of a word; the words are those of to_string().
 template <class E, std::size_t N>
 E read_word(YamlSection& section, const std::string& key, const std::array<E, N>& meanings) {
   std::vector<std::string_view> words;
@@ -26,8 +26,8 @@ constexpr std::array kOrientations{Orientation::kNone,
 
 void read_size(YamlSection& section, CameraParameters& parameters) {
   const std::vector<double> size = section.numbers("size");
-  const auto is_whole = [](double x) { return std::abs(x) < 1e9 && x == std::floor(x); };
-  if (size.size() != 2 || !is_whole(size[0]) || !is_whole(size[1]))
+  const auto is_integer = [](double x) { return std::abs(x) < 1e9 && x == std::floor(x); };
+  if (size.size() != 2 || !is_integer(size[0]) || !is_integer(size[1]))
     section.refuse(
         "size", en::say("must be two whole numbers"), en::say("[width, height] in pixels"));
   parameters.width_px = static_cast<int>(size[0]);

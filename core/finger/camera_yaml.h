@@ -1,4 +1,4 @@
-// What stands under `camera:`, to and from YAML.
+// The key `camera:` of a finger file, to and from YAML.
 #pragma once
 
 #include "core/camera/camera.h"
@@ -8,10 +8,9 @@
 
 namespace alltact {
 
-/// For YamlFile::read(). Looks at the form of the values; whether they make a camera is for
-/// Camera::create to say.
+/// For YamlFile::read(). Checks the form of the values; Camera::create() checks the values.
 [[nodiscard]] CameraParameters read_camera(YamlSection& section, LensRecord& record);
-/// `unknown`: what the file held besides; what stood right under `camera` is for the caller.
+/// `unknown`: the file's other keys; the caller adds those directly under `camera`.
 void add_camera(const CameraParameters& parameters,
                 const LensRecord& record,
                 const UnknownKeys& unknown,

@@ -1,14 +1,14 @@
 #include "core/finger/finger.h"
 
 #include "core/camera/camera_range.h"
-#include "core/finger/place_yaml.h"
+#include "core/finger/pose_yaml.h"
 #include "core/finger/quantity.h"
 #include "core/printable.h"
 
 namespace alltact {
 namespace {
 
-/// NaN is outside of everything.
+/// False for NaN.
 bool is_in(double value, double low, double high) {
   return value >= low && value <= high;
 }
@@ -49,31 +49,31 @@ std::optional<Error> marker_problem(const MarkerRows& markers, FaceKind kind) {
     return Error{en::say("must be a whole number from 0 to 64"),
                  std::string("markers.per_row"),
                  en::say("the number of dots on one side face, 0 for a finger without")};
-  int least = 0;
+  int lowest = 0;
   for (const int number : markers.missing) {
-    if (number < least || number >= 2 * markers.per_row)
+    if (number < lowest || number >= 2 * markers.per_row)
       return Error{en::say("must be numbers from 0 to {}, ascending", 2 * markers.per_row - 1),
                    std::string("markers.missing"),
                    en::say("record the reference again")};
-    least = number + 1;
+    lowest = number + 1;
   }
   return std::nullopt;
 }
 
-/// A press goes no deeper than the layer is thick; along z, on a face inclined by 75 degrees, four
-/// times that.
+/// The maximum depth of a press is the layer's thickness; along z, on a face inclined by 75
+/// degrees, four times that.
 std::optional<Error> mapping_problem(const MappingParameters& parameters, double layer_mm) {
   const auto mapping = Mapping::create(parameters);
   if (!mapping) return mapping.error();
-  // Nothing so narrow was ever calibrated, and its powers of x soon are no numbers.
-  constexpr double kLeastDomain = 1e-3;
-  if (parameters.x_max < kLeastDomain)
-    return Error{en::say("must be a number from {} to {}", kLeastDomain, 1),
+  // Narrower domains never occur in a calibration, and their powers of x overflow.
+  constexpr double kMinDomain = 1e-3;
+  if (parameters.x_max < kMinDomain)
+    return Error{en::say("must be a number from {} to {}", kMinDomain, 1),
                  std::string("mapping.domain"),
                  en::say("calibrate again")};
-  constexpr double kMostLayers = 4;
+  constexpr double kMaxLayers = 4;
   const double deepest_mm = mapping->depth_mm(mapping->x_max());
-  if (deepest_mm <= kMostLayers * layer_mm) return std::nullopt;
+  if (deepest_mm <= kMaxLayers * layer_mm) return std::nullopt;
   return Error{
       en::say("gives depths up to {:.3g} mm in a layer of {:g} mm", deepest_mm, layer_mm),
       std::string(parameters.kind == MappingKind::kMoebius ? "mapping.a_mm" : "mapping.chebyshev"),
@@ -128,8 +128,9 @@ std::optional<Error> file_problem(const std::string& name, const std::string& ke
 std::optional<Error> reference_problem(const ReferenceFiles& files) {
   if (files.video.empty() && files.markers.empty())
     return file_problem(files.image, "reference.image");
-  if (const auto& places = files.places;
-      places && !(is_in(places->from_u_px, -1e5, 1e5) && is_in(places->step_mm, 1e-3, 500)))
+  if (const auto& positions = files.positions;
+      positions &&
+      !(is_in(positions->from_u_px, -1e5, 1e5) && is_in(positions->step_mm, 1e-3, 500)))
     return Error{en::say("must be a column of the picture and a step of 0.001 to 500 mm"),
                  std::string("reference.places"),
                  en::say("record the reference again")};
@@ -155,7 +156,7 @@ std::optional<Error> contact_problem(const ContactSettings& contact,
                          marker_count),
                  key,
                  en::say("record the reference again")};
-  // Hidden ones are estimated, and may lie a little outside; raw pictures may be turned.
+  // Estimated positions of hidden markers may lie a little outside; raw images may be rotated.
   const double side = std::max(camera.width_px, camera.height_px);
   for (const Eigen::Vector2d& marker : contact.rest_markers)
     if (!is_in(marker.x(), -side, 2 * side) || !is_in(marker.y(), -side, 2 * side))
@@ -169,15 +170,15 @@ std::optional<Error> contact_problem(const ContactSettings& contact,
 
 std::vector<Error> Finger::implausible() const {
   std::vector<Error> all = implausible_camera(camera);
-  const auto look = [&all](const Quantity& quantity, double value) {
+  const auto check = [&all](const Quantity& quantity, double value) {
     if (auto warning = quantity.warning(value))
       all.push_back({std::move(*warning), "face." + std::string(quantity.key), ""});
   };
-  look(kLayerThickness, face.layer_mm);
+  check(kLayerThickness, face.layer_mm);
   if (face.kind == FaceKind::kFinRay)
-    look(kFaceWidth, face.width_mm);
+    check(kFaceWidth, face.width_mm);
   else if (camera.model != CameraModel::kOrthographic)
-    look(kPlaneDistance, face.plane_z_mm);
+    check(kPlaneDistance, face.plane_z_mm);
   return all;
 }
 
@@ -206,7 +207,7 @@ Status Finger::validate() const {
   if (!force_model.empty())
     if (auto problem = file_problem(force_model, "force.model")) return *problem;
   if (gripper_from_camera)
-    if (auto problem = place_problem(*gripper_from_camera, "gripper_from_camera")) return *problem;
+    if (auto problem = pose_problem(*gripper_from_camera, "gripper_from_camera")) return *problem;
   return {};
 }
 

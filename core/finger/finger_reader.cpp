@@ -1,7 +1,7 @@
-// finger.yaml, read.
+// Reader of finger.yaml.
 #include "core/finger/camera_yaml.h"
 #include "core/finger/finger_yaml.h"
-#include "core/finger/place_yaml.h"
+#include "core/finger/pose_yaml.h"
 #include "core/printable.h"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ Face read_face(YamlSection section) {
 
 MarkerRows read_markers(YamlSection section) {
   MarkerRows markers;
-  markers.per_row = section.whole_number("per_row", 0, 64);
+  markers.per_row = section.integer("per_row", 0, 64);
   if (section.has("polarity"))
     markers.polarity = read_word<Polarity>(section, "polarity", kPolarities);
   if (section.has("missing"))
@@ -54,11 +54,11 @@ Eigen::MatrixXd read_covariance(YamlSection& section) {
   return covariance;
 }
 
-/// `powers` is for people; where it contradicts what counts, someone has edited the wrong line.
+/// Checks `powers`, which is for people: a contradiction means that the wrong line was edited.
 void check_powers(YamlSection& section, const MappingParameters& parameters) {
   const std::vector<double> stated = section.numbers("powers");
   const auto mapping = Mapping::create(parameters);
-  if (!mapping) return;  // validate() will say why
+  if (!mapping) return;  // validate() will report the reason
   const std::vector<double> powers = mapping->powers();
   bool is_same = stated.size() == powers.size();
   double stated_scale = 0, x = 1;  // of the terms at the end of the domain
@@ -111,16 +111,16 @@ MappingParameters read_mapping(YamlSection& section) {
 
 CalibrationBasis read_basis(YamlSection section) {
   constexpr Limits kLength{0, 1000};
-  constexpr int kMostPresses = 1'000'000;
+  constexpr int kMaxPresses = 1'000'000;
   CalibrationBasis basis;
   basis.ball_radii_mm = section.numbers("ball_radii_mm", kLength);
-  // In one list, so that who replaces a face's numbers throughout the file leaves these.
+  // In one list, so that a search and replace of a face's numbers in the file skips these.
   const auto face = section.numbers("face_mm", 3, 3, {-1e6, 1e6});
   basis.width_mm = face[0], basis.layer_mm = face[1], basis.plane_z_mm = face[2];
   basis.camera = section.text("camera");
   basis.reference = section.text("reference");
-  basis.positions = section.whole_number("positions", 0, kMostPresses);
-  const auto thirds = section.numbers("thirds", 3, 3, {0, kMostPresses});
+  basis.positions = section.integer("positions", 0, kMaxPresses);
+  const auto thirds = section.numbers("thirds", 3, 3, {0, kMaxPresses});
   for (std::size_t i = 0; i < basis.thirds.size(); ++i)
     basis.thirds[i] = static_cast<int>(thirds[i]);
   basis.position_leverage = section.number("position_leverage", {0, 1e6});
@@ -131,7 +131,7 @@ CalibrationBasis read_basis(YamlSection section) {
   basis.pixel_sd_mm = section.number("pixel_sd_mm", kLength);
   basis.halo_mm = section.number("halo_mm", kLength);
   basis.depth_per_radius = section.number("depth_per_radius", {-1000, 1000});
-  basis.left_out = section.whole_number("left_out", 0, kMostPresses);
+  basis.left_out = section.integer("left_out", 0, kMaxPresses);
   basis.is_complete = section.choice("complete", {"false", "true"}) == 1;
   if (!section.has("contradictions")) return basis;
   const auto kinds = section.texts("contradictions");
@@ -184,10 +184,10 @@ ReferenceFiles read_reference(YamlSection section, FaceKind kind) {
     files.video = section.text("video");
     files.markers = section.text("markers");
     if (section.has("places")) {
-      const std::vector<double> places = section.numbers("places");
-      if (places.size() != 2)
+      const std::vector<double> positions = section.numbers("places");
+      if (positions.size() != 2)
         section.refuse("places", en::say("must be two numbers: a column in px, a step in mm"), "");
-      files.places = PosePlaces{places[0], places[1]};
+      files.positions = EdgePositions{positions[0], positions[1]};
     }
   }
   return files;
@@ -235,7 +235,7 @@ Finger read_finger(YamlSection& top) {
       force.refuse("model", en::say("must name a file"), en::say("force.yaml"));
   }
   if (top.has("gripper_from_camera"))
-    finger.gripper_from_camera = read_place(top.section("gripper_from_camera"));
+    finger.gripper_from_camera = read_pose(top.section("gripper_from_camera"));
   if (top.has("provenance")) finger.provenance = top.section("provenance").all_texts();
   return finger;
 }

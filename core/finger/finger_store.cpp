@@ -16,11 +16,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr auto kPatience = std::chrono::seconds(10);
+constexpr auto kLockTimeout = std::chrono::seconds(10);
 constexpr const char* kChanging = ".finger.changing";
 constexpr const char* kWorking = ".finger.working";
 
-/// Differs whenever the file was written anew, by whomever; empty: it is not there.
+/// Identifies a version of a file: differs after every write; empty: it does not exist.
 std::string written(const fs::path& file) {
   const DiskWait waiting(file);
   struct stat of {};
@@ -29,7 +29,7 @@ std::string written(const fs::path& file) {
       "{} {} {}.{:09}", of.st_ino, of.st_size, of.st_mtim.tv_sec, of.st_mtim.tv_nsec);
 }
 
-/// A clock that was set back would say of two dates which is newer the wrong way round.
+/// Warns of dates ahead of the clock: a wrong clock reverses the order of dates.
 std::optional<Message> about_clock(const Finger& finger) {
   std::string latest;
   for (const auto& [key, value] : finger.provenance)
@@ -41,7 +41,7 @@ std::optional<Message> about_clock(const Finger& finger) {
                  utc_now());
 }
 
-/// All but the presses.
+/// Loads everything but the presses.
 Result<FingerSnapshot> load(const fs::path& folder, std::uint64_t revision) {
   std::vector<Message> warnings;
   auto finger = Finger::load(folder, &warnings);
@@ -54,7 +54,7 @@ Result<FingerSnapshot> load(const fs::path& folder, std::uint64_t revision) {
   return all;
 }
 
-/// Reads the force model that the finger names; a model that cannot be read spoils nothing else.
+/// Reads the finger's force model; a model that cannot be read does not affect the rest.
 void load_force(const fs::path& folder, FingerSnapshot& snapshot) {
   if (snapshot.finger.force_model.empty()) return;
   auto model = ForceModel::load(folder / snapshot.finger.force_model);
@@ -64,10 +64,10 @@ void load_force(const fs::path& folder, FingerSnapshot& snapshot) {
     snapshot.force_problem = model.error();
 }
 
-/// What another program had decided to change when it ended, or is about to change now.
+/// Completes a change that another program decided before it ended, or is just making.
 Status complete(const fs::path& folder) {
   if (!has_open_change(folder)) return {};
-  const auto held = HeldFile::hold(folder / kChanging, this_process("changing"), kPatience);
+  const auto held = LockFile::hold(folder / kChanging, this_process("changing"), kLockTimeout);
   if (held) return complete_change(folder);
   Error why = held.error();
   const Message reason = why.what;
@@ -78,7 +78,7 @@ Status complete(const fs::path& folder) {
 }  // namespace
 
 struct FingerStore::Listening {
-  std::recursive_mutex mutex;  // a listener may end its own listening
+  std::recursive_mutex mutex;  // recursive: a listener may end its own listening
   Listener listener;
 };
 
@@ -106,13 +106,13 @@ std::shared_ptr<FingerStore> FingerStore::of(const fs::path& folder) {
   static std::mutex mutex;
   static std::map<fs::path, std::weak_ptr<FingerStore>> stores;
   std::error_code failed;
-  fs::path whole = fs::weakly_canonical(folder, failed);
-  if (failed) whole = folder;
-  if (!whole.has_filename()) whole = whole.parent_path();  // it ended in a slash
+  fs::path full = fs::weakly_canonical(folder, failed);
+  if (failed) full = folder;
+  if (!full.has_filename()) full = full.parent_path();  // the path ended in a slash
   const std::lock_guard lock(mutex);
   std::erase_if(stores, [](const auto& entry) { return entry.second.expired(); });
-  auto store = stores[whole].lock();
-  if (!store) stores[whole] = store = std::make_shared<FingerStore>(folder);
+  auto store = stores[full].lock();
+  if (!store) stores[full] = store = std::make_shared<FingerStore>(folder);
   return store;
 }
 
@@ -157,17 +157,17 @@ Result<FingerPtr> FingerStore::snapshot() {
     before = last_;
     return read();
   }();
-  if (now && before && before != *now) tell(*now, before);
+  if (now && before && before != *now) notify(*now, before);
   return now;
 }
 
 Result<FingerPtr> FingerStore::update(const std::function<Status(Finger&)>& change) {
-  // Whoever may not write here is told what is wrong with the finger before that.
+  // Without write access the finger's own problem is reported first.
   const auto there = snapshot();
   if (!there) return there.error();
   FingerPtr before = *there;
   auto changed = [&]() -> Result<FingerPtr> {
-    const auto held = HeldFile::hold(folder_ / kChanging, this_process("changing"), kPatience);
+    const auto held = LockFile::hold(folder_ / kChanging, this_process("changing"), kLockTimeout);
     if (!held) return held.error();
     if (const Status completed = complete_change(folder_); !completed) return completed.error();
     auto finger = Finger::load(folder_);
@@ -178,32 +178,32 @@ Result<FingerPtr> FingerStore::update(const std::function<Status(Finger&)>& chan
     before = last_;
     return read();
   }();
-  // Where another thread has read it meanwhile, that one tells.
-  if (changed && before != *changed) tell(*changed, before);
+  // Where another thread has read it meanwhile, that one notifies.
+  if (changed && before != *changed) notify(*changed, before);
   return changed;
 }
 
-Status FingerStore::keep_presses(const PressSet& presses) {
+Status FingerStore::save_presses(const PressSet& presses) {
   if (Status saved = presses.save(folder_); !saved) return saved;
   const auto now = snapshot();
   return now ? Status() : Status(now.error());
 }
 
-Status FingerStore::keep_measuring(
+Status FingerStore::save_measuring(
     const std::function<Result<std::string>(const fs::path& folder)>& content) {
   {
-    const auto held = HeldFile::hold(folder_ / kChanging, this_process("changing"), kPatience);
+    const auto held = LockFile::hold(folder_ / kChanging, this_process("changing"), kLockTimeout);
     if (!held) return held.error();
     const auto text = content(folder_);
     if (!text) return text.error();
-    if (Status kept = write_file_atomically(folder_ / kMeasuringFile, *text); !kept) return kept;
+    if (Status saved = write_file_atomically(folder_ / kMeasuringFile, *text); !saved) return saved;
   }
   const auto now = snapshot();
   return now ? Status() : Status(now.error());
 }
 
-Result<HeldFile> FingerStore::hold_for_work(const std::string& doing) {
-  return HeldFile::hold(folder_ / kWorking, this_process(doing), std::chrono::milliseconds(0));
+Result<LockFile> FingerStore::lock_for_work(const std::string& doing) {
+  return LockFile::hold(folder_ / kWorking, this_process(doing), std::chrono::milliseconds(0));
 }
 
 std::shared_ptr<void> FingerStore::listen(Listener listener) {
@@ -217,7 +217,7 @@ std::shared_ptr<void> FingerStore::listen(Listener listener) {
   });
 }
 
-void FingerStore::tell(const FingerPtr& now, const FingerPtr& before) {
+void FingerStore::notify(const FingerPtr& now, const FingerPtr& before) {
   std::vector<std::shared_ptr<Listening>> all;
   {
     const std::lock_guard lock(mutex_);
@@ -235,7 +235,7 @@ Result<FingerPtr> open_finger(const fs::path& folder) {
   return FingerStore::of(folder)->snapshot();
 }
 
-void take_provenance(const Finger& from, const std::string& key, Finger& finger) {
+void copy_provenance(const Finger& from, const std::string& key, Finger& finger) {
   const auto entry = from.provenance.find(key);
   if (entry == from.provenance.end())
     finger.provenance.erase(key);

@@ -1,11 +1,11 @@
-// The one owner of a finger's folder: gives what stands in it, and is the only way to change that.
+// The one owner of a finger's folder: reads it, and makes all changes to it.
 #pragma once
 
 #include "core/camera/camera.h"
 #include "core/finger/finger.h"
 #include "core/finger/mapping.h"
 #include "core/finger/press_set.h"
-#include "core/io/held_file.h"
+#include "core/io/lock_file.h"
 #include "core/message.h"
 #include "core/result.h"
 
@@ -23,71 +23,72 @@ namespace alltact {
 
 struct ForceModel;
 
-/// Where a finger keeps what it measures with (calibration/finger/measuring_presets.h).
+/// The file with a finger's measuring settings (calibration/finger/measuring_presets.h).
 inline constexpr const char* kMeasuringFile = "measuring.yaml";
 
-/// What a folder held at one moment. The reference recording, which is large, is read when it is
-/// needed and shared by all who need it: ReferenceLibrary::load.
+/// Content of a folder at one moment. The large reference recording is loaded on demand and shared:
+/// ReferenceLibrary::load.
 struct FingerSnapshot {
   std::filesystem::path folder;
-  std::uint64_t revision = 0;  ///< grows with every change of finger.yaml that the store has seen
+  std::uint64_t revision = 0;  ///< increases with every change of finger.yaml that the store
+                               ///< detects
   Finger finger;
   Camera camera;
-  std::optional<Mapping> mapping;  ///< of a finger that is calibrated
+  std::optional<Mapping> mapping;  ///< empty: the finger is not calibrated
   PressSet presses;
-  std::optional<Error> presses_problem;     ///< why `presses` is empty though something is kept
-  std::vector<Message> warnings;            ///< what is strange in finger.yaml
-  std::shared_ptr<const ForceModel> force;  ///< of a finger whose forces are told
-  std::optional<Error> force_problem;       ///< why `force` is null though the finger names one
-  int reduced_by = 1;  ///< pixels a side that are one here (reduced_finger.h); 1: none are
-  CameraParameters whole_camera;  ///< of the pictures that come, where they are reduced
-  std::string measuring;          ///< what kMeasuringFile holds; empty: it is not there
+  std::optional<Error> presses_problem;     ///< why `presses` is empty although the file exists
+  std::vector<Message> warnings;            ///< implausible values in finger.yaml
+  std::shared_ptr<const ForceModel> force;  ///< null: the finger has no force model
+  std::optional<Error> force_problem;       ///< why `force` is null although the finger names a
+                                            ///< model
+  int reduced_by = 1;            ///< binning factor per side (reduced_finger.h); 1: full resolution
+  CameraParameters full_camera;  ///< camera of the full images, where they are reduced
+  std::string measuring;         ///< content of kMeasuringFile; empty: it does not exist
 
-  /// Of a finger that is at hand, whatever stands in its folder. Errors: those of Camera::create
-  /// and Mapping::create.
+  /// The snapshot of a finger in memory, regardless of its folder's content. Errors: those of
+  /// Camera::create and Mapping::create.
   [[nodiscard]] static Result<FingerSnapshot> of(const std::filesystem::path& folder,
                                                  Finger finger);
-  /// The same, not calibrated.
+  /// The same finger, uncalibrated.
   [[nodiscard]] FingerSnapshot without_mapping() const;
 };
 using FingerPtr = std::shared_ptr<const FingerSnapshot>;
 
-/// Any thread may call any function. Programs exclude each other as threads do.
+/// Any thread may call any function. Programs exclude each other like threads.
 class FingerStore {
  public:
-  /// The store of a folder: one in a program, however many ask for it.
+  /// Returns the store of a folder: one instance per program.
   [[nodiscard]] static std::shared_ptr<FingerStore> of(const std::filesystem::path& folder);
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
-  /// What stands there now: read again only where another program has changed it. Errors: those of
+  /// The current content, read again only after a change by another program. Errors: those of
   /// Finger::load, Camera::create and Mapping::create.
   [[nodiscard]] Result<FingerPtr> snapshot();
 
-  /// Reads finger.yaml as it is now, lets `change` change it, and writes it whole: one after
-  /// another among threads and programs, so that nothing that another wrote in between is lost.
-  /// Gives what stands there then. `change` should take what has been worked out already: others
-  /// wait for it, up to ten seconds. Errors: those of snapshot(), `change` and Finger::save, and
-  /// then the file is as it was; another program holds the finger longer than that.
+  /// Reads finger.yaml, applies `change`, and writes it atomically. Threads and programs take
+  /// turns, so that no concurrent change is lost. Returns the new content. `change` should only
+  /// apply finished results, because others wait for it, up to ten seconds. Errors: those of
+  /// snapshot(), `change` and Finger::save, with the file unchanged; another program holds the
+  /// finger longer than that.
   [[nodiscard]] Result<FingerPtr> update(const std::function<Status(Finger&)>& change);
 
-  /// Keeps what is said of the presses, whole or not at all.
-  [[nodiscard]] Status keep_presses(const PressSet& presses);
+  /// Saves the notes about the presses, atomically.
+  [[nodiscard]] Status save_presses(const PressSet& presses);
 
-  /// Keeps what `content` gives for kMeasuringFile, whole or not at all; one after another among
-  /// threads and programs. Errors: those of `content` and snapshot(), and then the file is as it
-  /// was.
-  [[nodiscard]] Status keep_measuring(
+  /// Saves the result of `content` in kMeasuringFile, atomically; threads and programs take turns.
+  /// Errors: those of `content` and snapshot(), with the file unchanged.
+  [[nodiscard]] Status save_measuring(
       const std::function<Result<std::string>(const std::filesystem::path& folder)>& content);
 
-  /// For work of minutes on a finger (calibrating, recording its reference) that two must not do at
-  /// once; update() goes on beside it. Error: another is at it, who is named.
-  ///   doing: what is done, for those who come second ("calibrating")
-  [[nodiscard]] Result<HeldFile> hold_for_work(const std::string& doing);
+  /// Locks a finger for exclusive work of minutes (calibrating, recording its reference); update()
+  /// is possible meanwhile. Error: another one works on it, with its name.
+  ///   doing: the activity, for the message to others ("calibrating")
+  [[nodiscard]] Result<LockFile> lock_for_work(const std::string& doing);
 
-  /// Told of every change, with what stands there since and what stood there before, on the thread
-  /// that made or found it.
+  /// Called after every change, with the new and the old content, on the thread that made or
+  /// detected it.
   using Listener = std::function<void(const FingerPtr& now, const FingerPtr& before)>;
-  /// Ends when it is destroyed: the listener is not called, and not being called, from then on.
+  /// Listens until the returned handle is destroyed; the destruction waits for a running call.
   [[nodiscard]] std::shared_ptr<void> listen(Listener listener);
 
   explicit FingerStore(std::filesystem::path folder) : folder_(std::move(folder)) {}
@@ -97,12 +98,12 @@ class FingerStore {
  private:
   struct Listening;
   [[nodiscard]] Result<FingerPtr> read();
-  void tell(const FingerPtr& now, const FingerPtr& before);
+  void notify(const FingerPtr& now, const FingerPtr& before);
 
   std::filesystem::path folder_;
   std::mutex mutex_;
   FingerPtr last_;
-  /// Which files `last_` was read from.
+  /// Identity of the files from which `last_` was read.
   std::string finger_written_, presses_written_, force_written_, measuring_written_;
   std::list<std::weak_ptr<Listening>> listening_;
 };
@@ -110,7 +111,7 @@ class FingerStore {
 /// The store's snapshot of a folder.
 [[nodiscard]] Result<FingerPtr> open_finger(const std::filesystem::path& folder);
 
-/// Sets an entry of the provenance to what it is in `from`, or removes it where that has none.
-void take_provenance(const Finger& from, const std::string& key, Finger& finger);
+/// Copies an entry of the provenance from `from`, or removes it where that has none.
+void copy_provenance(const Finger& from, const std::string& key, Finger& finger);
 
 }  // namespace alltact

@@ -1,7 +1,7 @@
-// finger.yaml, written.
+// Writer of finger.yaml.
 #include "core/finger/camera_yaml.h"
 #include "core/finger/finger_yaml.h"
-#include "core/finger/place_yaml.h"
+#include "core/finger/pose_yaml.h"
 #include "core/yaml/yaml_writer.h"
 
 namespace alltact {
@@ -120,8 +120,8 @@ std::string reference_text(const ReferenceFiles& files, const UnknownKeys& unkno
   if (files.image.empty()) {
     block.add("video", yaml_text(files.video));
     block.add("markers", yaml_text(files.markers));
-    if (files.places)
-      block.add("places", yaml_numbers({files.places->from_u_px, files.places->step_mm}));
+    if (files.positions)
+      block.add("places", yaml_numbers({files.positions->from_u_px, files.positions->step_mm}));
   } else {
     block.add("image", yaml_text(files.image));
   }
@@ -142,7 +142,7 @@ std::string contact_text(const ContactSettings& contact, const UnknownKeys& unkn
 
 std::string gripper_text(const RigidTransform& pose, const UnknownKeys& unknown) {
   YamlBlock block("gripper_from_camera");
-  add_place(pose, block);
+  add_pose(pose, block);
   block.add_unknown(unknown);
   return block.on_one_line();
 }

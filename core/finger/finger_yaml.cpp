@@ -1,4 +1,4 @@
-// finger.yaml, in its folder.
+// Loading and saving of finger.yaml.
 #include "core/finger/finger_yaml.h"
 
 #include "core/io/atomic_file.h"

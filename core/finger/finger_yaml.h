@@ -1,4 +1,4 @@
-// What finger.yaml says, to and from YAML.
+// Content of finger.yaml, to and from YAML.
 #pragma once
 
 #include "core/finger/finger.h"
@@ -10,11 +10,10 @@
 
 namespace alltact {
 
-/// For YamlFile::read(). Looks at the form of the values; whether they make a finger is for
-/// Finger::validate to say.
+/// For YamlFile::read(). Checks the form of the values; Finger::validate checks the values.
 [[nodiscard]] Finger read_finger(YamlSection& top);
 
-/// A valid finger as a file. `unknown`: what the file that it came from held besides.
+/// A valid finger as a file. `unknown`: unknown keys of its original file.
 [[nodiscard]] std::string finger_text(const Finger& finger, const UnknownKeys& unknown);
 
 /// The words of the file, in the order of the enums, which count from 1.

@@ -1,4 +1,4 @@
-// Measuring with a force model.
+// Estimation of forces with a force model.
 #include "core/finger/force_model.h"
 
 #include <algorithm>
@@ -10,10 +10,10 @@
 namespace alltact {
 namespace {
 
-constexpr double kRoom = 1.1;  // how far beyond the table's greatest still counts as in range
-constexpr double kPlaceRoomMm = 2.0;   // beside the places of the table
-constexpr double kRestPx = 2.0;        // of a marker that rests where it did
-constexpr double kLargestInput = 1e6;  // px, mm: beyond is no picture
+constexpr double kRangeMargin = 1.1;       // in range up to this multiple of the table's maximum
+constexpr double kPositionMarginMm = 2.0;  // margin around the positions of the table
+constexpr double kRestTolerancePx = 2.0;   // tolerance for a marker at rest
+constexpr double kLargestInput = 1e6;      // px, mm: larger values are invalid
 
 bool is_usable(const Eigen::VectorXd& values) {
   return values.allFinite() && (values.size() == 0 || values.cwiseAbs().maxCoeff() < kLargestInput);
@@ -44,26 +44,29 @@ void ForceRange::fill(ForceInput& input) const {
     if (input.seen[m] < 0.5) input.displacement_px.segment<2>(2 * m) = likeliest.segment<2>(2 * m);
 }
 
-ForceRange::Unusual ForceRange::unusual(const ForceInput& filled) const {
+ForceRange::RangeDeviation ForceRange::deviation(const ForceInput& filled) const {
   const Eigen::VectorXd from_mean = filled.displacement_px - mean_px;
   const Eigen::VectorXd score = components.transpose() * from_mean;
-  const Eigen::VectorXd beside = from_mean - components * score;
+  const Eigen::VectorXd residual = from_mean - components * score;
   const double seen = std::max(1.0, filled.seen.sum());
   return {score.cwiseQuotient(component_sd_px).squaredNorm(),
-          std::sqrt(beside.squaredNorm() / (2 * seen))};
+          std::sqrt(residual.squaredNorm() / (2 * seen))};
 }
 
 bool ForceRange::holds(const ForceInput& filled) const {
-  const Unusual found = unusual(filled);
-  if (found.t2 > kRoom * kRoom * most_t2 || found.beside_px > kRoom * most_beside_px) return false;
-  if (filled.seen.sum() < least_seen - 0.5) return false;
-  if (!filled.place_mm || !place_mm) return filled.place_mm.has_value() || !always_placed;
-  return ((*filled.place_mm - (*place_mm)[0]).array() >= -kPlaceRoomMm).all() &&
-         ((*filled.place_mm - (*place_mm)[1]).array() <= kPlaceRoomMm).all();
+  const RangeDeviation found = deviation(filled);
+  if (found.t2 > kRangeMargin * kRangeMargin * max_t2 ||
+      found.residual_px > kRangeMargin * max_residual_px)
+    return false;
+  if (filled.seen.sum() < min_seen - 0.5) return false;
+  if (!filled.position_mm || !position_mm)
+    return filled.position_mm.has_value() || !has_all_positions;
+  return ((*filled.position_mm - (*position_mm)[0]).array() >= -kPositionMarginMm).all() &&
+         ((*filled.position_mm - (*position_mm)[1]).array() <= kPositionMarginMm).all();
 }
 
 int ForceBasis::size() const {
-  const int multiplied = squared + (squared > 0 && has_place ? 3 : 0);
+  const int multiplied = squared + (squared > 0 && has_position ? 3 : 0);
   return plain_size() + multiplied * (multiplied + 1) / 2;
 }
 
@@ -71,12 +74,12 @@ Eigen::VectorXd ForceBasis::raw_extras(const ForceInput& filled) const {
   Eigen::VectorXd extra(extras());
   Eigen::Index at = 0;
   for (const int flag : flags) extra[at++] = filled.seen[flag];
-  if (has_place) {
-    // A place that is not known counts as the middle of all.
-    const bool known = filled.place_mm.has_value();
+  if (has_position) {
+    // An unknown position is replaced by the mean.
+    const bool known = filled.position_mm.has_value();
     const bool is_learnt = extra_mean.size() == extra.size();
     for (int i = 0; i < 2; ++i, ++at)
-      extra[at] = known ? (*filled.place_mm)[i] : is_learnt ? extra_mean[at] : 0.0;
+      extra[at] = known ? (*filled.position_mm)[i] : is_learnt ? extra_mean[at] : 0.0;
     extra[at++] = known ? 1.0 : 0.0;
   }
   if (crept > 0) {
@@ -98,10 +101,10 @@ Eigen::VectorXd ForceBasis::operator()(const ForceInput& filled) const {
   if (extras() > 0)
     z.segment(p, extras()) = (raw_extras(filled) - extra_mean).cwiseProduct(extra_scale);
   if (squared == 0) return z;
-  // Components of one size, so that each product has its say.
+  // Components of equal scale, so that each product has an influence.
   std::vector<Eigen::Index> factors(static_cast<std::size_t>(squared));
   std::iota(factors.begin(), factors.end(), 0);
-  if (has_place)
+  if (has_position)
     for (Eigen::Index i = 0; i < 3; ++i)
       factors.push_back(p + static_cast<Eigen::Index>(flags.size()) + i);
   Eigen::Index at = plain_size();
@@ -131,7 +134,7 @@ std::optional<Force> ForceModel::operator()(ForceInput input) const {
   if (input.seen.size() != marker_count || input.displacement_px.size() != 2 * marker_count ||
       input.seen.sum() < 0.5 || !is_usable(input.displacement_px) || !is_usable(input.crept_px))
     return std::nullopt;
-  if (input.place_mm && !is_usable(*input.place_mm)) input.place_mm.reset();
+  if (input.position_mm && !is_usable(*input.position_mm)) input.position_mm.reset();
   range.fill(input);
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(axes), squares = sum;
   Eigen::VectorXd first;
@@ -170,7 +173,7 @@ Status ForceModel::belongs_to(const Finger& finger) const {
   double far_px = 0;
   for (std::size_t m = 0; m < rest_px.size(); ++m)
     far_px = std::max(far_px, (rest_px[m] - finger.contact->rest_markers[m]).norm());
-  if (far_px <= kRestPx) return {};
+  if (far_px <= kRestTolerancePx) return {};
   return Error{en::say("the force model belongs to another reference: its markers rested up to "
                        "{:.1f} px from where they rest now",
                        far_px),

@@ -1,4 +1,4 @@
-// The file that keeps a force model.
+// The file format of force models.
 #include "core/finger/force_model.h"
 #include "core/io/atomic_file.h"
 #include "core/printable.h"
@@ -14,7 +14,7 @@ using ForceJson = nlohmann::ordered_json;
 
 constexpr double kLargestNumber = 1e12;
 constexpr std::size_t kLargestModel = std::size_t{256} << 20;
-constexpr Eigen::Index kMostMembers = 200, kMostFeatures = 20000;
+constexpr Eigen::Index kMaxMembers = 200, kMaxFeatures = 20000;
 
 /// Ends the reading; ForceModel::parse catches it.
 struct RefusedForceModel {
@@ -42,13 +42,13 @@ ForceJson json_of(const ForceRange& range) {
                  {"components", json_of(range.components)},
                  {"component_sd_px", json_of_vector(range.component_sd_px)},
                  {"noise_px", range.noise_px},
-                 {"most_t2", range.most_t2},
-                 {"most_beside_px", range.most_beside_px},
-                 {"least_seen", range.least_seen},
-                 {"always_placed", range.always_placed}};
-  if (range.place_mm)
-    for (const Eigen::Vector2d& place : *range.place_mm)
-      json["place_mm"].push_back({place.x(), place.y()});
+                 {"most_t2", range.max_t2},
+                 {"most_beside_px", range.max_residual_px},
+                 {"least_seen", range.min_seen},
+                 {"always_placed", range.has_all_positions}};
+  if (range.position_mm)
+    for (const Eigen::Vector2d& position : *range.position_mm)
+      json["place_mm"].push_back({position.x(), position.y()});
   return json;
 }
 
@@ -59,7 +59,7 @@ ForceJson json_of(const ForceMember& member) {
                  {"components", json_of(basis.components)},
                  {"gain", json_of_vector(basis.gain)},
                  {"flags", basis.flags},
-                 {"has_place", basis.has_place},
+                 {"has_place", basis.has_position},
                  {"crept", basis.crept},
                  {"extra_mean", json_of_vector(basis.extra_mean)},
                  {"extra_scale", json_of_vector(basis.extra_scale)},
@@ -88,7 +88,7 @@ double number_of(const ForceJson& json, const std::string& path) {
   return number;
 }
 
-int whole_number_of(const ForceJson& json, const std::string& path) {
+int integer_of(const ForceJson& json, const std::string& path) {
   const double number = number_of(json, path);
   if (number != std::floor(number) || std::abs(number) > 1e9)
     refuse_model(path, en::say("is no whole number"));
@@ -101,31 +101,31 @@ const ForceJson& array_of(const ForceJson& json, const std::string& path) {
 }
 
 Eigen::VectorXd vector_at(const ForceJson& json, const std::string& key, const std::string& path) {
-  const std::string whole = path + "." + key;
-  const ForceJson& list = array_of(at(json, key, path), whole);
+  const std::string full_key = path + "." + key;
+  const ForceJson& list = array_of(at(json, key, path), full_key);
   Eigen::VectorXd vector(static_cast<Eigen::Index>(list.size()));
   for (Eigen::Index i = 0; i < vector.size(); ++i)
-    vector[i] = number_of(list[static_cast<std::size_t>(i)], whole);
+    vector[i] = number_of(list[static_cast<std::size_t>(i)], full_key);
   return vector;
 }
 
 Eigen::MatrixXd matrix_at(const ForceJson& json, const std::string& key, const std::string& path) {
-  const std::string whole = path + "." + key;
+  const std::string full_key = path + "." + key;
   const ForceJson& matrix = at(json, key, path);
-  const int rows = whole_number_of(at(matrix, "rows", whole), whole + ".rows");
-  const int columns = whole_number_of(at(matrix, "columns", whole), whole + ".columns");
-  const Eigen::VectorXd numbers = vector_at(matrix, "numbers", whole);
-  if (rows < 0 || columns < 0 || rows > kMostFeatures || columns > kMostFeatures ||
+  const int rows = integer_of(at(matrix, "rows", full_key), full_key + ".rows");
+  const int columns = integer_of(at(matrix, "columns", full_key), full_key + ".columns");
+  const Eigen::VectorXd numbers = vector_at(matrix, "numbers", full_key);
+  if (rows < 0 || columns < 0 || rows > kMaxFeatures || columns > kMaxFeatures ||
       Eigen::Index{rows} * columns != numbers.size())
-    refuse_model(whole, en::say("holds {} numbers, not {} x {}", numbers.size(), rows, columns));
+    refuse_model(full_key, en::say("holds {} numbers, not {} x {}", numbers.size(), rows, columns));
   return Eigen::Map<const Eigen::Matrix<double, -1, -1, Eigen::RowMajor>>(
       numbers.data(), rows, columns);
 }
 
-bool truth_at(const ForceJson& json, const std::string& key, const std::string& path) {
-  const ForceJson& truth = at(json, key, path);
-  if (!truth.is_boolean()) refuse_model(path + "." + key, en::say("is not true or false"));
-  return truth.get<bool>();
+bool bool_at(const ForceJson& json, const std::string& key, const std::string& path) {
+  const ForceJson& value = at(json, key, path);
+  if (!value.is_boolean()) refuse_model(path + "." + key, en::say("is not true or false"));
+  return value.get<bool>();
 }
 
 ForceRange range_from(const ForceJson& json) {
@@ -135,20 +135,20 @@ ForceRange range_from(const ForceJson& json) {
   range.components = matrix_at(json, "components", path);
   range.component_sd_px = vector_at(json, "component_sd_px", path);
   range.noise_px = number_of(at(json, "noise_px", path), "range.noise_px");
-  range.most_t2 = number_of(at(json, "most_t2", path), "range.most_t2");
-  range.most_beside_px = number_of(at(json, "most_beside_px", path), "range.most_beside_px");
-  range.least_seen = whole_number_of(at(json, "least_seen", path), "range.least_seen");
-  range.always_placed = truth_at(json, "always_placed", path);
+  range.max_t2 = number_of(at(json, "most_t2", path), "range.most_t2");
+  range.max_residual_px = number_of(at(json, "most_beside_px", path), "range.most_beside_px");
+  range.min_seen = integer_of(at(json, "least_seen", path), "range.least_seen");
+  range.has_all_positions = bool_at(json, "always_placed", path);
   if (!json.contains("place_mm")) return range;
-  const ForceJson& places = array_of(json.at("place_mm"), "range.place_mm");
-  if (places.size() != 2) refuse_model("range.place_mm", en::say("must be two places"));
-  range.place_mm.emplace();
+  const ForceJson& positions = array_of(json.at("place_mm"), "range.place_mm");
+  if (positions.size() != 2) refuse_model("range.place_mm", en::say("must be two places"));
+  range.position_mm.emplace();
   for (std::size_t i = 0; i < 2; ++i) {
-    if (array_of(places[i], "range.place_mm").size() != 2)
+    if (array_of(positions[i], "range.place_mm").size() != 2)
       refuse_model("range.place_mm", en::say("must be two places"));
     for (std::size_t k = 0; k < 2; ++k)
-      (*range.place_mm)[i][static_cast<Eigen::Index>(k)] =
-          number_of(places[i][k], "range.place_mm");
+      (*range.position_mm)[i][static_cast<Eigen::Index>(k)] =
+          number_of(positions[i][k], "range.place_mm");
   }
   return range;
 }
@@ -161,12 +161,12 @@ ForceMember member_from(const ForceJson& json, const std::string& path) {
   basis.components = matrix_at(json, "components", path);
   basis.gain = vector_at(json, "gain", path);
   for (const ForceJson& flag : array_of(at(json, "flags", path), path + ".flags"))
-    basis.flags.push_back(whole_number_of(flag, path + ".flags"));
-  basis.has_place = truth_at(json, "has_place", path);
-  basis.crept = whole_number_of(at(json, "crept", path), path + ".crept");
+    basis.flags.push_back(integer_of(flag, path + ".flags"));
+  basis.has_position = bool_at(json, "has_place", path);
+  basis.crept = integer_of(at(json, "crept", path), path + ".crept");
   basis.extra_mean = vector_at(json, "extra_mean", path);
   basis.extra_scale = vector_at(json, "extra_scale", path);
-  basis.squared = whole_number_of(at(json, "squared", path), path + ".squared");
+  basis.squared = integer_of(at(json, "squared", path), path + ".squared");
   for (const ForceJson& layers : array_of(at(json, "regressors", path), path + ".regressors")) {
     ForceRegressor regressor;
     for (const ForceJson& layer : array_of(layers, path + ".regressors"))
@@ -190,10 +190,10 @@ ForceModel model_from(const ForceJson& json) {
   if (word == kForceKinds.end())
     refuse_model("kind", en::say("must be mean, ridge, quadratic or network"));
   model.kind = static_cast<ForceKind>(word - kForceKinds.begin() + 1);
-  model.axes = whole_number_of(at(json, "axes", "force"), "axes");
-  model.marker_count = whole_number_of(at(json, "marker_count", "force"), "marker_count");
+  model.axes = integer_of(at(json, "axes", "force"), "axes");
+  model.marker_count = integer_of(at(json, "marker_count", "force"), "marker_count");
   for (const ForceJson& number : array_of(at(json, "missing", "force"), "missing"))
-    model.missing.push_back(whole_number_of(number, "missing"));
+    model.missing.push_back(integer_of(number, "missing"));
   const Eigen::VectorXd rest = vector_at(json, "rest_px", "force");
   for (Eigen::Index i = 0; i + 1 < rest.size(); i += 2)
     model.rest_px.emplace_back(rest[i], rest[i + 1]);
@@ -228,8 +228,8 @@ void check_range(const ForceModel& model) {
               "range.components");
   if (!(range.noise_px > 0) || (k > 0 && !(range.component_sd_px.minCoeff() > 0)))
     refuse_model("range.noise_px", en::say("must be above 0"));
-  if (!(range.most_t2 >= 0) || !(range.most_beside_px >= 0) || range.least_seen < 0 ||
-      range.least_seen > model.marker_count)
+  if (!(range.max_t2 >= 0) || !(range.max_residual_px >= 0) || range.min_seen < 0 ||
+      range.min_seen > model.marker_count)
     refuse_model("range", en::say("is no possible range"));
 }
 
@@ -280,8 +280,8 @@ void check_model(const ForceModel& model) {
     if (!(values->minCoeff() > 0) || !values->allFinite())
       refuse_model("scores", en::say("must be above 0"));
   }
-  if (model.members.empty() || static_cast<Eigen::Index>(model.members.size()) > kMostMembers)
-    refuse_model("members", en::say("must be 1 to {}", kMostMembers));
+  if (model.members.empty() || static_cast<Eigen::Index>(model.members.size()) > kMaxMembers)
+    refuse_model("members", en::say("must be 1 to {}", kMaxMembers));
   for (std::size_t i = 0; i < model.members.size(); ++i) {
     const ForceMember& member = model.members[i];
     const std::string path = "members[" + std::to_string(i) + "]";

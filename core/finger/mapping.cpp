@@ -10,8 +10,8 @@ namespace {
 constexpr int kMaxCoefficients = 12;
 constexpr double kMaxDepthMm = 1000;
 constexpr double kLimitFactor = 4;  // of M(x_max)
-constexpr double kLeastRoot = 0.5;  // of 1 + b x on the side of the bulge
-constexpr int kGrid = 2048;         // places where the slope is looked at
+constexpr double kMinRoot = 0.5;    // minimum of 1 + b x on the side of the bulge
+constexpr int kGrid = 2048;         // number of samples of the slope
 
 struct ValueAndDerivative {
   double value, derivative;
@@ -48,7 +48,7 @@ std::vector<double> ascending_powers(const std::vector<double>& c, double scale,
   return sum;
 }
 
-/// What the loops need of a mapping, beside its coefficients.
+/// Parameters of the loops, besides the coefficients.
 struct Loop {
   double x_min, x_max, start_slope, end_slope, limit;
 };
@@ -63,7 +63,7 @@ template <class Number>
   return high < x ? high : x;
 }
 
-/// x within the curve's domain.
+/// Clamps x to the curve's domain.
 template <class Number>
 [[gnu::always_inline]] inline Number clamped(Number low,
                                              std::type_identity_t<Number> high,
@@ -71,9 +71,9 @@ template <class Number>
   return at_most(high, at_least(low, x));
 }
 
-/// In single precision: t lies within -1 and 1, where the sum is off by some 1e-7 of its largest
-/// coefficient. `powers` holds exactly N values; unrolled, so that only x and the result touch
-/// memory.
+/// In single precision: t lies within -1 and 1, where the error of the sum is about 1e-7 of its
+/// largest coefficient. `powers` holds exactly N values; unrolled, so that only x and the result
+/// access memory.
 template <int N>
 [[gnu::always_inline]] inline void polynomial_loop(
     const double* powers, Loop loop, const float* x, float* depth_mm, int n) {
@@ -124,15 +124,15 @@ ALLTACT_WIDE void moebius_depths(
   }
 }
 
-std::optional<Error> covariance_problem(const Eigen::MatrixXd& covariance, Eigen::Index wanted) {
+std::optional<Error> covariance_problem(const Eigen::MatrixXd& covariance, Eigen::Index expected) {
   if (covariance.size() == 0) return std::nullopt;
   const auto problem = [](Message what) {
     return Error{std::move(what),
                  std::string("mapping.covariance"),
                  en::say("leave it out, or calibrate again")};
   };
-  if (covariance.rows() != wanted || covariance.cols() != wanted)
-    return problem(en::say("must be {0} rows of {0} numbers", wanted));
+  if (covariance.rows() != expected || covariance.cols() != expected)
+    return problem(en::say("must be {0} rows of {0} numbers", expected));
   if (!covariance.allFinite() || covariance.cwiseAbs().maxCoeff() > 1e12)
     return problem(en::say("holds values that no covariance has"));
   if ((covariance.diagonal().array() < 0).any()) return problem(en::say("has a negative variance"));
@@ -191,7 +191,7 @@ Mapping::Mapping(MappingParameters parameters) : parameters_(std::move(parameter
   if (parameters_.kind == MappingKind::kPolynomial)
     centred_powers_ = ascending_powers(parameters_.chebyshev, 1, 0);
   if (parameters_.kind == MappingKind::kMoebius)
-    x_min_ = parameters_.b > 0 ? std::max(-1.0, (kLeastRoot - 1) / parameters_.b) : -1.0;
+    x_min_ = parameters_.b > 0 ? std::max(-1.0, (kMinRoot - 1) / parameters_.b) : -1.0;
   start_slope_mm_ = slope_mm(x_min_);
   end_slope_mm_ = slope_mm(x_max);
   end_depth_mm_ = std::numeric_limits<double>::infinity();  // no limit for the next line
@@ -215,7 +215,7 @@ Result<Mapping> Mapping::create(MappingParameters parameters) {
 
   const std::string key = is_moebius ? "mapping.a_mm" : "mapping.chebyshev";
   const Mapping mapping(std::move(parameters));
-  // Half of the places by the cosine, which crowds them at both ends, where a polynomial turns.
+  // Half of the samples by the cosine, which crowds them at both ends, where a polynomial turns.
   for (int i = 0; i <= kGrid; ++i) {
     const double even = static_cast<double>(i) / kGrid;
     const double crowded = 0.5 - 0.5 * std::cos(even * std::numbers::pi);
@@ -262,13 +262,13 @@ double Mapping::slope_mm(double x) const {
   return value + (t + 1) * derivative;  // x dt/dx = t + 1
 }
 
-double Mapping::depth_sd_mm(double x, const Eigen::Vector2d& place_mm) const {
+double Mapping::depth_sd_mm(double x, const Eigen::Vector2d& position_mm) const {
   const Eigen::MatrixXd& covariance = parameters_.covariance;
   if (covariance.size() == 0) return std::isnan(x) ? x : 0;
   const double x_max = parameters_.x_max;
   const double inside = clamped(x_min_, x_max, x);
   const double excess = x - inside;  // < 0 below x_min
-  // Of the depth in each coefficient.
+  // Derivative of the depth by each coefficient.
   Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxCoefficients + 2, 1> gradient(covariance.rows());
   const Eigen::Index numbers = gradient.size() - (parameters_.variation.is_none() ? 0 : 2);
   if (parameters_.kind == MappingKind::kMoebius) {
@@ -289,8 +289,8 @@ double Mapping::depth_sd_mm(double x, const Eigen::Vector2d& place_mm) const {
     }
   }
   if (numbers < gradient.size()) {
-    gradient.head(numbers) *= parameters_.variation.at(place_mm);
-    gradient.tail<2>() = depth_mm(x) * parameters_.variation.within(place_mm);
+    gradient.head(numbers) *= parameters_.variation.at(position_mm);
+    gradient.tail<2>() = depth_mm(x) * parameters_.variation.within(position_mm);
   }
   double variance = 0;
   for (Eigen::Index i = 0; i < gradient.size(); ++i)
@@ -335,7 +335,7 @@ void Mapping::depths_mm(const float* x, float* depth_mm, int n) const {
 
 std::vector<double> Mapping::powers() const {
   if (parameters_.kind == MappingKind::kMoebius) return {};
-  // In powers of x / x_max first, where the coefficients of T_k are whole numbers.
+  // In powers of x / x_max first, where the coefficients of T_k are integers.
   std::vector<double> powers = ascending_powers(parameters_.chebyshev, 2, -1);
   double scale = 1;
   for (double& p : powers) p *= scale, scale /= parameters_.x_max;

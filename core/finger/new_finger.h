@@ -1,4 +1,4 @@
-// What a new finger is made of, as the window and the command line ask for it.
+// Input for a new finger, from the window or the command line.
 #pragma once
 
 #include "core/finger/finger.h"
@@ -11,7 +11,7 @@ namespace alltact {
 
 struct NewFinger {
   std::filesystem::path finger;  ///< the folder to make
-  std::string name;              ///< empty: the folder's
+  std::string name;              ///< empty: the folder's name
   std::filesystem::path camera;  ///< CAMERA.yaml
   FaceKind kind = FaceKind::kFinRay;
   double width_mm = 0;
@@ -22,8 +22,8 @@ struct NewFinger {
   std::optional<RigidTransform> gripper_from_camera;
 };
 
-/// Makes a finger folder and gives what lies in it. Errors: there is a finger already; the camera
-/// file or a value is wrong; the folder cannot be written.
-[[nodiscard]] Result<Finger> make_finger(const NewFinger& wanted);
+/// Makes a finger folder and returns the finger. Errors: there is a finger already; the camera file
+/// or a value is wrong; the folder cannot be written.
+[[nodiscard]] Result<Finger> make_finger(const NewFinger& requested);
 
 }  // namespace alltact

@@ -14,9 +14,9 @@ namespace fs = std::filesystem;
 
 constexpr const char* kCalibratedFrom = "calibration_inputs.yaml";
 constexpr Limits kRadiusMm{0, kLargestBallMm, true}, kLengthMm{0, kDeepestMm, true};
-constexpr Limits kPlaceMm{-10000, 10000};  // of a ball, from the camera
+constexpr Limits kPositionMm{-10000, 10000};  // position of a ball, from the camera
 
-/// The presses that `key` names, paired with the values that another key has for them.
+/// Reads the presses that `key` names, with their values from another key.
 template <class T>
 void read_pairs(YamlSection& top,
                 const char* key,
@@ -35,7 +35,7 @@ void read_pairs(YamlSection& top,
 
 using Rows = std::vector<double>;
 
-ToldDepth depth_of(YamlSection& top, const Rows& row) {
+GivenDepth depth_of(YamlSection& top, const Rows& row) {
   if (row.size() != 2)
     top.refuse("depths_mm",
                en::say("must hold two numbers for each press"),
@@ -51,7 +51,7 @@ Eigen::Vector3d centre_of(YamlSection& top, const Rows& row) {
   return {row[0], row[1], row[2]};
 }
 
-/// The presses of which something is said, and what; both as YAML.
+/// Adds the presses that have this value, and the values; both as YAML.
 void add_pairs(const PressSet& presses,
                const char* key,
                const char* values_key,
@@ -104,17 +104,18 @@ bool PressSet::has_other_balls() const {
 }
 
 PressSet PressSet::only(const std::set<std::string>& presses) const {
-  PressSet said = *this;
-  std::erase_if(said.notes, [&](const auto& entry) { return !presses.contains(entry.first); });
-  return said;
+  PressSet presses_read = *this;
+  std::erase_if(presses_read.notes,
+                [&](const auto& entry) { return !presses.contains(entry.first); });
+  return presses_read;
 }
 
-PressSet read_press_set(YamlSection& top, bool must_tell_radius) {
-  PressSet said;
-  if (must_tell_radius || top.has("ball_radius_mm"))
-    said.ball_radius_mm = top.number("ball_radius_mm", kRadiusMm);
-  if (top.has("operator")) said.operator_name = top.text("operator");
-  auto& notes = said.notes;
+PressSet read_press_set(YamlSection& top, bool requires_radius) {
+  PressSet presses_read;
+  if (requires_radius || top.has("ball_radius_mm"))
+    presses_read.ball_radius_mm = top.number("ball_radius_mm", kRadiusMm);
+  if (top.has("operator")) presses_read.operator_name = top.text("operator");
+  auto& notes = presses_read.notes;
   read_pairs<double>(
       top,
       "other_balls",
@@ -137,7 +138,7 @@ PressSet read_press_set(YamlSection& top, bool must_tell_radius) {
       top,
       "balls",
       "balls_mm",
-      [&] { return top.rows("balls_mm", kPlaceMm); },
+      [&] { return top.rows("balls_mm", kPositionMm); },
       [&](const auto& press, const Rows& row) { notes[press].ball_mm = centre_of(top, row); });
   read_pairs<std::string>(
       top,
@@ -145,7 +146,7 @@ PressSet read_press_set(YamlSection& top, bool must_tell_radius) {
       "excluded_because",
       [&] { return top.texts("excluded_because"); },
       [&](const auto& press, const std::string& because) { notes[press].excluded = because; });
-  return said;
+  return presses_read;
 }
 
 void add_all_presses(const PressSet& presses, YamlBlock& block) {

@@ -1,19 +1,19 @@
-// What somebody says of a finger's presses: made with which ball and, by their names, what single
-// ones were made with, how deep they are, which not to use. Kept in press_notes.yaml beside
-// presses/, which holds their pictures:
+// Notes of a person about a finger's presses: ball radius, and for single presses, by their names,
+// other radius, depth or exclusion. Stored in press_notes.yaml next to presses/, which holds their
+// images:
 //   format: alltact-press-notes/1
-//   operator: Ada                     # absent: not told
-//   ball_radius_mm: 4.0               # absent: not told yet
+//   operator: Ada                     # absent: not given
+//   ball_radius_mm: 4.0               # absent: not given yet
 //   other_balls: [press_5]            # presses made with a ball of another radius,
-//   other_balls_mm: [6.0]             # and which
-//   depths: [press_2]                 # presses whose depth a stage or a gauge told,
+//   other_balls_mm: [6.0]             # and the radius
+//   depths: [press_2]                 # presses with a depth measured by a stage or a gauge,
 //   depths_mm: [[1.2, 0.01]]          # normal to the face, with its standard deviation
 //   steps: [press_7]                  # presses made with a flat punch that has a step,
 //   steps_mm: [0.5]                   # and its height
-//   balls: [press_4]                  # presses whose ball was put by hand, and where, mm
+//   balls: [press_4]                  # presses whose ball was positioned by hand, and where, mm
 //   balls_mm: [[1.5, -2.0, 48.0]]
-//   excluded: [press_3]               # by name, and why
-//   excluded_because: [glove in the picture]
+//   excluded: [press_3]               # by name, and the reason
+//   excluded_because: [glove in view]
 #pragma once
 
 #include "core/finger/quantity.h"
@@ -31,21 +31,21 @@
 
 namespace alltact {
 
-/// How deep a ball was pressed in where that was measured: normal to the untouched face, from where
-/// the ball first touches it to its deepest point.
-struct ToldDepth {
+/// A measured press depth: normal to the face without contact, from the ball's first contact to its
+/// deepest point.
+struct GivenDepth {
   double mm = 0;
   double sd_mm = 0;  ///< standard deviation of the measurement
-  bool operator==(const ToldDepth&) const = default;
+  bool operator==(const GivenDepth&) const = default;
 };
 
-/// What is said of one press; absent: nothing.
+/// Notes about one press; absent: none.
 struct PressNote {
   std::optional<double> ball_radius_mm;    ///< of a ball of another size than all others'
-  std::optional<ToldDepth> depth;          ///< as a stage or a feeler gauge tells it
+  std::optional<GivenDepth> depth;         ///< measured by a stage or a feeler gauge
   std::optional<double> step_mm;           ///< of a flat punch with a step this high, not a ball
-  std::optional<Eigen::Vector3d> ball_mm;  ///< the ball's centre put by hand, camera frame
-  std::optional<std::string> excluded;     ///< kept but not used, and why; empty: not told why
+  std::optional<Eigen::Vector3d> ball_mm;  ///< the ball's centre positioned by hand, camera frame
+  std::optional<std::string> excluded;     ///< the press is unused, and why; empty: no reason given
   bool operator==(const PressNote&) const = default;
 };
 
@@ -53,44 +53,45 @@ struct PressSet {
   static constexpr const char* kFormat = "alltact-press-notes/1";
   static constexpr const char* kFileName = "press_notes.yaml";
 
-  double ball_radius_mm = 0;               ///< of all presses without one of their own; 0: not told
-  std::string operator_name;               ///< empty: not told
-  std::map<std::string, PressNote> notes;  ///< by the presses' names; none says nothing
+  double ball_radius_mm = 0;               ///< of all presses without one of their own; 0: not
+                                           ///< given
+  std::string operator_name;               ///< empty: not given
+  std::map<std::string, PressNote> notes;  ///< by the presses' names; without empty notes
   bool operator==(const PressSet&) const = default;
 
-  /// Says nothing of a press that is not among the notes.
+  /// The notes about a press; empty ones where there are none.
   [[nodiscard]] const PressNote& of(const std::string& press) const;
-  /// In place of what was said of it before.
+  /// Replaces the notes about a press.
   void say(const std::string& press, PressNote note);
-  /// Of the ball that a press was made with.
+  /// Radius of the ball that a press was made with, mm.
   [[nodiscard]] double radius_of(const std::string& press) const;
-  /// A press was made with a ball of another size.
+  /// True when a press was made with a ball of another size.
   [[nodiscard]] bool has_other_balls() const;
-  /// Without what is said of presses that are not among these.
+  /// Without the notes about presses that are not among these.
   [[nodiscard]] PressSet only(const std::set<std::string>& presses) const;
 
-  /// The file that tells of a folder's presses: press_notes.yaml or, where there is none, what its
-  /// calibration was made from.
+  /// The file with a folder's notes: press_notes.yaml or, where there is none, the inputs of its
+  /// calibration.
   [[nodiscard]] static std::filesystem::path file_in(const std::filesystem::path& finger_folder);
-  /// What file_in() says; empty where there is no such file. Errors: the file cannot be read,
+  /// Loads file_in(); empty where there is no such file. Errors: the file cannot be read,
   /// impossible values.
   static Result<PressSet> load(const std::filesystem::path& finger_folder);
   static Result<PressSet> parse(const std::string& yaml, const std::filesystem::path& origin);
   [[nodiscard]] std::string to_yaml() const;
-  /// Whole or not at all.
+  /// Writes the file atomically.
   [[nodiscard]] Status save(const std::filesystem::path& finger_folder) const;
 };
 
-/// All keys but `format`, of a file that holds more than these as well. Refuses lists of different
-/// lengths, impossible values and, where it must be told, a missing radius.
-[[nodiscard]] PressSet read_press_set(YamlSection& top, bool must_tell_radius = false);
-/// `ball_radius_mm` and `operator`.
+/// Reads all keys but `format`, also from a file with other keys. Refuses lists of different
+/// lengths, impossible values and, where it is required, a missing radius.
+[[nodiscard]] PressSet read_press_set(YamlSection& top, bool requires_radius = false);
+/// Adds `ball_radius_mm` and `operator`.
 void add_all_presses(const PressSet& presses, YamlBlock& block);
-/// The rest.
+/// Adds the notes about single presses.
 void add_single_presses(const PressSet& presses, YamlBlock& block);
 
 inline constexpr double kLargestBallMm = kBallRadius.possible.high;
-inline constexpr double kDeepestMm = kPressDepth.possible.high;  ///< of steps of punches too
-inline constexpr double kUsualDepthSdMm = 0.02;                  ///< of a dial gauge and a hand
+inline constexpr double kDeepestMm = kPressDepth.possible.high;  ///< also of steps of punches
+inline constexpr double kTypicalDepthSdMm = 0.02;                ///< of a dial gauge read by hand
 
 }  // namespace alltact

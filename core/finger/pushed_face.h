@@ -1,4 +1,4 @@
-// Which of the finger's faces is pushed.
+// The faces of a finger.
 #pragma once
 
 #include <string_view>

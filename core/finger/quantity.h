@@ -1,4 +1,4 @@
-// The physical quantities that people type: unit, possible and plausible range, each declared once.
+// Physical quantities that people type: unit, possible and plausible range, each declared once.
 // Flags, fields of the window, files and tables check against these.
 #pragma once
 
@@ -10,8 +10,8 @@
 namespace alltact {
 
 /// Both ranges are inclusive. A value outside `possible` is refused, one outside `plausible` is
-/// taken with a warning: most often its decimal mark is at the wrong position, or its unit is
-/// another one.
+/// accepted with a warning: often its decimal mark is at the wrong position, or its unit is another
+/// one.
 struct Quantity {
   struct Range {
     double low, high;
@@ -25,14 +25,14 @@ struct Quantity {
 
   /// "must be a number from 0.05 to 20 mm"; nullopt: possible. NaN is impossible.
   [[nodiscard]] std::optional<Message> refusal(double value) const;
-  /// "16 mm is more than usual for the thickness of the layer (0.3 to 5 mm): check the decimal
-  /// mark"; nullopt: plausible. Of an impossible value, the refusal.
+  /// The warning for an implausible value, with the plausible range; nullopt: plausible. For an
+  /// impossible value, the refusal.
   [[nodiscard]] std::optional<Message> warning(double value) const;
 };
 
-/// Sources of the plausible ranges: the balls, layers and fingers of vision-based tactile sensors
-/// that are published or sold (GelSight, DIGIT, 9DTact, DelTact, Fin Ray grippers), twice as wide
-/// on either side. The possible ranges end where optics or a hand in a laboratory end.
+/// Sources of the plausible ranges: balls, layers and fingers of vision-based tactile sensors that
+/// are published or sold (GelSight, DIGIT, 9DTact, DelTact, Fin Ray grippers), twice as wide on
+/// either side. The possible ranges end where optics or a hand in a laboratory end.
 inline constexpr Quantity kBallRadius{
     "ball_radius_mm", "mm", {0.1, 100}, {0.5, 20}, [] { return en::say("the radius of a ball"); }};
 inline constexpr Quantity kFaceWidth{

@@ -1,6 +1,6 @@
 #include "core/finger/reduced_finger.h"
 
-#include "core/camera/reduced_picture.h"
+#include "core/camera/reduced_image.h"
 
 namespace alltact {
 
@@ -11,7 +11,7 @@ FingerSnapshot reduced_finger(const FingerSnapshot& finger, int by) {
   if (!camera) return finger;
   FingerSnapshot reduced = finger;
   reduced.reduced_by = by;
-  reduced.whole_camera = finger.finger.camera;
+  reduced.full_camera = finger.finger.camera;
   reduced.finger.camera = parameters;
   reduced.camera = std::move(camera).value();
   if (auto& contact = reduced.finger.contact) {
@@ -19,21 +19,21 @@ FingerSnapshot reduced_finger(const FingerSnapshot& finger, int by) {
     for (Eigen::Vector2d& marker : contact->rest_markers)
       marker = {reduced_px(marker.x(), by), reduced_px(marker.y(), by)};
   }
-  if (auto& reference = reduced.finger.reference; reference && reference->places)
-    reference->places->from_u_px = reduced_px(reference->places->from_u_px, by);
+  if (auto& reference = reduced.finger.reference; reference && reference->positions)
+    reference->positions->from_u_px = reduced_px(reference->positions->from_u_px, by);
   return reduced;
 }
 
-Result<cv::Mat> picture_for(const FingerSnapshot& finger,
-                            const cv::Mat& raw,
-                            const Message& what,
-                            const Where& where,
-                            const Message& advice) {
+Result<cv::Mat> image_for(const FingerSnapshot& finger,
+                          const cv::Mat& raw,
+                          const Message& what,
+                          const Where& where,
+                          const Message& advice) {
   const CameraParameters& camera =
-      finger.reduced_by == 1 ? finger.finger.camera : finger.whole_camera;
+      finger.reduced_by == 1 ? finger.finger.camera : finger.full_camera;
   auto turned = oriented_for(camera, raw, what, where, advice);
   if (!turned) return turned.error();
-  return reduced_picture(*turned, finger.reduced_by);
+  return reduced_image(*turned, finger.reduced_by);
 }
 
 }  // namespace alltact

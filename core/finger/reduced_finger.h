@@ -1,21 +1,21 @@
-// A finger as it is in pictures of fewer pixels.
+// A finger at reduced image resolution.
 #pragma once
 
 #include "core/finger/finger_store.h"
 
 namespace alltact {
 
-/// With everything that stands in pixels (camera, markers at rest, places of poses) at the places
-/// of pictures that are reduced (reduced_picture.h) by `by` pixels a side. The same finger where
-/// `by` is 1, or it is reduced already, or its pictures would be smaller than any camera's (16 px).
+/// Converts all pixel coordinates (camera, markers at rest, positions for poses) to images that are
+/// reduced by `by` pixels a side (reduced_image.h). Returns the finger unchanged where `by` is 1,
+/// it is reduced already, or its images would be smaller than any camera's (16 px).
 [[nodiscard]] FingerSnapshot reduced_finger(const FingerSnapshot& finger, int by);
 
-/// A raw picture turned as the finger's camera has it, and reduced as the finger is. Error: its
-/// size is not that of the finger's camera, see oriented_for().
-[[nodiscard]] Result<cv::Mat> picture_for(const FingerSnapshot& finger,
-                                          const cv::Mat& raw,
-                                          const Message& what,
-                                          const Where& where,
-                                          const Message& advice);
+/// A raw image in the orientation of the finger's camera, reduced like the finger. Error: its size
+/// differs from the finger's camera, see oriented_for().
+[[nodiscard]] Result<cv::Mat> image_for(const FingerSnapshot& finger,
+                                        const cv::Mat& raw,
+                                        const Message& what,
+                                        const Where& where,
+                                        const Message& advice);
 
 }  // namespace alltact

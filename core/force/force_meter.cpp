@@ -5,13 +5,13 @@
 namespace alltact {
 namespace {
 
-constexpr double kLongestGap = 5.0;  // creep times after which nothing is known of before
+constexpr double kLongestGap = 5.0;  // creep times after which earlier frames are ignored
 
 }  // namespace
 
 ForceInput force_input(const ForceModel& model,
                        const Markers& markers,
-                       const std::optional<Eigen::Vector2d>& place_mm) {
+                       const std::optional<Eigen::Vector2d>& position_mm) {
   ForceInput input;
   const auto count = static_cast<Eigen::Index>(markers.size());
   input.displacement_px = Eigen::VectorXd::Zero(2 * count);
@@ -23,7 +23,7 @@ ForceInput force_input(const ForceModel& model,
       input.displacement_px.segment<2>(2 * m) =
           Eigen::Vector2d(marker.u, marker.v) - model.rest_px[static_cast<std::size_t>(m)];
   }
-  input.place_mm = place_mm;
+  input.position_mm = position_mm;
   return input;
 }
 
@@ -41,9 +41,9 @@ Eigen::VectorXd CreepMean::operator()(const Eigen::VectorXd& displacement_px, do
 }
 
 std::optional<Force> ForceMeter::operator()(const Markers& markers,
-                                            const std::optional<Eigen::Vector2d>& place_mm,
+                                            const std::optional<Eigen::Vector2d>& position_mm,
                                             std::optional<double> time_s) {
-  ForceInput input = force_input(*model_, markers, place_mm);
+  ForceInput input = force_input(*model_, markers, position_mm);
   if (input.seen.size() != model_->marker_count || input.seen.sum() < 0.5 ||
       !input.displacement_px.allFinite())
     return std::nullopt;

@@ -1,4 +1,4 @@
-// Forces frame after frame, by a finger's force model.
+// Estimates forces frame by frame with a finger's force model.
 #pragma once
 
 #include "core/finger/force_model.h"
@@ -11,17 +11,17 @@
 
 namespace alltact {
 
-/// What a model measures from: the markers' displacements from where they rest in it.
+/// Input of a model: the markers' displacements from its rest positions.
 [[nodiscard]] ForceInput force_input(const ForceModel& model,
                                      const Markers& markers,
-                                     const std::optional<Eigen::Vector2d>& place_mm);
+                                     const std::optional<Eigen::Vector2d>& position_mm);
 
-/// Running mean of displacements, by which creep is told: dm/dt = (d - m) / creep_s. Starts anew
-/// after a gap of more than 5 creep_s or where time goes back.
+/// Running mean of displacements, from which creep is estimated: dm/dt = (d - m) / creep_s.
+/// Restarts after a gap of more than 5 creep_s, and where time goes back.
 class CreepMean {
  public:
   explicit CreepMean(double creep_s) : creep_s_(creep_s) {}
-  /// displacement less the running mean.
+  /// Returns the displacement minus the running mean.
   [[nodiscard]] Eigen::VectorXd operator()(const Eigen::VectorXd& displacement_px, double time_s);
   void forget() { mean_.resize(0); }
 
@@ -30,19 +30,19 @@ class CreepMean {
   Eigen::VectorXd mean_;
 };
 
-/// Measures frame after frame. Remembers what creep needs, and nothing else.
+/// Stores only the state that creep requires.
 class ForceMeter {
  public:
   explicit ForceMeter(std::shared_ptr<const ForceModel> model)
       : model_(std::move(model)), creep_(model_->creep_s) {}
-  /// time_s: of capture; nullopt where there is none: creep is taken as none.
+  /// time_s: of capture; nullopt: creep is not corrected.
   [[nodiscard]] std::optional<Force> operator()(const Markers& markers,
-                                                const std::optional<Eigen::Vector2d>& place_mm,
+                                                const std::optional<Eigen::Vector2d>& position_mm,
                                                 std::optional<double> time_s);
-  /// The next frame is not the neighbour of the last one in time.
+  /// Resets the state: the next frame does not follow the last one in time.
   void forget() { creep_.forget(); }
-  /// The model knows creep: what a frame tells depends on all before it.
-  [[nodiscard]] bool creeps() const { return model_->creep_s > 0; }
+  /// True when the model includes creep, so that a result depends on all frames before it.
+  [[nodiscard]] bool has_creep() const { return model_->creep_s > 0; }
 
  private:
   std::shared_ptr<const ForceModel> model_;

@@ -7,7 +7,7 @@
 namespace alltact {
 namespace {
 
-/// Two unit vectors at right angles to `axis` and to each other.
+/// Two unit vectors orthogonal to `axis` and to each other.
 std::pair<Eigen::Vector3d, Eigen::Vector3d> across(const Eigen::Vector3d& axis) {
   const Eigen::Vector3d first = axis.unitOrthogonal();
   return {first, axis.normalized().cross(first)};
@@ -15,16 +15,16 @@ std::pair<Eigen::Vector3d, Eigen::Vector3d> across(const Eigen::Vector3d& axis) 
 
 }  // namespace
 
-std::optional<RayHit> meet_ball(const Ray& ray,
-                                const Eigen::Vector3d& centre_mm,
-                                double radius_mm) {
+std::optional<RayHit> intersect_ball(const Ray& ray,
+                                     const Eigen::Vector3d& centre_mm,
+                                     double radius_mm) {
   const Eigen::Vector3d& u = ray.direction;
   const Eigen::Vector3d c = centre_mm - ray.origin_mm;
   const double a = u.squaredNorm();
   if (!(a > 0.0) || !(radius_mm > 0.0)) return std::nullopt;
   const double b = c.dot(u);
-  // |c x u| / |u| is the distance of the centre from the line. The cross product keeps its digits
-  // where c - (b/a) u would have lost them.
+  // |c x u| / |u| is the distance of the centre from the line. The cross product retains digits
+  // that c - (b/a) u would lose.
   const double from_line = c.cross(u).norm() / std::sqrt(a);
   const double discriminant = a * (radius_mm - from_line) * (radius_mm + from_line);
   if (!(discriminant >= 0.0)) return std::nullopt;
@@ -73,20 +73,20 @@ std::vector<Eigen::Vector3d> ball_horizon_mm(bool perspective,
 
 namespace {
 
-/// How far the line of sight through a pixel passes outside the ball.
-std::optional<double> beside_mm(const Camera& camera,
-                                const Eigen::Vector2d& pixel,
-                                const Eigen::Vector3d& centre_mm,
-                                double radius_mm) {
+/// Distance by which the line of sight through a pixel misses the ball.
+std::optional<double> clearance_mm(const Camera& camera,
+                                   const Eigen::Vector2d& pixel,
+                                   const Eigen::Vector3d& centre_mm,
+                                   double radius_mm) {
   const auto ray = camera.unproject(pixel);
   if (!ray) return std::nullopt;
   return (centre_mm - ray->origin_mm).cross(ray->direction).norm() / ray->direction.norm() -
          radius_mm;
 }
 
-/// A pixel near the outline moved away from `middle`, or towards it, until its line of sight
-/// touches the ball: rays behind a window do not meet in one point, so that the horizon of any
-/// point is only nearly theirs.
+/// Moves a pixel near the outline along the line through `middle` until its line of sight is
+/// tangent to the ball. Rays behind a window do not start in one point, so the horizon of any point
+/// only approximates the true one.
 Eigen::Vector2d grazing_pixel(const Camera& camera,
                               const Eigen::Vector2d& middle,
                               Eigen::Vector2d pixel,
@@ -94,9 +94,9 @@ Eigen::Vector2d grazing_pixel(const Camera& camera,
                               double radius_mm) {
   const Eigen::Vector2d outward = (pixel - middle).normalized();
   double step = 0.1;
-  auto here = beside_mm(camera, pixel, centre_mm, radius_mm);
-  for (int i = 0; here && i < 8 && std::abs(step) > 1e-9; ++i) {  // secants
-    const auto there = beside_mm(camera, pixel + step * outward, centre_mm, radius_mm);
+  auto here = clearance_mm(camera, pixel, centre_mm, radius_mm);
+  for (int i = 0; here && i < 8 && std::abs(step) > 1e-9; ++i) {  // secant method
+    const auto there = clearance_mm(camera, pixel + step * outward, centre_mm, radius_mm);
     if (!there || *there == *here) break;
     pixel += step * outward;
     step *= -*there / (*there - *here);

@@ -1,4 +1,4 @@
-// A ball seen by a camera: where rays meet it, how large it looks, its exact outline.
+// Projection of a ball into a camera: ray intersection, apparent size and exact outline.
 //
 // Camera frame, millimetres; every ray starts at the camera's centre or, for an orthographic
 // camera, is parallel to z (see Ray).
@@ -18,22 +18,22 @@ struct RayHit {
   double near = 0, far = 0;
 };
 
-/// nullopt where the ray's line misses the ball. Stable up to grazing: the discriminant comes from
-/// the vector from the centre to the line, as (R - f)(R + f), and no root is a difference of equal
-/// numbers. radius_mm > 0; the direction may have any length but 0.
-[[nodiscard]] std::optional<RayHit> meet_ball(const Ray& ray,
-                                              const Eigen::Vector3d& centre_mm,
-                                              double radius_mm);
+/// nullopt where the ray's line misses the ball. Stable up to grazing: the discriminant is (R -
+/// f)(R + f), f the distance from the centre to the line. No root is a difference of equal numbers.
+/// radius_mm > 0; the direction may have any length but 0.
+[[nodiscard]] std::optional<RayHit> intersect_ball(const Ray& ray,
+                                                   const Eigen::Vector3d& centre_mm,
+                                                   double radius_mm);
 
-/// Angle between two directions in [0, pi], to the last digits also where they nearly agree:
-/// atan2(|(p - c) x c|, p . c).
+/// Angle between two directions in [0, pi], accurate also for nearly equal directions: atan2(|(p -
+/// c) x c|, p . c).
 [[nodiscard]] double angle_between(const Eigen::Vector3d& p, const Eigen::Vector3d& c);
 
-/// Sine of the same angle, |(p - c) x c| / (|p| |c|): what the source paper writes as
-/// sqrt(1 - (p.c / |p||c|)^2), without its loss of digits and its NaN.
+/// Sine of the same angle, |(p - c) x c| / (|p| |c|). The source paper writes sqrt(1 - (p.c /
+/// |p||c|)^2), which loses digits and may give NaN.
 [[nodiscard]] double sine_between(const Eigen::Vector3d& p, const Eigen::Vector3d& c);
 
-/// Points of the ball where the rays of a camera graze it, `count` of them in even steps around:
+/// Points of the ball where the rays of a camera graze it, `count` of them in even steps. They form
 /// a circle on the ball, the cone of tangents from the camera's centre (or along z). Empty when the
 /// camera is inside the ball.
 [[nodiscard]] std::vector<Eigen::Vector3d> ball_horizon_mm(bool perspective,
@@ -41,9 +41,9 @@ struct RayHit {
                                                            double radius_mm,
                                                            int count);
 
-/// The exact outline of the ball in the picture, for every camera model: the horizon's points
-/// projected; behind a window, where rays do not meet in one point, moved until their own rays
-/// touch the ball. Points that the camera cannot see are left out.
+/// The exact outline of the ball in the image, for every camera model: the horizon's points
+/// projected. Behind a window, where rays do not start in one point, they are moved until their own
+/// rays are tangent to the ball. Points outside the camera's view are left out.
 [[nodiscard]] std::vector<Eigen::Vector2d> ball_outline_px(const Camera& camera,
                                                            const Eigen::Vector3d& centre_mm,
                                                            double radius_mm,
@@ -61,9 +61,9 @@ struct OutlineEllipse {
 [[nodiscard]] std::optional<OutlineEllipse> ball_ellipse(const Eigen::Vector3d& centre_mm,
                                                          double radius_mm);
 
-/// The ball of known radius whose tangent cone fits directions at which its outline was seen, by
-/// least squares of the angles. Directions need not be unit vectors; they come from the camera's
-/// centre. nullopt: fewer than 3, or directions that lie in no cone of half-angle < 90 degrees.
+/// Fits a ball of known radius to outline directions: its tangent cone, by least squares of the
+/// angles. Directions start at the camera's centre and need not be unit vectors. nullopt: fewer
+/// than 3, or directions that lie in no cone of half-angle < 90 degrees.
 [[nodiscard]] std::optional<Eigen::Vector3d> fit_ball_to_outline(
     const std::vector<Eigen::Vector3d>& directions, double radius_mm);
 

@@ -9,7 +9,7 @@
 namespace alltact {
 namespace {
 
-constexpr double kStraight = 1e6;  // radius over extent from where on a circle is called a line
+constexpr double kStraight = 1e6;  // radius over extent beyond which a circle counts as a line
 
 struct Frame {
   Eigen::Vector2d mean;
@@ -36,12 +36,12 @@ double rms_distance(const std::vector<Eigen::Vector2d>& points, const Circle& ci
   return std::sqrt(sum / static_cast<double>(points.size()));
 }
 
-/// A circle as the point of it at `offset * normal`, normal = (cos angle, sin angle), and its
+/// A circle given by its point at `offset * normal`, normal = (cos angle, sin angle), and its
 /// curvature; its centre lies at (offset + 1 / curvature) * normal.
 struct Arc {
   double curvature, angle, offset;
 
-  /// Signed distance of p, positive outside, with its derivatives by the three.
+  /// Signed distance of p, positive outside, with its derivatives by the three parameters.
   double distance(const Eigen::Vector2d& p, Eigen::Vector3d* gradient) const {
     const Eigen::Vector2d normal(std::cos(angle), std::sin(angle));
     const Eigen::Vector2d w = p - offset * normal;
@@ -77,7 +77,8 @@ Arc refine(const std::vector<Eigen::Vector2d>& points, Arc arc) {
       target[i] = arc.distance(points[static_cast<std::size_t>(i)], &gradient);
       design.row(i) = gradient.transpose();
     }
-    // Of a short arc curvature and offset are nearly one: the normal equations would square that.
+    // On a short arc curvature and offset are nearly collinear; the normal equations would square
+    // that condition.
     design.bottomRows<3>() =
         (std::sqrt(damping) * design.topRows(n).colwise().norm()).asDiagonal().toDenseMatrix();
     const Eigen::Vector3d step = least_squares(design, target);
@@ -126,7 +127,7 @@ std::optional<Circle> fit_circle(const std::vector<Eigen::Vector2d>& points) {
   const auto frame = frame_of(points);
   const auto start = fit_circle_taubin(points);
   if (!frame || !start) return std::nullopt;
-  // The origin goes to the arc's middle, where the three parameters are independent.
+  // The origin moves to the arc's middle, where the three parameters are independent.
   Eigen::Vector2d outward = frame->mean - start->centre;
   outward = outward.norm() > 1e-9 * start->radius ? Eigen::Vector2d(outward.normalized())
                                                   : Eigen::Vector2d(1.0, 0.0);

@@ -15,15 +15,15 @@ RigidTransform RigidTransform::inverse() const {
   return {back, -(back * translation_mm)};
 }
 
-Eigen::Quaterniond rotation_of_degrees(const Eigen::Vector3d& about_xyz_deg) {
+Eigen::Quaterniond rotation_from_rpy_deg(const Eigen::Vector3d& about_xyz_deg) {
   const Eigen::Vector3d angle = about_xyz_deg * kDegree;
   return Eigen::AngleAxisd(angle.z(), Eigen::Vector3d::UnitZ()) *
          Eigen::AngleAxisd(angle.y(), Eigen::Vector3d::UnitY()) *
          Eigen::AngleAxisd(angle.x(), Eigen::Vector3d::UnitX());
 }
 
-Eigen::Vector3d degrees_of(const Eigen::Quaterniond& rotation) {
-  constexpr double kUpright = 1e-7;  // cosine of y; below it x and z cannot be told apart
+Eigen::Vector3d rpy_deg(const Eigen::Quaterniond& rotation) {
+  constexpr double kUpright = 1e-7;  // cosine of y; below it x and z are indistinguishable
   const Eigen::Matrix3d r = rotation.normalized().toRotationMatrix();
   const double cosine = std::hypot(r(0, 0), r(1, 0));
   const double y = std::atan2(-r(2, 0), cosine);

@@ -1,4 +1,4 @@
-// Where one frame lies in another.
+// The pose of one frame in another.
 #pragma once
 
 #include <Eigen/Core>
@@ -6,11 +6,11 @@
 
 namespace alltact {
 
-/// Takes what is known in one frame to another: p_to = R(rotation) p_from + translation_mm.
-/// `gripper_from_camera` takes camera coordinates to the gripper's: its translation is where the
-/// camera sits in the gripper, the columns of its matrix are the camera's axes there.
+/// Maps coordinates of one frame to another: p_to = R(rotation) p_from + translation_mm.
+/// `gripper_from_camera` maps camera coordinates to the gripper's: its translation is the camera's
+/// position in the gripper, the columns of its matrix are the camera's axes there.
 struct RigidTransform {
-  /// Hamilton's, active; finite and not 0. Where it is used it counts with unit length.
+  /// Hamilton's, active; finite and not 0. It is normalised on use.
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
   Eigen::Vector3d translation_mm = Eigen::Vector3d::Zero();
 
@@ -30,11 +30,11 @@ struct RigidTransform {
   }
 };
 
-/// Turns about the axes x, y and z of the frame that is led to, in this order: R = Rz Ry Rx.
-[[nodiscard]] Eigen::Quaterniond rotation_of_degrees(const Eigen::Vector3d& about_xyz_deg);
+/// Rotations about the fixed axes x, y and z of the target frame, in this order: R = Rz Ry Rx.
+[[nodiscard]] Eigen::Quaterniond rotation_from_rpy_deg(const Eigen::Vector3d& about_xyz_deg);
 
-/// The same angles back, x and z in [-180, 180], y in [-90, 90]. Where y is 90 or -90 the other two
-/// turn about one axis: z is 0 there.
-[[nodiscard]] Eigen::Vector3d degrees_of(const Eigen::Quaterniond& rotation);
+/// The inverse: x and z in [-180, 180], y in [-90, 90]. Where y is 90 or -90 the other two rotate
+/// about one axis; z is 0 there.
+[[nodiscard]] Eigen::Vector3d rpy_deg(const Eigen::Quaterniond& rotation);
 
 }  // namespace alltact

@@ -1,5 +1,5 @@
-// Boxes around blocks of a grid, and blocks of blocks: of two such trees only those pairs are
-// looked into that can hold something nearer than what was found already.
+// Boxes around blocks of a grid, in a tree. Of two such trees only those pairs are searched that
+// can hold a smaller distance than the best so far.
 #include "core/geometry/surface_distance.h"
 
 #include <queue>
@@ -10,17 +10,17 @@
 namespace alltact {
 namespace {
 
-using Box = Eigen::AlignedBox3d;  // empty where there is nothing
+using Box = Eigen::AlignedBox3d;  // empty without points
 
 class Blocks {
  public:
-  explicit Blocks(const PlacedSurface& surface)
+  explicit Blocks(const PosedSurface& surface)
       : columns_(surface.points_mm.cols), points_(surface.points_mm.total()) {
     CV_Assert(surface.points_mm.type() == CV_32FC3);
     for (int j = 0; j < surface.points_mm.rows; ++j)
       for (int i = 0; i < columns_; ++i) {
         const auto& p = surface.points_mm.at<cv::Vec3f>(j, i);
-        points_[index(i, j)] = surface.place.point({p[0], p[1], p[2]});
+        points_[index(i, j)] = surface.pose.point({p[0], p[1], p[2]});
       }
     Level cells{columns_ - 1, surface.points_mm.rows - 1, {}};
     if (cells.columns < 1 || cells.rows < 1) return;
@@ -53,15 +53,15 @@ class Blocks {
         if (!box({block.level - 1, i, j}).isEmpty()) parts.push_back({block.level - 1, i, j});
     return parts;
   }
-  /// Those of a cell that are whole.
+  /// The finite triangles of a cell.
   [[nodiscard]] std::vector<Triangle> triangles(int i, int j) const {
     const Eigen::Vector3d &a = points_[index(i, j)], &b = points_[index(i + 1, j)],
                           &c = points_[index(i, j + 1)], &d = points_[index(i + 1, j + 1)];
-    std::vector<Triangle> whole;
+    std::vector<Triangle> complete;
     for (const Triangle& triangle : {Triangle{a, c, b}, Triangle{b, c, d}})
       if (triangle[0].allFinite() && triangle[1].allFinite() && triangle[2].allFinite())
-        whole.push_back(triangle);
-    return whole;
+        complete.push_back(triangle);
+    return complete;
   }
 
  private:
@@ -88,9 +88,9 @@ class Blocks {
 };
 
 struct Pair {
-  double distance2;  // of the boxes: nothing in them is nearer
+  double distance2;  // of the boxes: a lower bound
   Blocks::Block first, second;
-  /// The nearest first; of equally near ones the smallest, so that something is found soon.
+  /// The nearest first; of equally near ones the smallest, so that a result is found early.
   bool operator<(const Pair& other) const {
     if (distance2 != other.distance2) return distance2 > other.distance2;
     return first.level + second.level > other.first.level + other.second.level;
@@ -99,8 +99,7 @@ struct Pair {
 
 }  // namespace
 
-std::optional<NearestPoints> nearest_points(const PlacedSurface& first,
-                                            const PlacedSurface& second) {
+std::optional<NearestPoints> nearest_points(const PosedSurface& first, const PosedSurface& second) {
   constexpr double kNoticeable = 1 - 2e-9;  // of a squared distance
   const Blocks a(first), b(second);
   if (a.is_empty() || b.is_empty()) return std::nullopt;

@@ -17,7 +17,7 @@ Point nearest_on_segment(const Point& a, const Point& b, const Point& p) {
   return a + std::clamp((p - a).dot(along) / length2, 0.0, 1.0) * along;
 }
 
-/// Ericson 5.1.5. The regions of a triangle's corners and edges, then its inside.
+/// Ericson 5.1.5: inside, or the nearest edge.
 Point nearest_on_triangle(const Triangle& t, const Point& p) {
   const Point ab = t[1] - t[0], ac = t[2] - t[0], ap = p - t[0];
   const double d1 = ab.dot(ap), d2 = ac.dot(ap);
@@ -48,7 +48,7 @@ NearestPoints nearest_of_segments(const Point& a, const Point& b, const Point& c
   return {a + s * first, c + t * second};
 }
 
-/// Where a segment goes through a triangle.
+/// The point where a segment crosses a triangle.
 std::optional<Point> crossing(const Triangle& t, const Point& from, const Point& to) {
   const Point normal = (t[1] - t[0]).cross(t[2] - t[0]);
   const double before = normal.dot(from - t[0]), behind = normal.dot(to - t[0]);

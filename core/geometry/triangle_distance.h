@@ -1,4 +1,4 @@
-// How near two triangles come to each other.
+// Distance between two triangles.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@ namespace alltact {
 
 using Triangle = std::array<Eigen::Vector3d, 3>;
 
-/// A point of each of two things, nearest to each other; the same point where they meet.
+/// One point on each of two objects, nearest to each other; equal where the objects intersect.
 struct NearestPoints {
   Eigen::Vector3d first, second;
   [[nodiscard]] double distance() const { return (second - first).norm(); }

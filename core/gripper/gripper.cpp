@@ -1,7 +1,7 @@
 #include "core/gripper/gripper.h"
 
 #include "core/finger/finger.h"
-#include "core/finger/place_yaml.h"
+#include "core/finger/pose_yaml.h"
 #include "core/printable.h"
 
 #include <algorithm>
@@ -74,7 +74,7 @@ std::optional<Error> Gripper::finger_problem(std::size_t number) const {
                  en::say("this, or known_at_turns: the motor position at which gripper_from_camera "
                          "in the finger's own file holds")};
   if (finger.link_from_camera)
-    return place_problem(*finger.link_from_camera, key + ".link_from_camera");
+    return pose_problem(*finger.link_from_camera, key + ".link_from_camera");
   if (!(*finger.known_at_turns >= motor.first_turns && *finger.known_at_turns <= motor.last_turns))
     return Error{
         en::say("must lie in the motor's range"),
@@ -98,7 +98,7 @@ Status Gripper::validate() const {
   return {};
 }
 
-Status Gripper::take_known_places(const std::filesystem::path& folder) {
+Status Gripper::resolve_camera_poses(const std::filesystem::path& folder) {
   for (GripperFinger& finger : fingers) {
     if (!finger.known_at_turns) continue;
     const std::filesystem::path at = folder / finger.folder;
@@ -147,10 +147,10 @@ Result<GripperPose> Gripper::pose_at(double motor_turns, std::optional<double> s
     const auto angle = linkage->angle_at(motor_turns);
     if (!angle) return Error{angle.error().what, finger.name, angle.error().advice};
     const RigidTransform link = gripper_from_link(finger.linkage, angle->rad);
-    PlacedFinger& place = pose.fingers[i];
-    place = {link * *finger.link_from_camera, *angle, {}, link.translation_mm};
+    FingerPose& finger_pose = pose.fingers[i];
+    finger_pose = {link * *finger.link_from_camera, *angle, {}, link.translation_mm};
     const double sd_rad = std::abs(angle->rad_per_turn) * pose.sd_turns;
-    if (std::isfinite(sd_rad)) place.angle_sd_rad = sd_rad;
+    if (std::isfinite(sd_rad)) finger_pose.angle_sd_rad = sd_rad;
   }
   return pose;
 }

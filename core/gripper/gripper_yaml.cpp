@@ -1,5 +1,5 @@
-// gripper.yaml, read and written.
-#include "core/finger/place_yaml.h"
+// Reads and writes gripper.yaml.
+#include "core/finger/pose_yaml.h"
 #include "core/gripper/gripper.h"
 #include "core/io/atomic_file.h"
 #include "core/printable.h"
@@ -50,7 +50,7 @@ GripperFinger read_gripper_finger(YamlSection section) {
   if (section.has("known_at_turns"))
     finger.known_at_turns = section.number("known_at_turns", en::say("a motor position"));
   if (section.has("link_from_camera") || !finger.known_at_turns)
-    finger.link_from_camera = read_place(section.section("link_from_camera"));
+    finger.link_from_camera = read_pose(section.section("link_from_camera"));
   return finger;
 }
 
@@ -88,13 +88,13 @@ std::string finger_block(const GripperFinger& finger,
             std::string(kAssemblies.at(static_cast<std::size_t>(linkage.assembly) - 1)));
   if (finger.known_at_turns) block.add("known_at_turns", yaml_number(*finger.known_at_turns));
   if (finger.link_from_camera) {
-    YamlBlock place(key + ".link_from_camera");
-    add_place(*finger.link_from_camera, place);
-    place.add_unknown(unknown);
-    block.add("link_from_camera", place.in_braces());
+    YamlBlock pose(key + ".link_from_camera");
+    add_pose(*finger.link_from_camera, pose);
+    pose.add_unknown(unknown);
+    block.add("link_from_camera", pose.in_braces());
   }
   block.add_unknown(unknown);
-  // As an item of the list: the block's own name gives way to the dash.
+  // As an item of the list: the dash replaces the block's own name.
   std::string text = block.on_many_lines();
   text.erase(0, text.find('\n') + 1);
   std::string item;
@@ -128,7 +128,7 @@ Result<Gripper> Gripper::load(const std::filesystem::path& path, std::vector<Mes
   if (!content) return content.error();
   auto gripper = parse(*content, file, warnings);
   if (!gripper) return gripper;
-  if (const Status taken = gripper->take_known_places(file.parent_path()); !taken)
+  if (const Status taken = gripper->resolve_camera_poses(file.parent_path()); !taken)
     return taken.error();
   return gripper;
 }

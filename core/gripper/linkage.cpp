@@ -10,10 +10,10 @@
 namespace alltact {
 namespace {
 
-constexpr double kFarthest_mm = 1e4;
+constexpr double kMaxLength_mm = 1e4;
 constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
 
-/// sqrt(a^2 - b^2), by factors so that nothing cancels; nullopt where b is greater.
+/// sqrt(a^2 - b^2), by factors so that nothing cancels; nullopt where b is larger.
 std::optional<double> other_side(double a, double b) {
   const double square = (a - b) * (a + b);
   if (square < 0) return std::nullopt;
@@ -26,21 +26,21 @@ double to_one_turn(double rad) {
   return rad <= -std::numbers::pi ? rad + kTurn : rad;
 }
 
-/// The angle of a triangle between the sides `c` and `d`, opposite `r`, by half its sine and
-/// cosine times a common factor. nullopt: the sides make no triangle.
+/// The angle of a triangle between the sides `c` and `d`, opposite `r`, as half-angle sine and
+/// cosine times a common factor. nullopt: the sides form no triangle.
 std::optional<Eigen::Vector2d> half_angle(double c, double d, double r) {
   double across = ((r - d) + c) * (r + (d - c));
   double along = ((d - r) + c) * (d + (c + r));
-  // In a dead point itself rounding must not take the loop apart.
-  const double least = -kRounding * (c + d + r) * (c + d + r);
-  if (across < least || along < least) return std::nullopt;
+  // In a dead point rounding must not open the loop.
+  const double lower_limit = -kRounding * (c + d + r) * (c + d + r);
+  if (across < lower_limit || along < lower_limit) return std::nullopt;
   across = std::max(0.0, across), along = std::max(0.0, along);
   if (!(across + along > 0)) return std::nullopt;
   return Eigen::Vector2d(std::sqrt(across), std::sqrt(along));
 }
 
 Error bad_length(const char* key, Message advice) {
-  return {en::say("must be above 0 and at most {:g}", kFarthest_mm), std::string(key), advice};
+  return {en::say("must be above 0 and at most {:g}", kMaxLength_mm), std::string(key), advice};
 }
 
 }  // namespace
@@ -58,24 +58,24 @@ Message to_message(DeadPointKind kind) {
 }
 
 Result<Linkage> Linkage::create(const LinkageParameters& p, double lead_mm) {
-  const auto is_place = [](const Eigen::Vector2d& at) {
-    return at.allFinite() && at.cwiseAbs().maxCoeff() <= kFarthest_mm;
+  const auto is_point = [](const Eigen::Vector2d& at) {
+    return at.allFinite() && at.cwiseAbs().maxCoeff() <= kMaxLength_mm;
   };
-  if (!(std::abs(lead_mm) >= 1e-6 && std::abs(lead_mm) <= kFarthest_mm))
+  if (!(std::abs(lead_mm) >= 1e-6 && std::abs(lead_mm) <= kMaxLength_mm))
     return Error{en::say("must be a travel in mm, above or below 0"),
                  std::string("lead_mm"),
                  en::say("how far the nut goes away from the palm in one turn, for example 2.0")};
-  if (!is_place(p.pivot_mm))
-    return Error{en::say("must be numbers from -{0:g} to {0:g}", kFarthest_mm),
+  if (!is_point(p.pivot_mm))
+    return Error{en::say("must be numbers from -{0:g} to {0:g}", kMaxLength_mm),
                  std::string("pivot_mm"),
                  en::say("x and z of the axis that the finger turns about, in mm")};
-  if (!is_place(p.nut_mm))
-    return Error{en::say("must be numbers from -{0:g} to {0:g}", kFarthest_mm),
+  if (!is_point(p.nut_mm))
+    return Error{en::say("must be numbers from -{0:g} to {0:g}", kMaxLength_mm),
                  std::string("nut_mm"),
                  en::say("x and z of the rod's joint on the nut at motor position 0, in mm")};
-  if (!(p.crank_mm > 0 && p.crank_mm <= kFarthest_mm))
+  if (!(p.crank_mm > 0 && p.crank_mm <= kMaxLength_mm))
     return bad_length("crank_mm", en::say("the distance from the finger's axis to the rod, in mm"));
-  if (!(p.rod_mm > 0 && p.rod_mm <= kFarthest_mm))
+  if (!(p.rod_mm > 0 && p.rod_mm <= kMaxLength_mm))
     return bad_length("rod_mm", en::say("the distance between the rod's joints, in mm"));
   const double offset = std::abs(p.nut_mm.x() - p.pivot_mm.x());
   if (offset >= p.crank_mm + p.rod_mm)
@@ -122,34 +122,35 @@ Result<LinkageAngle> Linkage::angle_at(double motor_turns) const {
   const double angle = std::atan2(x, z) + side * 2.0 * std::atan2(half->x(), half->y());
   const double sine = 2.0 * half->x() * half->y() / half->squaredNorm();
   const double rod_z = z - c * std::cos(angle);
-  // Rod and crank in line across the screw: the finger may go on in two ways.
+  // Rod and crank in line across the screw: the finger may continue in either direction.
   const double rate = sine == 0 && rod_z == 0 ? std::numeric_limits<double>::infinity()
                                               : -side * lead_mm_ * rod_z / (c * d * sine);
   return LinkageAngle{to_one_turn(angle), rate};
 }
 
-std::vector<MotorReach> Linkage::ways() const {
+std::vector<MotorReach> Linkage::intervals() const {
   using Kind = DeadPointKind;
   const LinkageParameters& p = parameters_;
   const double x = std::abs(p.nut_mm.x() - p.pivot_mm.x());
   const double far = *other_side(p.crank_mm + p.rod_mm, x);
-  const auto way = [&](double low, Kind low_kind, double high, Kind high_kind) {
+  const auto interval = [&](double low, Kind low_kind, double high, Kind high_kind) {
     MotorReach reach{{low_kind, turns_at_height(low)}, {high_kind, turns_at_height(high)}};
     if (lead_mm_ < 0) std::swap(reach.first, reach.last);
     return reach;
   };
   const auto near = other_side(std::abs(p.crank_mm - p.rod_mm), x);
-  if (!near) return {way(-far, Kind::kStretched, far, Kind::kStretched)};
-  std::vector<MotorReach> ways{way(-far, Kind::kStretched, -*near, Kind::kFolded),
-                               way(*near, Kind::kFolded, far, Kind::kStretched)};
-  if (lead_mm_ < 0) std::swap(ways[0], ways[1]);
-  return ways;
+  if (!near) return {interval(-far, Kind::kStretched, far, Kind::kStretched)};
+  std::vector<MotorReach> intervals{interval(-far, Kind::kStretched, -*near, Kind::kFolded),
+                                    interval(*near, Kind::kFolded, far, Kind::kStretched)};
+  if (lead_mm_ < 0) std::swap(intervals[0], intervals[1]);
+  return intervals;
 }
 
 MotorReach Linkage::reach_around(double motor_turns) const {
-  const std::vector<MotorReach> all = ways();
-  const auto away = [&](const MotorReach& way) {
-    return std::max({0.0, way.first.motor_turns - motor_turns, motor_turns - way.last.motor_turns});
+  const std::vector<MotorReach> all = intervals();
+  const auto away = [&](const MotorReach& interval) {
+    return std::max(
+        {0.0, interval.first.motor_turns - motor_turns, motor_turns - interval.last.motor_turns});
   };
   return *std::min_element(
       all.begin(), all.end(), [&](const auto& a, const auto& b) { return away(a) < away(b); });
@@ -158,16 +159,17 @@ MotorReach Linkage::reach_around(double motor_turns) const {
 std::vector<DeadPoint> Linkage::dead_points() const {
   const LinkageParameters& p = parameters_;
   std::vector<DeadPoint> points;
-  for (const MotorReach& way : ways()) points.insert(points.end(), {way.first, way.last});
+  for (const MotorReach& interval : intervals())
+    points.insert(points.end(), {interval.first, interval.last});
   const double x = p.nut_mm.x() - p.pivot_mm.x();
   const double side = p.assembly == AssemblyMode::kAhead ? 1.0 : -1.0;
   for (const double rod : {p.rod_mm, -p.rod_mm}) {
-    // The pin is at the nut's height h above the pivot, x + rod beside it.
+    // The pin is at the nut's height h above the pivot, at the lateral offset x + rod.
     const auto height = other_side(p.crank_mm, std::abs(x + rod));
     if (!height) continue;
     for (const double h : {*height, -*height}) {
-      // On the side of the line to the nut that the assembly asks for: sin(t - l) has the sign of
-      // (x + rod) h - h x.
+      // On the side of the line to the nut that the assembly mode requires: sin(t - l) has the sign
+      // of (x + rod) h - h x.
       if (side * rod * h > 0) points.push_back({DeadPointKind::kAcross, turns_at_height(h)});
     }
   }

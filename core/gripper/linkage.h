@@ -1,4 +1,4 @@
-// The rod and the crank that turn a screw's travel into the turn of a finger: an offset
+// The rod and the crank that convert a screw's travel into the rotation of a finger: an offset
 // slider-crank whose slider is the screw's nut.
 //
 //      z ^        C  crank pin             N = (nut_x, nut_z + lead m)   on the nut, at motor m
@@ -16,7 +16,7 @@
 // r and d gives the angle at P by its half, which loses no digits where the triangle is flat
 // (W. Kahan, Miscalculating area and angles of a needle-like triangle, 2014):
 //   t = l +- f,   tan(f/2) = sqrt( ((r - d) + c) (r + (d - c)) / (((d - r) + c) (d + (c + r))) )
-// The sign is the assembly mode: the same parts can be put together in two ways.
+// The sign is the assembly mode: the same parts fit together in two configurations.
 //
 // DERIVATIVE. From the loop equation, with C' = dC/dt:  (N - C).C' dt = (N - C).z ds, and
 // (N - C).C' = -+ c d sin(f):
@@ -25,7 +25,7 @@
 // DEAD POINTS (J. J. Uicker, G. R. Pennock, J. E. Shigley, Theory of Machines and Mechanisms, on
 // the slider-crank). Where rod and crank lie in one line, stretched (d = r + c) or folded
 // (d = |r - c|), the loop closes no farther and dt/dm is infinite. Where the rod lies across the
-// screw, dt/dm is 0: the finger stands still and turns back beyond.
+// screw, dt/dm is 0: the finger stands still and reverses beyond.
 #pragma once
 
 #include "core/message.h"
@@ -37,9 +37,9 @@
 
 namespace alltact {
 
-/// On which side of the line from pivot to nut the crank's pin lies.
+/// The side of the line from pivot to nut on which the crank's pin lies.
 enum class AssemblyMode {
-  kAhead = 1,  ///< t = l + f: from the line on towards +x, as t is counted
+  kAhead = 1,  ///< t = l + f: from the line towards +x, in the sense of t
   kBehind,     ///< t = l - f
 };
 
@@ -63,7 +63,7 @@ struct DeadPoint {
   double motor_turns;
 };
 
-/// The motor positions around one at which the loop closes, ends included.
+/// The interval of motor positions in which the loop closes, ends included.
 struct MotorReach {
   DeadPoint first, last;
 };
@@ -73,24 +73,23 @@ struct LinkageAngle {
   double rad_per_turn = 0;  ///< dt/dm; infinite in dead points that end the reach
 };
 
-/// A value. Motor positions are in turns of the screw; a motor that counts otherwise is told a
-/// lead of its own (1 where it counts mm of travel).
+/// A value. Motor positions are in turns of the screw. A motor with other units needs its own lead
+/// (1 for mm of travel).
 class Linkage {
  public:
   /// lead_mm: travel of the nut along +z in one turn, not 0. Errors (`where` is the key): a number
-  /// that is not finite or beyond 10000 mm, a length not above 0, parts that never meet since the
-  /// nut passes the pivot farther away than crank and rod reach together.
+  /// that is not finite or beyond 10000 mm; a length not above 0; parts that never join, since the
+  /// nut passes the pivot beyond the reach of crank and rod.
   static Result<Linkage> create(const LinkageParameters& parameters, double lead_mm);
 
-  /// Error: the loop does not close there, or nut and pivot fall on each other so that the crank
-  /// may stand anywhere; the sentence says from where to where it does.
+  /// Error: the loop does not close there, or nut and pivot coincide so that the crank's angle is
+  /// undefined. The message gives the valid interval.
   [[nodiscard]] Result<LinkageAngle> angle_at(double motor_turns) const;
 
   /// All of them, ascending: 2 to 6.
   [[nodiscard]] std::vector<DeadPoint> dead_points() const;
 
-  /// The part of the ways on which the loop closes that is nearest to a motor position, which lies
-  /// on it if it can be reached.
+  /// The closing interval nearest to a motor position, or the one that contains it.
   [[nodiscard]] MotorReach reach_around(double motor_turns) const;
 
   [[nodiscard]] const LinkageParameters& parameters() const { return parameters_; }
@@ -100,7 +99,7 @@ class Linkage {
   Linkage(const LinkageParameters& parameters, double lead_mm)
       : parameters_(parameters), lead_mm_(lead_mm) {}
   [[nodiscard]] double turns_at_height(double above_pivot_mm) const;
-  [[nodiscard]] std::vector<MotorReach> ways() const;
+  [[nodiscard]] std::vector<MotorReach> intervals() const;
 
   LinkageParameters parameters_;
   double lead_mm_;

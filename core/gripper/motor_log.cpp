@@ -16,7 +16,7 @@ namespace {
 constexpr std::string_view kMotorHeader = "time_ns,turns";
 
 template <class T>
-std::optional<T> whole_text_as(std::string_view text) {
+std::optional<T> parse_full(std::string_view text) {
   T value{};
   const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (problem != std::errc() || end != text.data() + text.size()) return std::nullopt;
@@ -26,8 +26,8 @@ std::optional<T> whole_text_as(std::string_view text) {
 std::optional<std::pair<std::int64_t, double>> motor_line(std::string_view line) {
   const std::size_t comma = line.find(',');
   if (comma == std::string_view::npos) return std::nullopt;
-  const auto time = whole_text_as<std::int64_t>(line.substr(0, comma));
-  const auto turns = whole_text_as<double>(line.substr(comma + 1));
+  const auto time = parse_full<std::int64_t>(line.substr(0, comma));
+  const auto turns = parse_full<double>(line.substr(comma + 1));
   if (!time || !turns || !std::isfinite(*turns)) return std::nullopt;
   return std::pair(*time, *turns);
 }

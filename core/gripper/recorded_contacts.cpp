@@ -17,7 +17,7 @@ namespace {
 
 using ReadJson = nlohmann::json;
 
-/// Ends the reading of a line.
+/// Thrown to reject a line.
 struct RefusedLine {
   Message what;
 };
@@ -59,17 +59,17 @@ Eigen::Matrix3d covariance_of(const ReadJson& object, const char* key) {
   const std::vector<double> n = numbers_of(object, key, 6);
   Eigen::Matrix3d covariance;
   covariance << n[0], n[1], n[2], n[1], n[3], n[4], n[2], n[4], n[5];
-  const double least = covariance.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff();
-  // Written to nine decimals.
-  if (!(least > -1e-7 - 1e-6 * covariance.trace()))
+  const double min_value = covariance.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff();
+  // Values are written to nine decimals.
+  if (!(min_value > -1e-7 - 1e-6 * covariance.trace()))
     throw RefusedLine{en::say("'{}' is no covariance", std::string(key))};
   return covariance;
 }
 
-SeenContact contact_of(const ReadJson& region) {
-  SeenContact contact{vector_of(region, "place_mm"), {}, {}, {}, {}};
+ObservedContact contact_of(const ReadJson& region) {
+  ObservedContact contact{vector_of(region, "place_mm"), {}, {}, {}, {}};
   if (find_key(region, "place_covariance_mm2") != nullptr)
-    contact.place_covariance_mm2 = covariance_of(region, "place_covariance_mm2");
+    contact.position_covariance_mm2 = covariance_of(region, "place_covariance_mm2");
   if (find_key(region, "normal") != nullptr) contact.face_normal = direction_of(region, "normal");
   const ReadJson* sd = find_key(region, "angle_sd_deg");
   if (find_key(region, "axis") == nullptr || sd == nullptr) return contact;
@@ -110,7 +110,7 @@ RecordedContacts contacts_of(const ReadJson& line) {
   return contacts;
 }
 
-/// Of the other recording's frames in order of time, the one nearest to a time.
+/// The frame of the other recording, in order of time, that is nearest to a time.
 std::size_t nearest_in_time(const std::vector<RecordedContacts>& frames,
                             const std::vector<std::size_t>& order,
                             std::int64_t time_ns) {
@@ -134,7 +134,7 @@ std::vector<std::size_t> in_time(const std::vector<RecordedContacts>& frames) {
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return *frames[a].time_ns < *frames[b].time_ns;
   });
-  // One frame for each time: a second one could be nobody's nearest.
+  // One frame for each time: a second one could not be the nearest to any other.
   order.erase(std::unique(order.begin(),
                           order.end(),
                           [&](std::size_t a, std::size_t b) {
@@ -144,13 +144,13 @@ std::vector<std::size_t> in_time(const std::vector<RecordedContacts>& frames) {
   return order;
 }
 
-void find_lonely(PairedFrames& paired, std::size_t first_count, std::size_t second_count) {
+void find_unpaired(PairedFrames& paired, std::size_t first_count, std::size_t second_count) {
   std::vector<bool> first(first_count, true), second(second_count, true);
   for (const auto& [a, b] : paired.pairs) first[a] = false, second[b] = false;
   for (std::size_t i = 0; i < first_count; ++i)
-    if (first[i]) paired.alone_first.push_back(i);
+    if (first[i]) paired.unpaired_first.push_back(i);
   for (std::size_t i = 0; i < second_count; ++i)
-    if (second[i]) paired.alone_second.push_back(i);
+    if (second[i]) paired.unpaired_second.push_back(i);
 }
 
 }  // namespace
@@ -215,7 +215,7 @@ PairedFrames paired_frames(const std::vector<RecordedContacts>& first,
     for (std::size_t i = 0; i < std::min(first.size(), second.size()); ++i)
       paired.pairs.emplace_back(i, i);
   }
-  find_lonely(paired, first.size(), second.size());
+  find_unpaired(paired, first.size(), second.size());
   return paired;
 }
 

@@ -26,42 +26,42 @@ class Descriptor {
     if (number_ >= 0) ::close(number_);
   }
   [[nodiscard]] int number() const { return number_; }
-  /// Some disks only tell at the close that they could not write.
+  /// Some disks report a failed write only at the close.
   [[nodiscard]] bool close() { return ::close(std::exchange(number_, -1)) == 0; }
 
  private:
   int number_;
 };
 
-/// A file that is gone at the end unless it was kept.
+/// A file that is removed with this object, unless retain() was called.
 class Temporary {
  public:
   explicit Temporary(fs::path path) : path_(std::move(path)) {}
   Temporary(const Temporary&) = delete;
   Temporary& operator=(const Temporary&) = delete;
   ~Temporary() {
-    if (!is_kept_) ::unlink(path_.c_str());
+    if (!is_retained_) ::unlink(path_.c_str());
   }
   [[nodiscard]] const fs::path& path() const { return path_; }
-  void keep() { is_kept_ = true; }
+  void retain() { is_retained_ = true; }
 
  private:
   fs::path path_;
-  bool is_kept_ = false;
+  bool is_retained_ = false;
 };
 
 const Message kWriting = en::say("could not write the file");
 
-/// Hidden, in the same folder and with the same ending: the ending tells encoders the format.
+/// Hidden, in the same folder and with the same extension, which gives encoders the format.
 fs::path temporary_name(const fs::path& file, int attempt) {
   const std::string stem = file.stem().string().substr(0, 100);
   return file.parent_path() /
          fmt::format(".{}.{}-{}.tmp{}", stem, ::getpid(), attempt, file.extension().string());
 }
 
-/// Makes an empty file that no one else has; its number, or -1 and errno.
+/// Makes an empty file exclusively; returns its descriptor, or -1 and errno.
 std::pair<int, fs::path> create_temporary(const fs::path& file) {
-  constexpr int kAttempts = 10000;  // other threads, and what an earlier crash left behind
+  constexpr int kAttempts = 10000;  // other threads, and rests of an earlier crash
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     fs::path path = temporary_name(file, attempt);
     const int number = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
@@ -86,7 +86,7 @@ Status fill(int number, const fs::path& file, std::string_view content) {
   return {};
 }
 
-/// A link stays a link: what it points to is replaced.
+/// Resolves a link, so that its target is replaced instead.
 fs::path without_links(const fs::path& file) {
   std::error_code ignored;
   if (!fs::is_symlink(file, ignored)) return file;
@@ -94,41 +94,41 @@ fs::path without_links(const fs::path& file) {
   return ignored ? file : target;
 }
 
-/// The new file is as readable by others as the old one was.
+/// Copies the old file's permissions to the new one.
 void copy_permissions(const fs::path& from, int to) {
   struct stat status {};
   if (::stat(from.c_str(), &status) != 0) return;
-  // Not being allowed to is no reason to lose the content.
+  // Missing rights are no reason to lose the content.
   [[maybe_unused]] const int ignored = ::fchmod(to, status.st_mode & 07777U);
 }
 
 /// `fill` writes the content, given the open temporary and its path.
-Status replace(const fs::path& wanted,
+Status replace(const fs::path& requested,
                const std::function<Status(int number, const fs::path& temporary)>& fill,
                bool waits_for_disk = true) {
-  std::optional<DiskWait> waiting(std::in_place, wanted);
-  const fs::path file = without_links(wanted);
+  std::optional<DiskWait> waiting(std::in_place, requested);
+  const fs::path file = without_links(requested);
   std::error_code ignored;
   if (file.filename().empty() || fs::is_directory(file, ignored))
-    return system_error(kWriting, wanted, EISDIR);
+    return system_error(kWriting, requested, EISDIR);
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   if (!fs::exists(folder, ignored) && !ignored)
     return Error{en::at(kWriting, en::say("its folder does not exist")),
-                 wanted.string(),
+                 requested.string(),
                  en::say("make the folder first, or check the path for typing errors")};
 
   auto [number, path] = create_temporary(file);
-  if (number < 0) return system_error(kWriting, wanted, errno);
+  if (number < 0) return system_error(kWriting, requested, errno);
   Descriptor descriptor(number);
   Temporary temporary(path);
   copy_permissions(file, number);
-  waiting.reset();  // what fills it may compute for minutes
+  waiting.reset();  // the content may take minutes to compute
   if (Status status = fill(number, temporary.path()); !status) return status;
-  waiting.emplace(wanted);
+  waiting.emplace(requested);
   if ((waits_for_disk && ::fsync(number) != 0) || !descriptor.close() ||
       ::rename(temporary.path().c_str(), file.c_str()) != 0)
-    return system_error(kWriting, wanted, errno);
-  temporary.keep();
+    return system_error(kWriting, requested, errno);
+  temporary.retain();
   return waits_for_disk ? sync_folder(folder) : Status();
 }
 
@@ -138,7 +138,7 @@ Status write_file_atomically(const fs::path& file, std::string_view content) {
   return replace(file, [&](int number, const fs::path&) { return fill(number, file, content); });
 }
 
-Status write_file_of_many(const fs::path& file, std::string_view content) {
+Status write_file_unsynced(const fs::path& file, std::string_view content) {
   return replace(
       file, [&](int number, const fs::path&) { return fill(number, file, content); }, false);
 }
@@ -146,7 +146,7 @@ Status write_file_of_many(const fs::path& file, std::string_view content) {
 Status sync_folder(const fs::path& folder) {
   const DiskWait waiting(folder);
   Descriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  // Some file systems know no fsync of a folder (EINVAL); there is nothing more to be done there.
+  // Some file systems have no fsync of a folder (EINVAL).
   if (descriptor.number() < 0 || (::fsync(descriptor.number()) != 0 && errno != EINVAL))
     return system_error(
         en::say("could not make sure that the folder is on the disk"), folder, errno);
@@ -167,7 +167,7 @@ Status write_file_atomically(const fs::path& file,
   return replace(file, [&](int, const fs::path& temporary) -> Status {
     if (Status status = write(temporary); !status) return status;
     const DiskWait waiting(file);
-    // The other library may have put a new file in place of ours.
+    // The other library may have replaced the temporary file.
     const Descriptor written(::open(temporary.c_str(), O_RDONLY | O_CLOEXEC));
     if (written.number() < 0 || ::fsync(written.number()) != 0)
       return system_error(kWriting, file, errno);
@@ -219,7 +219,7 @@ Status make_folder(const fs::path& folder) {
   fs::create_directories(folder, error);
   if (!error && fs::is_directory(folder, error)) return {};
   const int number = error ? error.value() : ENOTDIR;
-  // A file in the way is reported in two ways, depending on where in the path it lies.
+  // An existing file gives two different errors, depending on its position in the path.
   return system_error(
       en::say("could not make the folder"), folder, number == EEXIST ? ENOTDIR : number);
 }

@@ -7,7 +7,7 @@ namespace alltact {
 
 namespace {
 
-/// Between the stops, which stand at even distances; at in [0, 1].
+/// Linear interpolation between equidistant stops; part in [0, 1].
 template <std::size_t kCount>
 MapColour between(const std::array<MapColour, kCount>& stops, double part) {
   const double at = std::clamp(std::isfinite(part) ? part : 0.0, 0.0, 1.0) * (kCount - 1);
@@ -65,13 +65,13 @@ MapColour depth_colour(double part) {
                                                     {222, 84, 101},
                                                     {249, 145, 131},
                                                     {255, 208, 190}}};
-  return part < 0 ? between(kBulge, -part / kBulgePart) : viridis(part);
+  return part < 0 ? between(kBulge, -part / kBulgeFraction) : viridis(part);
 }
 
 ColourScale depth_scale(double top_mm) {
-  return {-kBulgePart * top_mm,
+  return {-kBulgeFraction * top_mm,
           top_mm,
-          [](double part) { return depth_colour((1 + kBulgePart) * part - kBulgePart); },
+          [](double part) { return depth_colour((1 + kBulgeFraction) * part - kBulgeFraction); },
           5};
 }
 

@@ -1,8 +1,8 @@
 #include "core/io/depth_file.h"
 
 #include "core/io/atomic_file.h"
-#include "core/io/picture.h"
-#include "core/io/picture_format.h"
+#include "core/io/image_file.h"
+#include "core/io/image_format.h"
 #include "core/io/png_check_sum.h"
 
 #include <bit>
@@ -20,7 +20,8 @@ namespace {
 using std::string_view_literals::operator""sv;
 
 constexpr std::string_view kDepthKeyword = "AllTact depth";
-constexpr int kQuickest = 1;  // level of compression: the noise below does not get smaller
+constexpr int kQuickest = 1;  // level of compression: higher ones cannot reduce the noise in the
+                              // low bits
 
 struct CompressorDeleter {
   void operator()(libdeflate_compressor* compressor) const {
@@ -52,7 +53,7 @@ void put_chunk(std::string& out, std::string_view type, std::string_view data) {
   put_u32(out, png_check_sum(std::string_view(out).substr(begin)));
 }
 
-/// Rows behind the filter `sub`, each sample less the one before it byte by byte.
+/// Rows after the filter `sub`: each sample minus the one before it, byte by byte.
 std::vector<std::uint8_t> png_rows(const cv::Mat& grey) {
   const std::size_t bytes = grey.elemSize(), width = static_cast<std::size_t>(grey.cols);
   const std::size_t row_bytes = bytes * width;
@@ -77,7 +78,8 @@ std::vector<std::uint8_t> png_rows(const cv::Mat& grey) {
   return rows;
 }
 
-/// Each row's bytes by their weight, the greatest first, and each less the one before it.
+/// Floating-point predictor: each row's bytes by significance, highest first, each minus the one
+/// before.
 std::vector<std::uint8_t> tiff_rows(const cv::Mat& depth_mm) {
   const auto width = static_cast<std::size_t>(depth_mm.cols);
   std::vector<std::uint8_t> rows(static_cast<std::size_t>(depth_mm.rows) * 4 * width);
@@ -104,7 +106,7 @@ void put_entry(std::string& out, std::uint16_t tag, std::uint16_t type, std::uin
   put(tag, 2), put(type, 2), put(1, 4), put(value, 4);
 }
 
-/// What stands in the chunk tEXt of this keyword; empty where there is none.
+/// The content of the tEXt chunk with this keyword; empty where there is none.
 std::string_view text_of_png(std::string_view png, std::string_view keyword) {
   const auto number = [&](std::size_t at) {
     std::size_t value = 0;
@@ -135,9 +137,9 @@ cv::Mat depth_steps(const cv::Mat& depth_mm) {
     auto* to = steps.ptr<std::uint16_t>(v);
     for (int u = 0; u < steps.cols; ++u) {
       const float value = from[u] * kPerMm + (static_cast<float>(kDepthZero) + 0.5F);
-      // Also false for NaN. Cut off behind the half that was added: rounded.
-      const float kept = std::min(std::max(value, 1.0F), 65535.0F);
-      to[u] = value == value ? static_cast<std::uint16_t>(static_cast<int>(kept)) : 0;
+      // Also false for NaN. Truncation after adding a half rounds.
+      const float clamped = std::min(std::max(value, 1.0F), 65535.0F);
+      to[u] = value == value ? static_cast<std::uint16_t>(static_cast<int>(clamped)) : 0;
     }
   }
   return steps;
@@ -162,7 +164,7 @@ std::string grey_png(const cv::Mat& grey, std::string_view keyword, std::string_
   put_u32(header, static_cast<std::uint32_t>(grey.cols));
   put_u32(header, static_cast<std::uint32_t>(grey.rows));
   header.push_back(static_cast<char>(8 * grey.elemSize()));
-  header.append("\0\0\0\0"sv);  // grey; deflate, the usual filters, not interlaced
+  header.append("\0\0\0\0"sv);  // grey; deflate, the standard filters, not interlaced
   put_chunk(png, "IHDR", header);
   if (!text.empty()) put_chunk(png, "tEXt", std::string(keyword).append(1, '\0').append(text));
   put_chunk(png, "IDAT", deflated(png_rows(grey)));
@@ -181,17 +183,17 @@ std::string depth_tiff(const cv::Mat& depth_mm) {
   const std::string data = deflated(tiff_rows(depth_mm));
   tiff += data;
   if (tiff.size() % 2 != 0) tiff.push_back('\0');
-  for (std::size_t i = 0; i < 4; ++i)  // where the directory begins: behind what it tells of
+  for (std::size_t i = 0; i < 4; ++i)  // offset of the directory, which follows the data
     tiff[4 + i] = static_cast<char>(tiff.size() >> (8 * i) & 0xFFU);
   tiff.append("\x0C\0"sv);
   const auto height = static_cast<std::uint32_t>(depth_mm.rows);
   put_entry(tiff, 256, kLong, static_cast<std::uint32_t>(depth_mm.cols));
   put_entry(tiff, 257, kLong, height);
-  put_entry(tiff, 258, kShort, 32);  // bits a sample
+  put_entry(tiff, 258, kShort, 32);  // bits per sample
   put_entry(tiff, 259, kShort, 8);   // deflate
   put_entry(tiff, 262, kShort, 1);   // black is zero
-  put_entry(tiff, 273, kLong, 8);    // where the one strip begins
-  put_entry(tiff, 277, kShort, 1);   // samples a pixel
+  put_entry(tiff, 273, kLong, 8);    // offset of the one strip
+  put_entry(tiff, 277, kShort, 1);   // samples per pixel
   put_entry(tiff, 278, kLong, height);
   put_entry(tiff, 279, kLong, static_cast<std::uint32_t>(data.size()));
   put_entry(tiff, 284, kShort, 1);  // planes together
@@ -203,10 +205,10 @@ std::string depth_tiff(const cv::Mat& depth_mm) {
 Result<cv::Mat> read_depth_png(const std::filesystem::path& file) {
   const auto content = read_file(file);
   if (!content) return content.error();
-  const auto header = picture_header(*content);
+  const auto header = image_header(*content);
   if (!header) return Error{header.error().what, file.string(), header.error().advice};
   constexpr std::int64_t kMaxSide_px = 16384;
-  if (header->format != PictureFormat::kPng || header->bits != 16 || header->channels != 1 ||
+  if (header->format != ImageFormat::kPng || header->bits != 16 || header->channels != 1 ||
       header->has_transparency || header->width_px < 1 || header->height_px < 1 ||
       header->width_px > kMaxSide_px || header->height_px > kMaxSide_px ||
       text_of_png(*content, kDepthKeyword) != kDepthSentence)
@@ -219,7 +221,7 @@ Result<cv::Mat> read_depth_png(const std::filesystem::path& file) {
         cv::Mat(1, static_cast<int>(content->size()), CV_8UC1, const_cast<char*>(content->data())),
         cv::IMREAD_UNCHANGED);
   } catch (const cv::Exception&) {
-    // As when nothing comes of it.
+    // Handled like an empty result.
   }
   if (steps.empty() || steps.type() != CV_16UC1)
     return Error{en::say("the picture is damaged or cut short"),
@@ -233,7 +235,7 @@ Result<cv::Mat> read_frame_depth(const std::filesystem::path& folder, const std:
   std::error_code ignored;
   if (!std::filesystem::exists(exact, ignored) && std::filesystem::exists(small, ignored))
     return read_depth_png(small);
-  return read_float_picture(exact);
+  return read_float_image(exact);
 }
 
 }  // namespace alltact

@@ -12,12 +12,12 @@ DiskQueue::~DiskQueue() {
 void DiskQueue::add(Task task) {
   const std::lock_guard lock(mutex_);
   tasks_.push_back(std::move(task));
-  news_.notify_all();
+  changed_.notify_all();
 }
 
 void DiskQueue::wait() {
   std::unique_lock lock(mutex_);
-  news_.wait(lock, [this] { return tasks_.empty() && !is_busy_; });
+  changed_.wait(lock, [this] { return tasks_.empty() && !is_busy_; });
 }
 
 std::optional<Error> DiskQueue::problem() const {
@@ -25,7 +25,7 @@ std::optional<Error> DiskQueue::problem() const {
   return problem_;
 }
 
-void DiskQueue::forget_problem() {
+void DiskQueue::clear_problem() {
   const std::lock_guard lock(mutex_);
   problem_.reset();
 }
@@ -33,7 +33,7 @@ void DiskQueue::forget_problem() {
 void DiskQueue::work(const std::stop_token& stop) {
   std::unique_lock lock(mutex_);
   while (true) {
-    news_.wait(lock, stop, [this] { return !tasks_.empty(); });
+    changed_.wait(lock, stop, [this] { return !tasks_.empty(); });
     if (tasks_.empty()) return;
     const Task task = std::move(tasks_.front());
     tasks_.pop_front();
@@ -43,7 +43,7 @@ void DiskQueue::work(const std::stop_token& stop) {
     lock.lock();
     is_busy_ = false;
     problem_ = status ? std::nullopt : std::optional(status.error());
-    news_.notify_all();
+    changed_.notify_all();
   }
 }
 

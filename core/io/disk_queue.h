@@ -1,4 +1,4 @@
-// Writes that must not be waited for and must not be lost.
+// Background writes that must not be lost.
 #pragma once
 
 #include "core/result.h"
@@ -18,24 +18,24 @@ class DiskQueue {
   using Task = std::function<Status()>;
 
   DiskQueue();
-  ~DiskQueue();  ///< does all that waits first
+  ~DiskQueue();  ///< finishes all tasks first
   DiskQueue(const DiskQueue&) = delete;
   DiskQueue& operator=(const DiskQueue&) = delete;
 
-  /// Done one after the other, at once, on a thread of its own.
+  /// Runs tasks one after the other on a thread of its own.
   void add(Task task);
-  /// Until nothing waits any more.
+  /// Waits until all tasks are done.
   void wait();
-  /// Why the latest task that failed did, until one succeeds.
+  /// The error of the latest failed task, until one succeeds.
   [[nodiscard]] std::optional<Error> problem() const;
-  /// What was written for matters no more.
-  void forget_problem();
+  /// Discards the error, when its file is no longer relevant.
+  void clear_problem();
 
  private:
   void work(const std::stop_token& stop);
 
   mutable std::mutex mutex_;
-  std::condition_variable_any news_;
+  std::condition_variable_any changed_;
   std::deque<Task> tasks_;
   bool is_busy_ = false;
   std::optional<Error> problem_;

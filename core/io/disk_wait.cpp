@@ -33,9 +33,9 @@ struct ThreadId {
   pthread_t handle = ::pthread_self();
 };
 
-/// How a thread spent its life until now.
+/// Use of the processor by a thread until now.
 struct ThreadUse {
-  nanoseconds on_processor{0};  ///< running or queued for it, as far as the system counts both
+  nanoseconds on_processor{0};  ///< running or queued, as far as the system counts both
   bool is_blocked = true;       ///< neither runs nor queues at this moment
 };
 
@@ -67,7 +67,7 @@ ThreadUse use_of(const ThreadId& thread) {
   // "NUMBER (NAME) STATE ...", where NAME may hold anything.
   const std::string stat = proc_text(thread, "stat");
   const std::size_t name_end = stat.rfind(") ");
-  // A queue that lasts until now is counted only at its end: R says that it lasts.
+  // A queue that lasts until now is counted only at its end: R shows that it lasts.
   if (name_end != std::string::npos && name_end + 2 < stat.size())
     use.is_blocked = std::string_view("RTt").find(stat[name_end + 2]) == std::string_view::npos;
   return use;
@@ -93,8 +93,8 @@ std::map<const DiskWait*, Wait>& waits() {
 std::atomic<bool> is_watched{false};
 thread_local const DiskWait* outermost = nullptr;
 
-/// Adds what passed since the last call. No more than `limit`: a program that was stopped as a
-/// whole, or whose watch got no turn, knows nothing of the time between.
+/// Adds the time since the last call, at most `limit`. In a stopped program, or with a delayed
+/// watch thread, the time between is unknown.
 void update(Wait& wait, nanoseconds limit) {
   const ThreadUse use = use_of(wait.thread);
   const auto now = Clock::now();
@@ -107,10 +107,10 @@ void update(Wait& wait, nanoseconds limit) {
   wait.last_seen = now;
 }
 
-/// Where the disk that holds `file` stands in the tree of files. Neither is asked: both may stall.
+/// Mount point of the disk that holds `file`, without access to either, because both may stall.
 std::string mount_point_of(const fs::path& file) {
   std::error_code ignored;
-  const fs::path whole = fs::absolute(file, ignored).lexically_normal();
+  const fs::path full = fs::absolute(file, ignored).lexically_normal();
   std::ifstream mounts("/proc/self/mountinfo");
   std::string line, best = "/";
   while (std::getline(mounts, line)) {
@@ -120,7 +120,7 @@ std::string mount_point_of(const fs::path& file) {
     words >> word >> word >> word >> word >> mount_point;
     const fs::path point(mount_point);
     const bool holds_file =
-        std::mismatch(point.begin(), point.end(), whole.begin(), whole.end()).first == point.end();
+        std::mismatch(point.begin(), point.end(), full.begin(), full.end()).first == point.end();
     if (holds_file && mount_point.size() > best.size()) best = mount_point;
   }
   return best;

@@ -1,5 +1,5 @@
-// Reports a disk that does not answer, as one in a network that stalls. A busy processor is no slow
-// disk: only the time counts in which a thread neither runs nor queues for a processor.
+// Reports a disk that does not answer, such as a stalled network disk. A busy processor is no slow
+// disk: only time counts in which a thread neither runs nor queues for a processor.
 #pragma once
 
 #include "core/result.h"
@@ -12,9 +12,9 @@
 
 namespace alltact {
 
-/// While it lives, its thread waits for a file; one within another is the outer one's. It stands
-/// around system calls, not around work that other threads do: sleeping counts as waiting. Costs
-/// next to nothing where nobody watches.
+/// Marks its thread as waiting for a file while it lives; an inner one belongs to the outer one.
+/// Use it around system calls, not around work of other threads: sleep counts as waiting. The cost
+/// is negligible without a DiskWatch.
 class DiskWait {
  public:
   explicit DiskWait(const std::filesystem::path& file);
@@ -26,9 +26,9 @@ class DiskWait {
 /// Watches all DiskWaits of the program while it lives; one at a time.
 class DiskWatch {
  public:
-  /// `on_slow` is called on a thread of its own where a wait was blocked for longer than
-  /// `timeout`, at most 1.25 times that after its begin: once for each disk and stall. `file` is
-  /// final_path() of what is waited for.
+  /// `on_slow` is called on a thread of its own when a wait was blocked for longer than `timeout`,
+  /// at most 1.25 times that after its begin. It is called once for each disk and stall. `file` is
+  /// final_path() of the file.
   DiskWatch(std::chrono::milliseconds timeout,
             std::function<void(const std::filesystem::path& file)> on_slow);
   DiskWatch(const DiskWatch&) = delete;
@@ -42,13 +42,13 @@ class DiskWatch {
   std::unique_ptr<State> state_;
 };
 
-/// How long a disk may take to answer before a person hears of it.
+/// Time of a disk's answer after which it is reported to a person.
 inline constexpr std::chrono::seconds kDiskTimeout{3};
 
-/// A disk that was reported is reported again only after it answered for so long.
+/// Minimum time of answers before a disk is reported again.
 inline constexpr std::chrono::minutes kDiskQuiet{10};
 
-/// The message for a file that is waited for.
+/// The message for a slow file.
 [[nodiscard]] Error slow_disk(const std::filesystem::path& file);
 
 }  // namespace alltact

@@ -40,18 +40,18 @@ bool is_inside(const std::string& name) {
   return std::none_of(path.begin(), path.end(), [](const fs::path& part) { return part == ".."; });
 }
 
-/// No folder on the way to a file is a link: what stands in a list stays in its folder, and renames
-/// stay on its disk.
+/// True when no folder in the path to a file is a link. Listed files then stay in their folder, and
+/// renames on its disk.
 bool is_without_links(const fs::path& folder, const fs::path& name) {
   std::error_code absent;
-  fs::path way = folder;
+  fs::path current = folder;
   for (const fs::path& part : name.parent_path())
-    if (fs::is_symlink(fs::symlink_status(way /= part, absent))) return false;
+    if (fs::is_symlink(fs::symlink_status(current /= part, absent))) return false;
   return true;
 }
 
-/// The first name that leads through a link.
-std::optional<std::string> through_a_link(const fs::path& folder, const ChangeList& list) {
+/// The first name whose path contains a link.
+std::optional<std::string> path_with_link(const fs::path& folder, const ChangeList& list) {
   for (const std::string& name : list.taken)
     if (!is_without_links(folder, name) || !is_without_links(folder, list.staged + "/" + name))
       return name;
@@ -91,28 +91,28 @@ Result<ChangeList> list_in(const fs::path& folder) {
       return broken;
   }
   if (line != "end" || list.staged.empty()) return broken;
-  if (const auto name = through_a_link(folder, list)) return leads_elsewhere(folder, *name);
+  if (const auto name = path_with_link(folder, list)) return leads_elsewhere(folder, *name);
   return list;
 }
 
-/// As often as it takes: what is done already is passed over.
-Status carry_out(const fs::path& folder, const ChangeList& list) {
+/// May be repeated: completed steps are skipped.
+Status apply_list(const fs::path& folder, const ChangeList& list) {
   const Message kChanging = en::say("could not be changed");
-  std::set<fs::path> touched{folder};
+  std::set<fs::path> changed_folders{folder};
   for (const std::string& name : list.taken) {
     const fs::path from = folder / list.staged / name, to = folder / name;
     if (const Status made = make_folder(to.parent_path()); !made) return made;
     if (::rename(from.c_str(), to.c_str()) != 0 && errno != ENOENT)
       return system_error(kChanging, to, errno);
-    touched.insert(to.parent_path());
+    changed_folders.insert(to.parent_path());
   }
   for (const std::string& name : list.removed) {
     const fs::path gone = folder / name;
     if (::unlink(gone.c_str()) != 0 && errno != ENOENT) return system_error(kChanging, gone, errno);
-    touched.insert(gone.parent_path());
+    changed_folders.insert(gone.parent_path());
   }
   std::error_code absent;
-  for (const fs::path& one : touched)
+  for (const fs::path& one : changed_folders)
     if (fs::is_directory(one, absent))
       if (const Status synced = sync_folder(one); !synced) return synced;
   if (::unlink((folder / kList).c_str()) != 0 && errno != ENOENT)
@@ -123,7 +123,7 @@ Status carry_out(const fs::path& folder, const ChangeList& list) {
   return {};
 }
 
-/// Files below a folder, by their names in it; makes sure that all their folders are on the disk.
+/// Files below a folder, as relative paths; syncs all their folders to the disk.
 Result<std::vector<std::string>> files_below(const fs::path& folder) {
   std::vector<std::string> names;
   std::error_code error;
@@ -140,8 +140,8 @@ Result<std::vector<std::string>> files_below(const fs::path& folder) {
   return names;
 }
 
-/// Of programs that ended before they had decided anything.
-void sweep(const fs::path& folder) {
+/// Removes the rests of programs that ended before a decision.
+void remove_rests(const fs::path& folder) {
   std::vector<fs::path> left;
   std::error_code ignored;
   for (fs::directory_iterator entry(folder, ignored), end; !ignored && entry != end;
@@ -154,7 +154,7 @@ void sweep(const fs::path& folder) {
 
 Result<FolderChange> FolderChange::begin(const fs::path& folder) {
   if (const Status completed = complete_change(folder); !completed) return completed.error();
-  sweep(folder);
+  remove_rests(folder);
   FolderChange change(folder);
   const fs::path staged = folder / fmt::format("{}{}", kStagedPrefix, ::getpid());
   if (const Status made = make_folder(staged); !made) return made.error();
@@ -176,14 +176,14 @@ Status FolderChange::commit() {
   auto names = files_below(staged_);
   if (!names) return names.error();
   const ChangeList list{staged_.filename().string(), std::move(*names), removed_};
-  if (const auto name = through_a_link(folder_, list)) return leads_elsewhere(folder_, *name);
+  if (const auto name = path_with_link(folder_, list)) return leads_elsewhere(folder_, *name);
   if (const Status decided = write_file_atomically(folder_ / kList, text_of(list)); !decided) {
-    // Not where the list is there all the same, and only its folder could not be synced.
+    // Except where the list exists, and only its folder could not be synced.
     if (has_open_change(folder_)) staged_.clear();
     return decided;
   }
-  staged_.clear();  // the list's from now on
-  return carry_out(folder_, list);
+  staged_.clear();  // owned by the list from now on
+  return apply_list(folder_, list);
 }
 
 fs::path final_path(const fs::path& path) {
@@ -201,7 +201,7 @@ bool has_open_change(const fs::path& folder) {
 Status complete_change(const fs::path& folder) {
   if (!has_open_change(folder)) return {};
   const auto list = list_in(folder);
-  return list ? carry_out(folder, *list) : Status(list.error());
+  return list ? apply_list(folder, *list) : Status(list.error());
 }
 
 }  // namespace alltact

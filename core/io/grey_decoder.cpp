@@ -90,15 +90,15 @@ Result<cv::Mat> GreyDecoder::operator()(PixelFormat format,
 Result<cv::Mat> GreyDecoder::decode_jpeg(int width_px,
                                          int height_px,
                                          std::span<const std::uint8_t> bytes) {
-  auto picture = whole_jpeg(width_px, height_px, bytes);
-  // A decoder that stopped halfway keeps some of it: the next picture gets a new one.
-  if (!picture) jpeg_ = std::make_unique<Jpeg>();
-  return picture;
+  auto image = complete_jpeg(width_px, height_px, bytes);
+  // A decoder that stopped halfway has a remaining state: the next image gets a new one.
+  if (!image) jpeg_ = std::make_unique<Jpeg>();
+  return image;
 }
 
-Result<cv::Mat> GreyDecoder::whole_jpeg(int width_px,
-                                        int height_px,
-                                        std::span<const std::uint8_t> bytes) {
+Result<cv::Mat> GreyDecoder::complete_jpeg(int width_px,
+                                           int height_px,
+                                           std::span<const std::uint8_t> bytes) {
   const auto size = static_cast<unsigned long>(bytes.size());  // NOLINT: TurboJPEG's type
   int width = 0, height = 0, sampling = 0, colours = 0;
   if (jpeg_->handle == nullptr ||
@@ -119,12 +119,12 @@ Result<cv::Mat> GreyDecoder::whole_jpeg(int width_px,
                                    TJPF_GRAY,
                                    TJFLAG_STOPONWARNING);
   if (status != 0) {
-    // The first complaint stops the decoder. This one comes after the last row: the picture is
-    // whole, with a few stray bytes between it and its end mark.
+    // The first complaint stops the decoder. This one comes after the last row: the image is
+    // complete, with a few stray bytes between it and its end mark.
     const std::string_view complaint = tjGetErrorStr2(jpeg_->handle);
-    const bool is_whole =
+    const bool is_complete =
         complaint.find("extraneous bytes before marker 0xd9") != std::string_view::npos;
-    if (!is_whole) return damaged_packet(en::say("a JPEG came that is truncated or damaged"));
+    if (!is_complete) return damaged_packet(en::say("a JPEG came that is truncated or damaged"));
     jpeg_ = std::make_unique<Jpeg>();
   }
   return grey;

@@ -15,7 +15,7 @@ namespace alltact {
 namespace {
 
 constexpr std::uintmax_t kLargestFile = std::uintmax_t{512} << 20;
-constexpr std::size_t kMostTriangles = 4'000'000;
+constexpr std::size_t kMaxTriangles = 4'000'000;
 
 std::string lower_extension(const std::filesystem::path& file) {
   std::string text = file.extension().string();
@@ -24,12 +24,12 @@ std::string lower_extension(const std::filesystem::path& file) {
   return text;
 }
 
-// Corners of different triangles in one place become one point.
-class PointsOnce {
+// Merges corners of different triangles at one position into one point.
+class UniquePoints {
  public:
-  explicit PointsOnce(TriangleMesh& mesh) : mesh_(mesh) {}
+  explicit UniquePoints(TriangleMesh& mesh) : mesh_(mesh) {}
   int number_of(const aiVector3D& at) {
-    // -0 and 0 are one place.
+    // -0 and 0 are one position.
     const std::array<float, 3> key{at.x + 0.0F, at.y + 0.0F, at.z + 0.0F};
     const auto [known, is_new] = numbers_.emplace(key, static_cast<int>(mesh_.points.size()));
     if (is_new) mesh_.points.emplace_back(at.x, at.y, at.z);
@@ -41,7 +41,7 @@ class PointsOnce {
   std::map<std::array<float, 3>, int> numbers_;
 };
 
-Status take(const aiMesh& part, TriangleMesh& mesh, PointsOnce& points) {
+Status take(const aiMesh& part, TriangleMesh& mesh, UniquePoints& points) {
   for (unsigned i = 0; i < part.mNumVertices; ++i) {
     const aiVector3D& at = part.mVertices[i];
     if (!std::isfinite(at.x) || !std::isfinite(at.y) || !std::isfinite(at.z))
@@ -81,12 +81,12 @@ Result<TriangleMesh> read_mesh(const std::filesystem::path& file) {
     return refuse(en::say("the mesh cannot be read"),
                   en::say("export it again, e.g. as binary STL"));
   TriangleMesh mesh;
-  PointsOnce points(mesh);
+  UniquePoints points(mesh);
   for (unsigned i = 0; i < scene->mNumMeshes; ++i) {
     if (const Status status = take(*scene->mMeshes[i], mesh, points); !status)
       return refuse(status.error().what, status.error().advice);
-    if (mesh.triangles.size() > kMostTriangles)
-      return refuse(en::say("the mesh has more than {} triangles", kMostTriangles),
+    if (mesh.triangles.size() > kMaxTriangles)
+      return refuse(en::say("the mesh has more than {} triangles", kMaxTriangles),
                     en::say("export it coarser"));
   }
   if (mesh.triangles.empty())

@@ -1,4 +1,4 @@
-// Triangle meshes of other programs.
+// Reader for triangle meshes of other programs.
 #pragma once
 
 #include "core/result.h"
@@ -12,16 +12,16 @@
 namespace alltact {
 
 struct TriangleMesh {
-  std::vector<Eigen::Vector3d> points;  ///< each place once; in the file's unit
+  std::vector<Eigen::Vector3d> points;  ///< without duplicates; in the file's unit
   std::vector<std::array<int, 3>> triangles;
 };
 
-/// STL or OBJ by their names' ends, all objects of the file as one. Errors, with the file as
-/// `where`: another kind, no triangles, more than 4 million of them, points that are no numbers,
+/// Reads STL or OBJ (by the extension), all objects of the file as one. Errors, with the file as
+/// `where`: another format, no triangles, more than 4 million of them, points that are not finite,
 /// more than 512 MB.
 [[nodiscard]] Result<TriangleMesh> read_mesh(const std::filesystem::path& file);
 
-/// Error: it does not enclose a body, because an edge does not border exactly two triangles.
+/// Error: the mesh does not enclose a body, because an edge does not border exactly two triangles.
 [[nodiscard]] Status check_closed(const TriangleMesh& mesh);
 
 }  // namespace alltact

@@ -10,7 +10,7 @@ namespace alltact {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr int kDeepest = 32;  // of messages within messages that anyone says
+constexpr int kDeepest = 32;  // maximum nesting of messages
 
 std::string text_at(const Json& json, const char* key) {
   const auto value = json.find(key);
@@ -24,11 +24,11 @@ Message message_within(const Json& json, int depth) {
   if (const auto list = json.find("parts"); list != json.end() && list->is_array())
     for (const Json& part : *list) parts.push_back(message_within(part, depth + 1));
   if (json.contains("say"))
-    return Message::put_together(
-        Message::Kind::kSaid, text_at(json, "say"), text_at(json, "of"), -1, std::move(parts));
+    return Message::compose(
+        Message::Kind::kTemplate, text_at(json, "say"), text_at(json, "of"), -1, std::move(parts));
   if (json.contains("many")) {
     const auto count = json.find("count");
-    return Message::put_together(
+    return Message::compose(
         Message::Kind::kCounted,
         text_at(json, "many"),
         text_at(json, "one"),
@@ -36,7 +36,7 @@ Message message_within(const Json& json, int depth) {
         std::move(parts));
   }
   if (json.contains("number"))
-    return Message::put_together(Message::Kind::kNumber, text_at(json, "number"), {}, -1, {});
+    return Message::compose(Message::Kind::kNumber, text_at(json, "number"), {}, -1, {});
   return Message::typed(text_at(json, "text"));
 }
 
@@ -51,7 +51,7 @@ Json message_json(const Message& message) {
     case Message::Kind::kNumber:
       json["number"] = message.words();
       return json;
-    case Message::Kind::kSaid:
+    case Message::Kind::kTemplate:
       json["say"] = message.words();
       if (!message.context().empty()) json["of"] = message.context();
       break;

@@ -1,4 +1,4 @@
-// Messages as JSON, for files and other processes that are to say them in their own language.
+// Messages as JSON, for files and for processes that show them in their own language.
 #pragma once
 
 #include "core/message.h"
@@ -7,12 +7,12 @@
 
 namespace alltact {
 
-/// Text is {"text": t}, a number {"number": "0.12"}; what was said {"say": template, "parts":
-/// [...]}; with "of" where a word belongs to something; what was counted {"count": n, "many":
-/// template, "one": template, "parts": [...]}. Nothing said is {"text": ""}.
+/// Text is {"text": t}, a number {"number": "0.12"}; a template {"say": template, "parts": [...]},
+/// with "of" where a word describes something; a count {"count": n, "many": template, "one":
+/// template, "parts": [...]}. An empty message is {"text": ""}.
 [[nodiscard]] nlohmann::ordered_json message_json(const Message& message);
 
-/// The way back; whatever has another form is taken as the text it is.
+/// The inverse; any other form becomes its text.
 [[nodiscard]] Message message_of(const nlohmann::ordered_json& json);
 
 }  // namespace alltact

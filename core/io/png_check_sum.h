@@ -1,4 +1,4 @@
-// How a PNG file knows that it is whole.
+// Check sum of a PNG chunk.
 #pragma once
 
 #include <cstdint>

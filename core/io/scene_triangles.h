@@ -1,13 +1,12 @@
-// Meshes of other programs as triangles, by assimp.
+// Conversion of other programs' meshes to triangles, by assimp.
 #pragma once
 
 #include <assimp/Importer.hpp>
 
 namespace alltact {
 
-/// What `importer` has read and validated, cut into triangles that lie where their nodes put them;
-/// nullptr where it has read nothing, or a face without corners: at that assimp would end the
-/// program.
+/// The imported and validated scene as triangles, transformed by their nodes. nullptr: nothing was
+/// imported, or a face has no corners, for which assimp would end the program.
 [[nodiscard]] const aiScene* scene_triangles(Assimp::Importer& importer);
 
 }  // namespace alltact

@@ -52,7 +52,7 @@ std::string ply(const Triangles& mesh) {
 
 std::string vtp(const Triangles& mesh) {
   std::string data;
-  const auto place = [&data](const std::string& bytes) {
+  const auto append_array = [&data](const std::string& bytes) {
     const std::size_t at = data.size();
     append(data, static_cast<std::uint64_t>(bytes.size()));
     data += bytes;
@@ -61,9 +61,10 @@ std::string vtp(const Triangles& mesh) {
   std::vector<std::int32_t> ends;
   for (std::size_t i = 1; i <= mesh.corners.size(); ++i)
     ends.push_back(static_cast<std::int32_t>(3 * i));
-  const std::size_t points = place(bytes_of(mesh.points_mm)),
-                    depth = place(bytes_of(mesh.depth_mm));
-  const std::size_t corners = place(bytes_of(mesh.corners)), offsets = place(bytes_of(ends));
+  const std::size_t points = append_array(bytes_of(mesh.points_mm)),
+                    depth = append_array(bytes_of(mesh.depth_mm));
+  const std::size_t corners = append_array(bytes_of(mesh.corners)),
+                    offsets = append_array(bytes_of(ends));
   const auto array = [](const char* type, const char* name, int components, std::size_t at) {
     return fmt::format(
         "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" "
@@ -109,7 +110,7 @@ std::string stl(const Triangles& mesh) {
   return content;
 }
 
-/// glTF's vertex colours are light, not what a screen is sent.
+/// glTF's vertex colours are linear light, not sRGB.
 float light_of(std::uint8_t level) {
   const double part = level / 255.0;
   return static_cast<float>(part <= 0.04045 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4));
@@ -129,7 +130,7 @@ struct GlbPart {
   std::string bytes;
   int component;  ///< glTF's number of the type
   const char* type;
-  int target;  ///< what a graphics card takes it for
+  int target;  ///< use by a graphics card
   std::size_t count;
 };
 
@@ -167,7 +168,7 @@ std::string glb(const Triangles& mesh) {
   }
   accessors[0]["min"] = {low[0], low[1], low[2]};
   accessors[0]["max"] = {high[0], high[1], high[2]};
-  // Half a turn about x: y up, z towards whoever looks.
+  // Half a turn about x: y up, z towards the viewer.
   const Json node = {{"mesh", 0}, {"rotation", {1, 0, 0, 0}}, {"scale", {1e-3, 1e-3, 1e-3}}};
   const Json primitive = {{"attributes", {{"POSITION", 0}, {"COLOR_0", 1}, {"_DEPTH_MM", 2}}},
                           {"indices", 3},

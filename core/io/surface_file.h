@@ -9,17 +9,17 @@
 
 namespace alltact {
 
-/// Writes a grid of points as a triangle mesh, whole or not at all. Points that are not finite are
-/// left out, with the triangles they would belong to. Triangles face the camera (anticlockwise seen
-/// from it). The ending says how:
+/// Writes a grid of points as a triangle mesh, atomically. Points that are not finite are left out,
+/// with their triangles. Triangles face the camera (anticlockwise seen from it). The extension
+/// selects the format:
 ///   .ply  binary; vertices x y z in mm with the property depth_mm
 ///   .vtp  VTK's XML, appended raw; the same, depth_mm as point data
 ///   .stl  binary; mm, triangles only, without depth
-///   .glb  glTF 2.0, which counts in metres with y up: vertices stay in mm in the camera frame, the
-///         node above turns and shrinks them; colours are viridis from 0 to the deepest point
-///         (0.1 mm at least), which stands in the mesh's extras; depth is the attribute _DEPTH_MM
+///   .glb  glTF 2.0 in metres with y up: vertices stay in mm in the camera frame, their node
+///         rotates and scales them. Colours are viridis from 0 to the deepest point (0.1 mm at
+///         least), which the mesh's extras contain; depth is the attribute _DEPTH_MM
 ///   points_mm: CV_32FC3; depth_mm: CV_32FC1 of the same size.
-/// Errors: those of write_file_atomically; no finite point; another ending.
+/// Errors: those of write_file_atomically; no finite point; another extension.
 [[nodiscard]] Status write_surface(const std::filesystem::path& file,
                                    const cv::Mat& points_mm,
                                    const cv::Mat& depth_mm);

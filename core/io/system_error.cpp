@@ -46,10 +46,10 @@ FailureWords words_for(int error_number) {
 }  // namespace
 
 Error system_error(const Message& doing, const std::filesystem::path& path, int error_number) {
-  return told(doing, path, words_for(error_number), error_number);
+  return errno_error(doing, path, words_for(error_number), error_number);
 }
 
-Error told(const Message& doing, Where where, const FailureWords& words, int error_number) {
+Error errno_error(const Message& doing, Where where, const FailureWords& words, int error_number) {
   const Message reason =
       words.reason.empty() ? Message::typed(std::strerror(error_number)) : words.reason;
   return {en::at(doing, reason), std::move(where), words.advice};

@@ -28,7 +28,7 @@ Triangles triangles_of(const cv::Mat& points_mm, const cv::Mat& depth_mm) {
   const auto add = [&](int a, int b, int c) {
     if (a >= 0 && b >= 0 && c >= 0) triangles.corners.push_back({a, b, c});
   };
-  // u grows to the right and v downwards as the camera sees them, so anticlockwise is down first.
+  // In the image u grows to the right and v downwards, so anticlockwise is down first.
   for (int v = 0; v + 1 < number.rows; ++v) {
     for (int u = 0; u + 1 < number.cols; ++u) {
       add(number(v, u), number(v + 1, u), number(v, u + 1));

@@ -15,7 +15,7 @@ struct Triangles {
   std::vector<std::array<std::int32_t, 3>> corners;  ///< anticlockwise seen from the camera
 };
 
-/// Without points that are not finite and triangles that would need them.
+/// Leaves out points that are not finite, and their triangles.
 ///   points_mm: CV_32FC3; depth_mm: CV_32FC1 of the same size
 [[nodiscard]] Triangles triangles_of(const cv::Mat& points_mm, const cv::Mat& depth_mm);
 

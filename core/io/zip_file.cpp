@@ -19,7 +19,7 @@ struct Discard {
 };
 using Archive = std::unique_ptr<zip_t, Discard>;
 
-/// What the library says, as an error about `path`.
+/// The library's error about `path`.
 Error zip_failure(zip_error_t* failure, const fs::path& path) {
   const Message packing = en::say("could not write the archive");
   if (zip_error_system_type(failure) == ZIP_ET_SYS && zip_error_code_system(failure) != 0)
@@ -36,7 +36,7 @@ bool is_packed_already(const std::string& name) {
   return false;
 }
 
-/// The library reads files only at the end and then does not say which one it could not.
+/// The library reads files only at the end, and its error then does not name the file.
 Status check_readable(const std::vector<ZipEntry>& entries) {
   for (const ZipEntry& entry : entries)
     if (!entry.file.empty() && ::access(entry.file.c_str(), R_OK) != 0)
@@ -45,28 +45,29 @@ Status check_readable(const std::vector<ZipEntry>& entries) {
 }
 
 Status add_entry(zip_t* archive, const ZipEntry& entry) {
-  const fs::path said = entry.file.empty() ? fs::path(entry.name) : entry.file;
+  const fs::path origin = entry.file.empty() ? fs::path(entry.name) : entry.file;
   zip_source_t* source =
       entry.file.empty() ? zip_source_buffer(archive, entry.content.data(), entry.content.size(), 0)
                          : zip_source_file(archive, entry.file.c_str(), 0, -1);
-  if (source == nullptr) return zip_failure(zip_get_error(archive), said);
+  if (source == nullptr) return zip_failure(zip_get_error(archive), origin);
   const zip_int64_t index = zip_file_add(archive, entry.name.c_str(), source, ZIP_FL_ENC_UTF_8);
   if (index < 0) {
     zip_source_free(source);
-    return zip_failure(zip_get_error(archive), said);
+    return zip_failure(zip_get_error(archive), origin);
   }
   constexpr zip_uint16_t kMidnight = 0, kNewYear1980 = (1U << 5U) | 1U;
   constexpr zip_uint32_t kPlainFile = (S_IFREG | 0644U) << 16U;
-  const auto place = static_cast<zip_uint64_t>(index);
-  if (zip_file_set_dostime(archive, place, kMidnight, kNewYear1980, 0) != 0 ||
-      zip_file_set_external_attributes(archive, place, 0, ZIP_OPSYS_UNIX, kPlainFile) != 0 ||
+  const auto entry_index = static_cast<zip_uint64_t>(index);
+  if (zip_file_set_dostime(archive, entry_index, kMidnight, kNewYear1980, 0) != 0 ||
+      zip_file_set_external_attributes(archive, entry_index, 0, ZIP_OPSYS_UNIX, kPlainFile) != 0 ||
       zip_set_file_compression(
-          archive, place, is_packed_already(entry.name) ? ZIP_CM_STORE : ZIP_CM_DEFLATE, 0) != 0)
-    return zip_failure(zip_get_error(archive), said);
+          archive, entry_index, is_packed_already(entry.name) ? ZIP_CM_STORE : ZIP_CM_DEFLATE, 0) !=
+          0)
+    return zip_failure(zip_get_error(archive), origin);
   return {};
 }
 
-/// `file` names it in errors and progress; it is written at `temporary`.
+/// `file` names the archive in errors and progress; it is written at `temporary`.
 Status pack(const fs::path& file,
             const fs::path& temporary,
             const std::vector<ZipEntry>& entries,
@@ -91,8 +92,8 @@ Status pack(const fs::path& file,
       archive.get(),
       0.005,
       [](zip_t*, double fraction, void* state) {
-        const auto* told = static_cast<const Watch*>(state);
-        told->job.report(fraction, told->what);
+        const auto* reporter = static_cast<const Watch*>(state);
+        reporter->job.report(fraction, reporter->what);
       },
       nullptr,
       &watch);
@@ -108,7 +109,7 @@ Status pack(const fs::path& file,
       return Error{en::say("stopped before it was packed"), file.string(), ""};
     return zip_failure(zip_get_error(archive.get()), file);
   }
-  static_cast<void>(archive.release());  // closing took it
+  static_cast<void>(archive.release());  // zip_close() has freed it
   return {};
 }
 

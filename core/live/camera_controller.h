@@ -1,4 +1,4 @@
-// A camera's controls beside the window: every system call is made on a thread of its own.
+// Controls a camera without blocking the window: a thread of its own makes every system call.
 #pragma once
 
 #include "core/sources/v4l2/v4l2_camera.h"
@@ -15,9 +15,9 @@ namespace alltact {
 
 struct CameraControllerStatus {
   bool has_camera = false;
-  std::vector<CameraControl> controls;  ///< as they were at the last look, about once a second
+  std::vector<CameraControl> controls;  ///< of the last poll, about once a second
   bool is_locked = false;
-  std::optional<Error> problem;  ///< of the last change that was refused
+  std::optional<Error> problem;  ///< of the last refused change
 };
 
 /// Any thread may call any function; none waits for the camera.
@@ -25,9 +25,9 @@ class CameraController {
  public:
   CameraController();
 
-  /// The camera to work on, null for none. A new one gets `wanted` first, and the lock where that
-  /// is on.
-  void attach(std::shared_ptr<V4l2Camera> camera, const std::vector<ControlValue>& wanted);
+  /// Sets the camera to control, null for none. A new camera first gets the values `requested`, and
+  /// the lock where that is on.
+  void attach(std::shared_ptr<V4l2Camera> camera, const std::vector<ControlValue>& requested);
   void set(const ControlValue& control);
   void set_lock(bool is_locked);
   [[nodiscard]] CameraControllerStatus status() const;

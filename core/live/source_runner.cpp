@@ -16,11 +16,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr std::int64_t kSecond_ns = 1'000'000'000;
-// A source that gives its frames more slowly than their times say falls behind for good, which does
-// not make the pictures old: what came soonest of late tells where its clock is now.
-constexpr std::int64_t kClock_ns = kSecond_ns / 2;
+// A source slower than its own times falls behind permanently, although its frames are not old. The
+// smallest delay in this window therefore determines the offset of its clock.
+constexpr std::int64_t kClockWindow_ns = kSecond_ns / 2;
 std::atomic<int> unfinished{0};
-constexpr std::chrono::milliseconds kAfterFault{20};  // a source that fails at once must not spin
+constexpr std::chrono::milliseconds kFaultPause{20};  // a source that fails at once must not spin
 
 }  // namespace
 
@@ -46,27 +46,27 @@ struct SourceRunner::Run {
   }};
 
   mutable std::mutex mutex;
-  std::condition_variable ended_news;
+  std::condition_variable ended;
   bool is_ended = false;
   SourceStatus status;
   std::deque<std::int64_t> arrivals_ns;  // of the last second
   std::shared_ptr<V4l2Camera> camera;
   std::optional<std::uint64_t> last_sequence;
   std::optional<LightStamp> light;
-  // Added to a frame's time it is the monotonic clock; empty before the first frame with a time.
+  // A frame's time plus this is the monotonic clock; empty before the first frame with a time.
   std::optional<std::int64_t> clock_offset_ns;
-  struct SeenOffset {
+  struct ClockOffset {
     std::int64_t arrived_ns, offset_ns;
   };
-  std::deque<SeenOffset> offsets;  // of the last kClock_ns, ascending
+  std::deque<ClockOffset> offsets;  // of the last kClockWindow_ns, ascending
 
   // The recording. The recorder itself may be used from any thread.
-  struct Wanted {
+  struct RecordingRequest {
     std::filesystem::path file;
     RecorderSettings settings;
   };
-  std::optional<Wanted> wanted;
-  std::atomic<bool> is_stop_wanted{false};
+  std::optional<RecordingRequest> recording_request;
+  std::atomic<bool> is_stop_requested{false};
   std::shared_ptr<Recorder> recorder;
   RecordingStatus recording;
   std::int64_t first_recorded_ns = 0;
@@ -80,7 +80,7 @@ struct SourceRunner::Run {
       run->work(run);
       const std::lock_guard lock(run->mutex);
       run->is_ended = true;
-      run->ended_news.notify_all();
+      run->ended.notify_all();
     }).detach();
   }
 
@@ -92,23 +92,23 @@ struct SourceRunner::Run {
       running = std::exchange(self->camera, nullptr);
       if (running) ++self->finishers;
     }
-    // Beside: it joins the capturing thread, which may be inside a slow driver.
+    // On another thread: it joins the capturing thread, which may be inside a slow driver.
     if (running)
       std::thread([self, camera = std::move(running)]() mutable {
         camera->stop();
         camera.reset();
         const std::lock_guard lock(self->mutex);
         --self->finishers;
-        self->ended_news.notify_all();
+        self->ended.notify_all();
       }).detach();
   }
 
-  /// False: it still goes on.
-  bool wait_for_end(std::optional<std::chrono::milliseconds> patience) {
+  /// False: it still runs.
+  bool wait_for_end(std::optional<std::chrono::milliseconds> timeout) {
     std::unique_lock lock(mutex);
     const auto is_over = [&] { return is_ended && finishers == 0; };
-    if (patience) return ended_news.wait_for(lock, *patience, is_over);
-    ended_news.wait(lock, is_over);
+    if (timeout) return ended.wait_for(lock, *timeout, is_over);
+    ended.wait(lock, is_over);
     return true;
   }
 
@@ -126,7 +126,7 @@ struct SourceRunner::Run {
       auto frame = (*source)->next();
       if (!frame) {
         on_fault(frame.error());
-        std::this_thread::sleep_for(kAfterFault);
+        std::this_thread::sleep_for(kFaultPause);
       } else if (*frame) {
         on_frame(std::move(*frame), (*source)->is_live());
         pace_untimed(**source);
@@ -186,43 +186,43 @@ struct SourceRunner::Run {
     const std::int64_t offset = now_ns - frame.time_ns;
     while (!offsets.empty() && offsets.back().offset_ns >= offset) offsets.pop_back();
     offsets.push_back({now_ns, offset});
-    while (offsets.front().arrived_ns < now_ns - kClock_ns) offsets.pop_front();
+    while (offsets.front().arrived_ns < now_ns - kClockWindow_ns) offsets.pop_front();
     clock_offset_ns = offsets.front().offset_ns;
   }
 
   void record(Recorder& into, const FramePtr& frame, bool is_live) {
     const bool is_taken = is_live ? into.add(frame) : into.add_waiting(frame);
     const std::lock_guard lock(mutex);
-    if (!is_taken && into.problem()) is_stop_wanted = true;
+    if (!is_taken && into.problem()) is_stop_requested = true;
     if (!is_taken) return;
     if (first_recorded_ns == 0) first_recorded_ns = frame->time_ns;
     recording.seconds = static_cast<double>(frame->time_ns - first_recorded_ns) * 1e-9 + period_s;
   }
 
-  /// Pictures have no times: they come as often as a camera's would.
+  /// Images have no times: they come at a camera's rate.
   void pace_untimed(Source& source) const {
     if (source.is_live() || source.is_continuous()) {
       const std::lock_guard lock(mutex);
       if (clock_offset_ns) return;
     }
-    wait_between_pictures(source.frames_per_s(), [&] { return job.stop_requested(); });
+    wait_frame_period(source.frames_per_s(), [&] { return job.stop_requested(); });
   }
 
   void serve_recording(const std::shared_ptr<Run>& self, const Source& source) {
-    std::optional<Wanted> begin;
+    std::optional<RecordingRequest> begin;
     {
       const std::lock_guard lock(mutex);
-      begin = std::exchange(wanted, std::nullopt);
+      begin = std::exchange(recording_request, std::nullopt);
     }
     if (begin) start_recorder(*begin, source);
-    if (is_stop_wanted) finish_recorder(self, "stopped by hand");
+    if (is_stop_requested) finish_recorder(self, "stopped by hand");
   }
 
-  void start_recorder(const Wanted& wish, const Source& source) {
-    auto started =
-        Recorder::start(wish.file, wish.settings, source.frames_per_s(), inputs.front().string());
+  void start_recorder(const RecordingRequest& request, const Source& source) {
+    auto started = Recorder::start(
+        request.file, request.settings, source.frames_per_s(), inputs.front().string());
     const std::lock_guard lock(mutex);
-    is_stop_wanted = false;
+    is_stop_requested = false;
     if (!started) {
       recording.state = RecordingState::kDone;
       recording.problem = started.error();
@@ -232,12 +232,12 @@ struct SourceRunner::Run {
     recorder = std::move(*started);
   }
 
-  /// Beside the capture: what waits may take the disk a while.
+  /// On another thread, because writing the queue may take a while.
   void finish_recorder(const std::shared_ptr<Run>& self, const char* why) {
     std::shared_ptr<Recorder> done;
     {
       const std::lock_guard lock(mutex);
-      is_stop_wanted = false;
+      is_stop_requested = false;
       if (!recorder) return;
       done = std::exchange(recorder, nullptr);
       recording.state = RecordingState::kFinishing;
@@ -253,7 +253,7 @@ struct SourceRunner::Run {
       self->recording.counts = counts;
       if (!finished) self->recording.problem = finished.error();
       --self->finishers;
-      self->ended_news.notify_all();
+      self->ended.notify_all();
     }).detach();
   }
 
@@ -272,7 +272,7 @@ SourceRunner::SourceRunner(FrameHub& hub, SourceOpener opener)
 SourceRunner::~SourceRunner() {
   const auto run = run_;
   close();
-  if (run) run->wait_for_end(kPatience);
+  if (run) run->wait_for_end(kStopTimeout);
 }
 
 void SourceRunner::open(std::vector<std::filesystem::path> inputs, std::uint64_t seed) {
@@ -324,12 +324,12 @@ void SourceRunner::start_recording(const std::filesystem::path& file,
   run_->recording = {};
   run_->recording.state = RecordingState::kRunning;
   run_->recording.file = file;
-  run_->wanted = Run::Wanted{file, settings};
+  run_->recording_request = Run::RecordingRequest{file, settings};
 }
 
 void SourceRunner::stop_recording() {
   const std::lock_guard lock(mutex_);
-  if (run_) run_->is_stop_wanted = true;
+  if (run_) run_->is_stop_requested = true;
 }
 
 int SourceRunner::unfinished_recordings() {

@@ -1,4 +1,4 @@
-// A source that runs beside the window: opened, read and recorded on threads of its own.
+// Runs a source for the window: opens, reads and records it on threads of its own.
 #pragma once
 
 #include "core/recording/recorder.h"
@@ -18,7 +18,7 @@
 
 namespace alltact {
 
-/// What opens a source: open_source, or a test's own.
+/// The function that opens a source: open_source, or a test's own.
 using SourceOpener = std::function<Result<std::unique_ptr<Source>>(
     const std::vector<std::filesystem::path>& inputs, const SourceOptions& options)>;
 
@@ -33,22 +33,22 @@ enum class SourceState {
 enum class RecordingState {
   kNone = 1,
   kRunning,
-  kFinishing,  ///< what waits is being written
-  kDone,       ///< or it could not begin, or had to end: RecordingStatus::problem
+  kFinishing,  ///< the queue is being written
+  kDone,       ///< also after a failed start or an early end: RecordingStatus::problem
 };
 
 struct RecordingStatus {
   RecordingState state = RecordingState::kNone;
   std::filesystem::path file;
   RecorderCounts counts;
-  double seconds = 0;            ///< of the recorded frames' own times
+  double seconds = 0;            ///< from the recorded frames' own times
   std::optional<Error> problem;  ///< why it could not begin, or ended by itself
 };
 
 struct SourceStatus {
   SourceState state = SourceState::kClosed;
   std::vector<std::filesystem::path> inputs;
-  Message opening;               ///< what long opening is at, in words
+  Message opening;               ///< progress of long opening, in words
   std::optional<Error> problem;  ///< why there are no frames now
   std::uint64_t delivered = 0;   ///< frames that came
   std::uint64_t missing = 0;     ///< frames that never came: gaps in the source's numbers
@@ -57,36 +57,35 @@ struct SourceStatus {
   std::optional<CameraStatus> camera;
 };
 
-/// Any thread may call any function. Frames are published to `hub`, which has to outlive this.
+/// Any thread may call any function. Frames are published to `hub`, which must outlive this.
 class SourceRunner {
  public:
   explicit SourceRunner(FrameHub& hub, SourceOpener opener = &alltact::open_source);
-  /// Asks everything to stop and waits for it, at most `kPatience`; what a stuck driver still holds
-  /// then ends by itself.
+  /// Asks everything to stop and waits for it, at most `kStopTimeout`. Threads in a stuck driver
+  /// end later by themselves.
   ~SourceRunner();
   SourceRunner(const SourceRunner&) = delete;
   SourceRunner& operator=(const SourceRunner&) = delete;
-  static constexpr std::chrono::milliseconds kPatience{700};
+  static constexpr std::chrono::milliseconds kStopTimeout{700};
 
-  /// Ends what runs and opens this instead, at the recorded pace. Returns at once.
+  /// Stops the current source and opens this one, at the recorded pace. Returns at once.
   void open(std::vector<std::filesystem::path> inputs, std::uint64_t seed = 1);
   void close();
-  /// Does nothing while a recording runs. Returns at once; what becomes of it shows in recording().
+  /// Does nothing while a recording runs. Returns at once; recording() shows the result.
   void start_recording(const std::filesystem::path& file, const RecorderSettings& settings);
   void stop_recording();
 
-  /// What the finger's light is set to from now on: every frame tells it. nullopt: nobody knows.
+  /// Sets the finger's light, which every frame records from now on. nullopt: unknown.
   void set_light(const std::optional<DimmerSetting>& light);
 
   [[nodiscard]] SourceStatus status() const;
   [[nodiscard]] RecordingStatus recording() const;
-  /// The camera that runs; null where the source is none.
+  /// The running camera; null where the source is none.
   [[nodiscard]] std::shared_ptr<V4l2Camera> camera() const;
-  /// Recordings of this program whose last frames are being written.
+  /// Number of this program's recordings whose last frames are being written.
   [[nodiscard]] static int unfinished_recordings();
-  /// How long ago a frame was taken, at `now_ns` of the monotonic clock; empty where the source's
-  /// pictures have no times. Times that are not this computer's clock are placed on it by the frame
-  /// that came soonest of the last half second.
+  /// Age of a frame at `now_ns` of the monotonic clock; empty for images without times. Times of
+  /// another clock are aligned by the frame of the last half second with the smallest delay.
   [[nodiscard]] std::optional<double> age_ms(const Frame& frame, std::int64_t now_ns) const;
 
  private:

@@ -11,10 +11,11 @@
 namespace alltact {
 namespace {
 
-constexpr int kStride = 4;      // px; a contact is dozens wide
-constexpr double kInner = 0.6;  // of the greatest: what counts as the patch's middle
+constexpr int kStride = 4;  // px; a contact is dozens wide
+constexpr double kMiddleThreshold =
+    0.6;  // threshold for the patch's middle, as a fraction of the maximum
 
-/// How many cells of the coarse grid hang together with the one at `from` and are above `level`.
+/// Number of cells of the coarse grid that are above `level` and connected with the one at `from`.
 int connected_cells(const cv::Mat& x, cv::Point from, float level) {
   const cv::Size size((x.cols + kStride - 1) / kStride, (x.rows + kStride - 1) / kStride);
   cv::Mat seen(size, CV_8UC1, cv::Scalar(0));
@@ -46,9 +47,9 @@ double disc_radius_mm(const cv::Mat& x, const FaceShape& shape, const DarkPatch&
 
 std::optional<DarkPatch> dark_patch(const FrameResult& result) {
   const bool is_measured = result.shape && (result.depth || result.difference);
-  if (!is_measured || result.touch != FaceTouch::kTouched) return std::nullopt;
+  if (!is_measured || result.touch != FaceContact::kInContact) return std::nullopt;
   const cv::Mat& x = result.depth ? result.depth->depth_mm : result.difference->x;
-  // The mean of the largest: a single pixel is noise.
+  // The mean of the largest values, because a single pixel is noise.
   std::vector<float> values;
   for (int v = 0; v < x.rows; v += kStride)
     for (int u = 0; u < x.cols; u += kStride)
@@ -64,13 +65,13 @@ std::optional<DarkPatch> dark_patch(const FrameResult& result) {
   for (int v = 0; v < x.rows; v += kStride)
     for (int u = 0; u < x.cols; u += kStride) {
       const auto value = static_cast<double>(x.at<float>(v, u));
-      if (!(value > kInner * patch.darkness)) continue;
+      if (!(value > kMiddleThreshold * patch.darkness)) continue;
       middle += value * Eigen::Vector2d(u, v);
       weight += value;
     }
   if (!(weight > 0)) return std::nullopt;
   patch.pixel = middle / weight;
-  patch.place_mm = result.shape->place_mm(patch.pixel.x(), patch.pixel.y());
+  patch.position_mm = result.shape->position_mm(patch.pixel.x(), patch.pixel.y());
   patch.disc_radius_mm = disc_radius_mm(x, *result.shape, patch);
   return patch;
 }
@@ -82,26 +83,26 @@ bool StationaryContactDetector::add(const std::optional<DarkPatch>& patch, doubl
     taken_.reset();
     return false;
   }
-  if (!seen_.empty() && time_s - seen_.back().time_s > kMostGap_s) seen_.clear();
+  if (!seen_.empty() && time_s - seen_.back().time_s > kMaxGap_s) seen_.clear();
   seen_.push_back({time_s, *patch});
-  if (taken_ && (patch->place_mm - taken_->place_mm).norm() < kApart_mm) {
+  if (taken_ && (patch->position_mm - taken_->position_mm).norm() < kMinMovement_mm) {
     hold_.state = HoldState::kTaken;
     return false;
   }
   taken_.reset();
-  const auto way_mm = [&](const Seen& one) {
-    return (one.patch.place_mm - patch->place_mm).norm();
+  const auto distance_mm = [&](const Seen& one) {
+    return (one.patch.position_mm - patch->position_mm).norm();
   };
   const auto moved = [&](const Seen& one) {
-    return way_mm(one) > kMost_mm ||
-           std::abs(one.patch.darkness - patch->darkness) > kMostChange * patch->darkness;
+    return distance_mm(one) > kMaxMovement_mm ||
+           std::abs(one.patch.darkness - patch->darkness) > kMaxChange * patch->darkness;
   };
   const auto last_moved = std::find_if(seen_.rbegin(), seen_.rend(), moved);
-  for (const Seen& one : seen_) hold_.moved_mm = std::max(hold_.moved_mm, way_mm(one));
+  for (const Seen& one : seen_) hold_.moved_mm = std::max(hold_.moved_mm, distance_mm(one));
   hold_.state = last_moved == seen_.rend() ? HoldState::kHolds : HoldState::kMoves;
   seen_.erase(seen_.begin(), last_moved.base());
-  hold_.part = std::min(1.0, (time_s - seen_.front().time_s) / kHold_s);
-  if (hold_.part < 1 || seen_.size() < kFewest) return false;
+  hold_.hold_fraction = std::min(1.0, (time_s - seen_.front().time_s) / kHold_s);
+  if (hold_.hold_fraction < 1 || seen_.size() < kMinFrames) return false;
   taken_ = *patch;
   seen_.clear();
   return true;

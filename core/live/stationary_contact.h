@@ -1,4 +1,4 @@
-// Notices when a contact holds still, so that both hands can hold finger and ball.
+// Detects when a contact is stationary, so that both hands are free to hold finger and ball.
 #pragma once
 
 #include "core/sensing/pipeline.h"
@@ -10,41 +10,42 @@
 
 namespace alltact {
 
-/// Where the darkest patch of the face lies, and how dark it is.
+/// Position of the darkest patch of the face, and its darkness.
 struct DarkPatch {
-  Eigen::Vector2d place_mm = Eigen::Vector2d::Zero();  ///< along and across the face
-  double darkness = 0;  ///< brightness difference; of a calibrated finger depth in mm
-  Eigen::Vector2d pixel = Eigen::Vector2d::Zero();  ///< its middle, in the oriented picture
-  /// Of the disc that is as large on the face as what hangs together with the middle and is at
-  /// least kDiscLevel as dark, mm; 0 where that is not seen.
+  Eigen::Vector2d position_mm = Eigen::Vector2d::Zero();  ///< along and across the face
+  double darkness = 0;  ///< brightness difference; for a calibrated finger, depth in mm
+  Eigen::Vector2d pixel = Eigen::Vector2d::Zero();  ///< its middle, in the oriented image
+  /// Radius, mm, of a disc with the area on the face of the connected region around the middle that
+  /// is at least kDiscLevel as dark; 0 where that is unknown.
   double disc_radius_mm = 0;
 };
-/// nullopt where nothing presses.
+/// nullopt without contact.
 [[nodiscard]] std::optional<DarkPatch> dark_patch(const FrameResult& result);
 
-/// How a contact is held now.
+/// State of the current contact.
 enum class HoldState {
-  kNothing = 1,  ///< nothing presses
+  kNothing = 1,  ///< no contact
   kMoves,
-  kHolds,  ///< still so far
-  kTaken,  ///< said already: it has neither left nor moved on
+  kHolds,  ///< stationary so far
+  kTaken,  ///< already reported: it has neither left nor moved on
 };
 struct Hold {
   HoldState state = HoldState::kNothing;
-  double part = 0;      ///< of the time it has to hold still, [0, 1]
-  double moved_mm = 0;  ///< over the last of that time
+  double hold_fraction = 0;  ///< fraction of the required time at rest, [0, 1]
+  double moved_mm = 0;       ///< during the last of that time
 };
 
-/// Says once of every contact that it holds still: neither its place nor its depth has changed for
-/// half a second. The next is said when it has left, or moved on by 2 mm.
+/// Reports each contact once when it is stationary: position and depth have not changed for half a
+/// second. The next report follows when the contact has left, or moved by 2 mm.
 class StationaryContactDetector {
  public:
   static constexpr double kHold_s = 0.5;
-  static constexpr double kMost_mm = 0.35;     ///< of movement meanwhile
-  static constexpr double kMostChange = 0.06;  ///< of darkness, as a part of it
-  static constexpr double kApart_mm = 2;
-  static constexpr double kMostGap_s = 1;    ///< between frames; nobody knows what lies in more
-  static constexpr std::size_t kFewest = 4;  ///< frames that show it still
+  static constexpr double kMaxMovement_mm = 0.35;  ///< maximum movement meanwhile
+  static constexpr double kMaxChange = 0.06;       ///< maximum change of darkness, relative
+  static constexpr double kMinMovement_mm = 2;
+  static constexpr double kMaxGap_s = 1;        ///< maximum gap between frames; what happens in a
+                                                ///< longer one is unknown
+  static constexpr std::size_t kMinFrames = 4;  ///< minimum number of stationary frames
 
   /// time_s: of any clock. True: take this frame.
   [[nodiscard]] bool add(const std::optional<DarkPatch>& patch, double time_s);

@@ -1,4 +1,4 @@
-// Loops over pixels without a rest that runs one by one.
+// Loops over pixels without a scalar remainder.
 #pragma once
 
 #include <array>
@@ -8,34 +8,34 @@ namespace alltact {
 
 constexpr int kBlock = 64;  ///< numbers at a time: the widest vector of bytes
 
-/// Calls body(first, count) for blocks of kBlock that cover 0 to n, the last of which overlaps the
-/// one before: doing a place twice must give the same as once. `count` is a compile-time number
-/// but for n < kBlock. What does not fill a vector otherwise takes as long as all that does. The
-/// body must be marked always_inline, or it would not be built for the caller's processor.
+/// Calls body(first, count) for blocks of kBlock that cover 0 to n. The last block overlaps the
+/// previous one: processing an element twice must give the same result. `count` is a compile-time
+/// number but for n < kBlock. A scalar remainder would take as long as all vectors. The body must
+/// be marked always_inline, or it would not be built for the caller's processor.
 template <class Body>
 [[gnu::always_inline]] inline void in_blocks(int n, Body body) {
   if (n < kBlock) {
     body(0, n);
     return;
   }
-  constexpr std::integral_constant<int, kBlock> kWhole;
+  constexpr std::integral_constant<int, kBlock> kFull;
   int first = 0;
-  for (; first + kBlock <= n; first += kBlock) body(first, kWhole);
-  if (first < n) body(n - kBlock, kWhole);
+  for (; first + kBlock <= n; first += kBlock) body(first, kFull);
+  if (first < n) body(n - kBlock, kFull);
 }
 
-/// The largest and the least of what a loop gathered by place in a block, in vectors.
+/// Maximum and minimum of a block's accumulators, vectorised.
 template <class Number>
-[[gnu::always_inline]] inline Number largest_of(const std::array<Number, kBlock>& numbers) {
-  Number largest = numbers[0];
-  for (const Number number : numbers) largest = number > largest ? number : largest;
-  return largest;
+[[gnu::always_inline]] inline Number max_of(const std::array<Number, kBlock>& numbers) {
+  Number max_value = numbers[0];
+  for (const Number number : numbers) max_value = number > max_value ? number : max_value;
+  return max_value;
 }
 template <class Number>
-[[gnu::always_inline]] inline Number least_of(const std::array<Number, kBlock>& numbers) {
-  Number least = numbers[0];
-  for (const Number number : numbers) least = number < least ? number : least;
-  return least;
+[[gnu::always_inline]] inline Number min_of(const std::array<Number, kBlock>& numbers) {
+  Number min_value = numbers[0];
+  for (const Number number : numbers) min_value = number < min_value ? number : min_value;
+  return min_value;
 }
 
 }  // namespace alltact

@@ -8,9 +8,9 @@
 namespace alltact {
 namespace {
 
-constexpr int kBlock = 64;  // values that stay near the processor through the recurrence
+constexpr int kBlock = 64;  // values that stay in the cache through the recurrence
 
-/// Clenshaw's recurrence for a block of places, one coefficient at a time.
+/// Clenshaw's recurrence for a block of positions, one coefficient at a time.
 ALLTACT_WIDE void clenshaw_block(
     const double* c, int count, double first, double step, int offset, double* values) {
   std::array<double, kBlock> t, next, after;

@@ -17,8 +17,8 @@ template <class Coefficients, class T>
   return c.size() == 0 ? T(0.0) : T(t * next - after + c[0]);
 }
 
-/// The series at t = first + i * step for i = 0 .. n - 1, in vectors: the bytes that
-/// chebyshev_value gives.
+/// The series at t = first + i * step for i = 0 .. n - 1, vectorised; bitwise equal to
+/// chebyshev_value.
 void chebyshev_values(const Eigen::VectorXd& c, double first, double step, int n, double* values);
 
 /// The coefficients of d/dt of a series.

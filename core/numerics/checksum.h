@@ -1,4 +1,4 @@
-// A 64-bit checksum by which changes are noticed. Not against people who want two things to agree.
+// A 64-bit checksum that detects changes. Not cryptographic.
 #pragma once
 
 #include <cstddef>
@@ -10,11 +10,10 @@
 
 namespace alltact {
 
-/// The multiplication of FNV-1a, taken over words of 8 bytes instead of bytes. Files keep its
-/// values.
+/// The multiplication of FNV-1a, over words of 8 bytes instead of bytes. Files store its values.
 class Checksum {
  public:
-  /// Parts of other lengths give another value, even when all bytes are the same.
+  /// Splitting the same bytes into other lengths gives another value.
   void add(const void* bytes, std::size_t count) {
     const auto* at = static_cast<const unsigned char*>(bytes);
     for (; count >= sizeof(std::uint64_t);

@@ -6,7 +6,7 @@
 
 namespace alltact {
 
-/// The middle of the values, of an even number the upper of the two in the middle; 0 of none.
+/// The median of the values, for an even number the upper of the two in the middle; 0 for none.
 /// Reorders them. Values must be comparable: no NaN.
 template <class T>
 [[nodiscard]] T upper_median(std::vector<T>& values) {

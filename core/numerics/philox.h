@@ -31,7 +31,7 @@ inline constexpr int kPhiloxRounds = 10;
   return c;
 }
 
-/// 32-bit FNV-1a: turns the name of who draws into half a key.
+/// 32-bit FNV-1a: hashes a stream name into half a key.
 [[nodiscard]] constexpr std::uint32_t fnv1a(std::string_view text) {
   std::uint32_t hash = 2166136261U;
   for (const char c : text) hash = (hash ^ static_cast<std::uint8_t>(c)) * 16777619U;
@@ -44,13 +44,13 @@ inline constexpr int kPhiloxRounds = 10;
   return (static_cast<double>(bits) + 0.5) * 0x1p-52;
 }
 
-/// One number in (0, 1) for (seed, who, frame, index).
+/// One number in (0, 1) for (seed, stream, frame, index).
 [[nodiscard]] constexpr double philox_uniform(std::uint64_t seed,
-                                              std::string_view who,
+                                              std::string_view stream,
                                               std::uint32_t frame,
                                               std::uint32_t index) {
   const PhiloxCounter bits = philox({index, 0, frame, static_cast<std::uint32_t>(seed >> 32)},
-                                    {static_cast<std::uint32_t>(seed), fnv1a(who)});
+                                    {static_cast<std::uint32_t>(seed), fnv1a(stream)});
   return unit_interval(bits[0], bits[1]);
 }
 

@@ -16,7 +16,7 @@ constexpr double kTukey = 4.685;
 constexpr double kMadToSd = 1.4826;
 constexpr int kCauchyRounds = 5;
 constexpr int kTukeyRounds = 4;
-constexpr double kSettled = 1e-4;  // change of a weight that no longer matters
+constexpr double kSettled = 1e-4;  // change of a weight that counts as converged
 
 double spread(const Eigen::VectorXd& residuals, std::vector<double>& sizes) {
   sizes.resize(static_cast<std::size_t>(residuals.size()));
@@ -36,8 +36,8 @@ ALLTACT_WIDE void add_weighted(const double* __restrict weights,
     for (std::ptrdiff_t k = 0; k < count; ++k) sums[k] += weights[i] * values[i * stride + k];
 }
 
-/// T_0 .. T_{2n - 2} at each point: products of two of the first n are means of two of these, so
-/// that 2n - 1 weighted sums make all normal equations, T_i T_j = (T_{i + j} + T_{|i - j|}) / 2.
+/// T_0 .. T_{2n - 2} at each point. Products of two of the first n are means of two of these, so 2n
+/// - 1 weighted sums give all normal equations: T_i T_j = (T_{i + j} + T_{|i - j|}) / 2.
 class ChebyshevTable {
  public:
   ChebyshevTable(Eigen::Index n, Eigen::Index points) : n_(n), values_(2 * n - 1, points) {}
@@ -130,12 +130,12 @@ std::optional<RobustPolynomial> fit_robust_polynomial(const std::vector<double>&
   fit.middle = 0.5 * (x[points.front()] + x[points.back()]);
   fit.half = std::max(0.5 * (x[points.back()] - x[points.front()]), 1e-9);
   ChebyshevTable table(n, count);
-  Eigen::VectorXd target(count), sureness(count);  // sureness: 1 / sd
+  Eigen::VectorXd target(count), inverse_sd(count);  // 1 / sd
   for (Eigen::Index i = 0; i < count; ++i) {
     const std::size_t k = points[static_cast<std::size_t>(i)];
     table.set(i, (x[k] - fit.middle) / fit.half);
     target[i] = y[k];
-    sureness[i] = 1.0 / sd[k];
+    inverse_sd[i] = 1.0 / sd[k];
   }
 
   fit.coefficients = Eigen::VectorXd::Zero(n);
@@ -143,13 +143,13 @@ std::optional<RobustPolynomial> fit_robust_polynomial(const std::vector<double>&
   Eigen::VectorXd standardised(count);
   std::vector<double> sizes;
   for (int round = 0; round < kCauchyRounds + kTukeyRounds; ++round) {
-    precision = weights.cwiseProduct(sureness.cwiseAbs2());
+    precision = weights.cwiseProduct(inverse_sd.cwiseAbs2());
     const Eigen::LLT<Eigen::MatrixXd> factor(table.information(precision));
     if (factor.info() != Eigen::Success) return std::nullopt;
     fit.coefficients += factor.solve(table.projected(precision.cwiseProduct(residuals)));
     for (Eigen::Index i = 0; i < count; ++i)
       residuals[i] = target[i] - table.value(fit.coefficients, i);
-    standardised = residuals.cwiseProduct(sureness);
+    standardised = residuals.cwiseProduct(inverse_sd);
     if (!standardised.allFinite()) return std::nullopt;
     fit.scale = spread(standardised, sizes);
     before = weights;
@@ -166,15 +166,15 @@ std::optional<RobustPolynomial> fit_robust_polynomial(const std::vector<double>&
   fit.first = x[points.back()], fit.last = x[points.front()];
   for (Eigen::Index i = 0; i < count; ++i) {
     if (weights[i] <= 0.0) continue;
-    ++fit.believed;
+    ++fit.inliers;
     fit.first = std::min(fit.first, x[points[static_cast<std::size_t>(i)]]);
     fit.last = std::max(fit.last, x[points[static_cast<std::size_t>(i)]]);
   }
-  if (fit.believed < 2 * n || !fit.coefficients.allFinite()) return std::nullopt;
+  if (fit.inliers < 2 * n || !fit.coefficients.allFinite()) return std::nullopt;
   const Eigen::LLT<Eigen::MatrixXd> factor(
-      table.information(weights.cwiseProduct(sureness.cwiseAbs2())));
+      table.information(weights.cwiseProduct(inverse_sd.cwiseAbs2())));
   if (factor.info() != Eigen::Success) return std::nullopt;
-  // What the points' own sd did not foresee shows in the residuals; never promise less.
+  // Residuals beyond the points' own sd inflate the covariance; it is never reduced.
   const double inflation = std::max(1.0, fit.scale * fit.scale);
   fit.covariance = inflation * factor.solve(Eigen::MatrixXd::Identity(n, n));
   return fit;

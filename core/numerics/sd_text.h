@@ -1,4 +1,4 @@
-// How a standard deviation is written: never as 0.
+// Text of a standard deviation, never written as 0.
 #pragma once
 
 #include <cmath>
@@ -6,8 +6,8 @@
 
 namespace alltact {
 
-/// An sd beside a value with this many decimals. One that the decimals would make 0 is "under"
-/// their last digit; one that is 0, negative or not finite was not estimated.
+/// Kind of an sd written next to a value with this many decimals. One that would round to 0 is
+/// "under" the last digit; one that is 0, negative or not finite was not estimated.
 enum class SdKind { kNumber, kUnder, kUnknown };
 [[nodiscard]] inline SdKind sd_kind(double sd, int decimals) {
   if (!(sd > 0) || !std::isfinite(sd)) return SdKind::kUnknown;

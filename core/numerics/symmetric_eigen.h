@@ -5,7 +5,7 @@
 
 namespace alltact {
 
-/// Eigenvalues rise. Only the lower triangle is read.
+/// Eigenvalues ascend. Only the lower triangle is read.
 [[nodiscard]] Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> symmetric_eigen(
     const Eigen::MatrixXd& matrix);
 

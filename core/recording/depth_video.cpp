@@ -10,8 +10,8 @@
 namespace alltact {
 namespace {
 
-constexpr int kDepthSlices = 4;              // that a reader may decode beside each other
-constexpr int kSmallestSlicedDepth_px = 32;  // smaller pictures cannot be cut into slices
+constexpr int kDepthSlices = 4;              // which a reader may decode in parallel
+constexpr int kSmallestSlicedDepth_px = 32;  // smaller frames cannot be cut into slices
 
 Message compressing_depth() {
   return en::say("could not compress the depth");
@@ -33,12 +33,12 @@ Error damaged_depth(const std::filesystem::path& file) {
 
 struct DepthPackets::State {
   AvPtr<AVCodecContext> context;
-  AvPtr<AVFrame> picture{av_frame_alloc()};
+  AvPtr<AVFrame> frame{av_frame_alloc()};
   AvPtr<AVPacket> packet{av_packet_alloc()};
 
   [[nodiscard]] Status fill(const cv::Mat& steps) {
-    AVFrame& to = *picture;
-    const int status = make_room(to, AV_PIX_FMT_GRAY16LE, steps.size());
+    AVFrame& to = *frame;
+    const int status = allocate_frame(to, AV_PIX_FMT_GRAY16LE, steps.size());
     if (status < 0) return av_error(compressing_depth(), {}, status);
     for (int v = 0; v < steps.rows; ++v) {
       auto* row = to.data[0] + std::ptrdiff_t{v} * to.linesize[0];
@@ -73,8 +73,8 @@ Result<DepthPackets> DepthPackets::create(cv::Size size) {
   context.pix_fmt = AV_PIX_FMT_GRAY16LE;
   context.time_base = {1, 1000};
   context.flags |= AV_CODEC_FLAG_BITEXACT;
-  context.gop_size = 1;      // each picture stands for itself
-  context.thread_count = 1;  // there is a maker for every thread
+  context.gop_size = 1;      // each frame is independent
+  context.thread_count = 1;  // each thread has its own encoder
   context.level = 3;
   if (std::min(size.width, size.height) >= kSmallestSlicedDepth_px) context.slices = kDepthSlices;
   av_opt_set_int(context.priv_data, "slicecrc", 1, 0);
@@ -88,7 +88,7 @@ Result<std::string> DepthPackets::packet(const cv::Mat& steps) {
   assert(steps.type() == CV_16UC1 && steps.size() == cv::Size(s.context->width, s.context->height));
   if (const Status filled = s.fill(steps); !filled) return filled.error();
   av_packet_unref(s.packet.get());
-  int status = avcodec_send_frame(s.context.get(), s.picture.get());
+  int status = avcodec_send_frame(s.context.get(), s.frame.get());
   if (status >= 0) status = avcodec_receive_packet(s.context.get(), s.packet.get());
   if (status < 0) return av_error(compressing_depth(), {}, status);
   return std::string(reinterpret_cast<const char*>(s.packet->data),
@@ -144,7 +144,7 @@ struct DepthVideo::State {
   std::size_t next = 0;  // block
   int check = -1;        // the open file, for check sums
   AvPtr<AVPacket> packet{av_packet_alloc()};
-  AvPtr<AVFrame> picture{av_frame_alloc()};
+  AvPtr<AVFrame> frame{av_frame_alloc()};
 
   State() = default;
   State(const State&) = delete;
@@ -152,7 +152,7 @@ struct DepthVideo::State {
   ~State() {
     if (check >= 0) ::close(check);
   }
-  /// The next packet; false: there is none. Error: it is not what was written.
+  /// Reads the next packet; false: there is none. Error: it differs from the written one.
   [[nodiscard]] Result<bool> read() {
     if (next == index.blocks.size()) return false;
     const MatroskaIndex::Block& block = index.blocks[next++];
@@ -170,16 +170,16 @@ DepthVideo::~DepthVideo() = default;
 Result<DepthVideo> DepthVideo::open(const std::filesystem::path& file) {
   auto input = open_video_input(file);
   if (!input) return input.error();
-  const AVDictionaryEntry* told = av_dict_get(input->context->metadata, kDepthVideoTag, nullptr, 0);
+  const AVDictionaryEntry* tag = av_dict_get(input->context->metadata, kDepthVideoTag, nullptr, 0);
   const AVCodecParameters& stream = *input->video()->codecpar;
-  if (told == nullptr || told->value != kDepthSentence || stream.codec_id != AV_CODEC_ID_FFV1)
+  if (tag == nullptr || tag->value != kDepthSentence || stream.codec_id != AV_CODEC_ID_FFV1)
     return not_depth(file);
   const AVCodec* found = avcodec_find_decoder(AV_CODEC_ID_FFV1);
   AvPtr<AVCodecContext> decoder(found == nullptr ? nullptr : avcodec_alloc_context3(found));
   if (!decoder) return damaged_depth(file);
   avcodec_parameters_to_context(decoder.get(), &stream);
   decoder->thread_count = 1;
-  decoder->err_recognition = AV_EF_CRCCHECK | AV_EF_EXPLODE;  // wrong depth is no depth
+  decoder->err_recognition = AV_EF_CRCCHECK | AV_EF_EXPLODE;  // a damaged frame is an error
   if (avcodec_open2(decoder.get(), found, nullptr) < 0) return damaged_depth(file);
   auto state = std::make_unique<State>();
   state->file = file;
@@ -217,15 +217,15 @@ Result<cv::Mat> DepthVideo::next_mm() {
   if (!is_there) return is_there.error();
   if (!*is_there) return cv::Mat();
   if (avcodec_send_packet(s.decoder.get(), s.packet.get()) < 0 ||
-      avcodec_receive_frame(s.decoder.get(), s.picture.get()) < 0)
+      avcodec_receive_frame(s.decoder.get(), s.frame.get()) < 0)
     return damaged_depth(s.file);
-  const AVFrame& picture = *s.picture;
-  if (picture.format != AV_PIX_FMT_GRAY16LE || picture.width != size().width ||
-      picture.height != size().height || picture.decode_error_flags != 0)
+  const AVFrame& frame = *s.frame;
+  if (frame.format != AV_PIX_FMT_GRAY16LE || frame.width != size().width ||
+      frame.height != size().height || frame.decode_error_flags != 0)
     return damaged_depth(s.file);
-  cv::Mat steps(picture.height, picture.width, CV_16UC1);
+  cv::Mat steps(frame.height, frame.width, CV_16UC1);
   for (int v = 0; v < steps.rows; ++v) {
-    const auto* row = picture.data[0] + std::ptrdiff_t{v} * picture.linesize[0];
+    const auto* row = frame.data[0] + std::ptrdiff_t{v} * frame.linesize[0];
     auto* values = steps.ptr<std::uint16_t>(v);
     for (std::ptrdiff_t u = 0; u < steps.cols; ++u)
       values[u] = static_cast<std::uint16_t>(row[2 * u] | row[2 * u + 1] << 8);

@@ -1,9 +1,9 @@
-// Depth of a whole recording in one file: 16-bit grey pictures without loss, FFV1 in Matroska.
+// Depth of a complete recording in one file: 16-bit grey images without loss, FFV1 in Matroska.
 //
 // Pixels are depth_steps() (depth_file.h): depth_mm = 0.001 (value - 10000), 0 where there is none.
-// The file says so itself, in its tag kDepthVideoTag, so that no other file is needed to read it:
+// The file's tag kDepthVideoTag contains this formula, so that no other file is needed to read it:
 //   ffmpeg -i depth.mkv -pix_fmt gray16le -f rawvideo depth.raw      ffprobe -show_format depth.mkv
-// Picture n is that of the recording's frame n; one without depth is 0 everywhere.
+// Image n belongs to frame n of the recording; an image without depth is 0 everywhere.
 #pragma once
 
 #include "core/result.h"
@@ -21,8 +21,8 @@ namespace alltact {
 inline constexpr const char* kDepthVideoTag = "ALLTACT_DEPTH";
 inline constexpr const char* kDepthVideoFile = "depth.mkv";
 
-/// Compresses pictures, each by itself: any of several makers, one a thread, makes the same bytes
-/// of the same picture.
+/// Compresses depth images independently of each other. Several instances, one per thread, produce
+/// the same bytes for the same image.
 class DepthPackets {
  public:
   /// Error: this system's libavcodec cannot write FFV1.
@@ -44,7 +44,7 @@ class DepthPackets {
 /// Not for several threads at once.
 class DepthVideoWriter {
  public:
-  /// What was in the file is gone. Pictures come 1 / frames_per_s apart. Errors: it cannot be
+  /// Creates or overwrites the file. Frames come 1 / frames_per_s apart. Errors: it cannot be
   /// written; that of DepthPackets.
   [[nodiscard]] static Result<DepthVideoWriter> create(const std::filesystem::path& file,
                                                        cv::Size size,
@@ -53,10 +53,10 @@ class DepthVideoWriter {
   DepthVideoWriter& operator=(DepthVideoWriter&&) noexcept;
   ~DepthVideoWriter();
 
-  /// The next picture, of DepthPackets::packet(). Error: it could not be written, and then the file
+  /// The next frame, from DepthPackets::packet(). Error: it could not be written; the file then
   /// takes no more.
   [[nodiscard]] Status add(std::string_view packet);
-  /// Writes what makes the file complete, and waits until all is on the disk.
+  /// Writes the end of the file, and waits until everything is on the disk.
   [[nodiscard]] Status finish();
 
  private:
@@ -65,10 +65,10 @@ class DepthVideoWriter {
   std::unique_ptr<State> state_;
 };
 
-/// Reads such a file, one picture after the other.
+/// Reads such a file, one frame after the other.
 class DepthVideo {
  public:
-  /// Errors: not there, damaged, or a video that does not say that it holds depth.
+  /// Errors: not there, damaged, or a video without the tag for depth.
   [[nodiscard]] static Result<DepthVideo> open(const std::filesystem::path& file);
   DepthVideo(DepthVideo&&) noexcept;
   DepthVideo& operator=(DepthVideo&&) noexcept;
@@ -78,7 +78,7 @@ class DepthVideo {
   [[nodiscard]] double frames_per_s() const;
   /// CV_32FC1 in mm, NaN where there is none; empty after the last. Error: it is damaged.
   [[nodiscard]] Result<cv::Mat> next_mm();
-  /// The same as it is compressed, for another file of the same size; empty after the last.
+  /// The compressed form of the frame, for another file of the same size; empty after the last.
   [[nodiscard]] Result<std::string> next_packet();
 
  private:

@@ -3,7 +3,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/disk_wait.h"
 #include "core/io/system_error.h"
-#include "core/recording/put_back.h"
+#include "core/recording/restore_file.h"
 
 #include <cerrno>
 #include <charconv>
@@ -21,7 +21,7 @@ Message writing() {
   return en::say("could not write the recording's journal");
 }
 
-/// One line of a text, and the text moves behind it; nothing where no whole line is left.
+/// Removes the first line from the text and returns it; empty where no complete line is left.
 std::optional<std::string_view> take_line(std::string_view& text) {
   const std::size_t end = text.find('\n');
   if (end == std::string_view::npos) return std::nullopt;
@@ -30,7 +30,7 @@ std::optional<std::string_view> take_line(std::string_view& text) {
   return line;
 }
 
-/// The number up to the next comma; the line moves behind that.
+/// Removes the number and its comma from the line.
 template <class T>
 bool take_number(std::string_view& line, T& number) {
   const auto [end, status] = std::from_chars(line.data(), line.data() + line.size(), number);
@@ -39,7 +39,7 @@ bool take_number(std::string_view& line, T& number) {
   return true;
 }
 
-/// A field of a CSV line: in quotes where it must be (RFC 4180), never with a line break.
+/// A field of a CSV line: quoted where necessary (RFC 4180), never with a line break.
 std::string field(std::string_view text) {
   std::string clean;
   bool needs_quotes = false;
@@ -112,7 +112,7 @@ Status JournalWriter::write(std::string_view text) {
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) {
       const Error error = system_error(writing(), file_, errno);
-      // Half a line is none to a reader, should this fail.
+      // Should this fail, a reader ignores the incomplete line.
       [[maybe_unused]] const int ignored = ::ftruncate(descriptor_, static_cast<off_t>(bytes_));
       return error;
     }
@@ -162,7 +162,7 @@ Result<std::vector<JournalEntry>> read_journal(const std::filesystem::path& file
                    file.string(),
                    en::say("move this file away: the video's own times count then")};
     if (!line->empty()) {
-      // The same from frame to frame, mostly: kept once.
+      // Usually equal from frame to frame: stored once.
       std::string controls = text_of(*line);
       const bool is_same =
           !entries.empty() && entries.back().controls && *entries.back().controls == controls;
@@ -177,7 +177,7 @@ Result<std::vector<JournalEntry>> read_journal(const std::filesystem::path& file
 Status remark_in_journal(const std::filesystem::path& file, std::string_view sentence) {
   auto content = read_file(file);
   if (!content) return content.error();
-  content->resize(content->rfind('\n') + 1);  // nothing where there is none
+  content->resize(content->rfind('\n') + 1);  // empty where there is none
   return write_file_atomically(file, *content + remark_line(sentence));
 }
 

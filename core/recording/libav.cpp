@@ -22,27 +22,27 @@ Error no_video(const Message& what, const std::filesystem::path& file) {
 
 /// One component of every pixel of a row, 16 bits each.
 void read_component(
-    const AVFrame& picture, const AVPixFmtDescriptor& format, int row, int component, int* out) {
+    const AVFrame& frame, const AVPixFmtDescriptor& format, int row, int component, int* out) {
   std::array<const std::uint8_t*, 4> data{};
   std::array<int, 4> strides{};
   for (std::size_t plane = 0; plane < 4; ++plane) {
-    data[plane] = picture.data[plane];
-    strides[plane] = picture.linesize[plane];
+    data[plane] = frame.data[plane];
+    strides[plane] = frame.linesize[plane];
   }
   av_read_image_line2(
-      out, data.data(), strides.data(), &format, 0, row, component, picture.width, 0, sizeof(int));
+      out, data.data(), strides.data(), &format, 0, row, component, frame.width, 0, sizeof(int));
 }
 
-/// Where the first component is a plane of bytes.
+/// True where the first component is a plane of bytes.
 bool has_byte_plane(const AVPixFmtDescriptor& format) {
   const AVComponentDescriptor& first = format.comp[0];
   return first.depth == 8 && first.step == 1 && first.shift == 0 && first.offset == 0 &&
          (format.flags & (AV_PIX_FMT_FLAG_RGB | AV_PIX_FMT_FLAG_BITSTREAM)) == 0;
 }
 
-bool is_stored_narrow(const AVFrame& picture, const AVPixFmtDescriptor& format) {
+bool is_stored_narrow(const AVFrame& frame, const AVPixFmtDescriptor& format) {
   if (format.nb_components < 3 || (format.flags & AV_PIX_FMT_FLAG_RGB) != 0) return false;
-  if (picture.color_range == AVCOL_RANGE_JPEG) return false;
+  if (frame.color_range == AVCOL_RANGE_JPEG) return false;
   return !std::string_view(format.name).starts_with("yuvj");
 }
 
@@ -55,12 +55,12 @@ void stretch(cv::Mat& grey) {
 
 }  // namespace
 
-int make_room(AVFrame& picture, AVPixelFormat format, cv::Size size) {
-  if (picture.buf[0] != nullptr) return av_frame_make_writable(&picture);
-  picture.format = format;
-  picture.width = size.width;
-  picture.height = size.height;
-  return av_frame_get_buffer(&picture, 0);
+int allocate_frame(AVFrame& frame, AVPixelFormat format, cv::Size size) {
+  if (frame.buf[0] != nullptr) return av_frame_make_writable(&frame);
+  frame.format = format;
+  frame.width = size.width;
+  frame.height = size.height;
+  return av_frame_get_buffer(&frame, 0);
 }
 
 void quiet_libav() {
@@ -92,7 +92,7 @@ Result<VideoInput> open_video_input(const std::filesystem::path& file) {
   AVFormatContext* raw = nullptr;
   if (avformat_open_input(&raw, file.c_str(), nullptr, nullptr) < 0) return no_video(cannot, file);
   VideoInput input{AvInput(raw), -1};
-  // Matroska says all in its header; other formats must be looked into.
+  // Matroska's header is complete; other formats need a search of the stream.
   if (!input.is_matroska() && avformat_find_stream_info(raw, nullptr) < 0)
     return no_video(cannot, file);
   input.stream = av_find_best_stream(raw, AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0);
@@ -102,17 +102,16 @@ Result<VideoInput> open_video_input(const std::filesystem::path& file) {
   return input;
 }
 
-Result<cv::Mat> grey_of(const AVFrame& picture) {
-  const AVPixFmtDescriptor* format =
-      av_pix_fmt_desc_get(static_cast<AVPixelFormat>(picture.format));
+Result<cv::Mat> grey_of(const AVFrame& frame) {
+  const AVPixFmtDescriptor* format = av_pix_fmt_desc_get(static_cast<AVPixelFormat>(frame.format));
   if (format == nullptr ||
       (format->flags & (AV_PIX_FMT_FLAG_PAL | AV_PIX_FMT_FLAG_HWACCEL | AV_PIX_FMT_FLAG_FLOAT)))
     return Error{
         en::say("its kind of picture has no brightness"), "", en::say("a grey or colour video")};
-  cv::Mat grey(picture.height, picture.width, CV_8UC1);
+  cv::Mat grey(frame.height, frame.width, CV_8UC1);
   if (has_byte_plane(*format)) {
     for (int v = 0; v < grey.rows; ++v)
-      std::copy_n(picture.data[0] + std::ptrdiff_t{v} * picture.linesize[0],
+      std::copy_n(frame.data[0] + std::ptrdiff_t{v} * frame.linesize[0],
                   grey.cols,
                   grey.ptr<std::uint8_t>(v));
   } else {
@@ -122,10 +121,10 @@ Result<cv::Mat> grey_of(const AVFrame& picture) {
     const int depth = format->comp[0].depth;
     const double to_8_bits = depth >= 8 ? 1.0 / (1 << (depth - 8)) : 255.0 / ((1 << depth) - 1);
     for (int v = 0; v < grey.rows; ++v) {
-      read_component(picture, *format, v, 0, first.data());
+      read_component(frame, *format, v, 0, first.data());
       if (is_rgb) {
-        read_component(picture, *format, v, 1, second.data());
-        read_component(picture, *format, v, 2, third.data());
+        read_component(frame, *format, v, 1, second.data());
+        read_component(frame, *format, v, 2, third.data());
       }
       for (std::size_t u = 0; u < width; ++u) {
         const double level =
@@ -136,7 +135,7 @@ Result<cv::Mat> grey_of(const AVFrame& picture) {
       }
     }
   }
-  if (is_stored_narrow(picture, *format)) stretch(grey);
+  if (is_stored_narrow(frame, *format)) stretch(grey);
   return grey;
 }
 

@@ -1,4 +1,4 @@
-// libav's C objects with owners, and its errors as sentences. For this folder's own .cpp files.
+// Owners for libav's C objects, and its errors as messages. Only for .cpp files of this folder.
 #pragma once
 
 #include "core/result.h"
@@ -26,21 +26,21 @@ struct AvDeleter {
 template <class T>
 using AvPtr = std::unique_ptr<T, AvDeleter>;
 
-/// libav's own messages would stand beside our sentences and say less. Before its first use.
+/// Silences libav's own messages, which say less than the program's. Call before its first use.
 void quiet_libav();
 
-/// Room of its own for a picture that goes to an encoder, which reads a little beyond the last
-/// pixel: made with the first, and not what an encoder still holds. Below 0: libav's error.
-[[nodiscard]] int make_room(AVFrame& picture, AVPixelFormat format, cv::Size size);
+/// Allocates a frame's buffer, or makes it writable where an encoder still holds it. It is padded,
+/// because encoders read beyond the last pixel. Below 0: libav's error.
+[[nodiscard]] int allocate_frame(AVFrame& frame, AVPixelFormat format, cv::Size size);
 
-/// What an input is read with.
+/// An open input of libav.
 struct AvInputDeleter {
   void operator()(AVFormatContext* context) const { avformat_close_input(&context); }
 };
 using AvInput = std::unique_ptr<AVFormatContext, AvInputDeleter>;
 
-/// An open file whose packets can be asked for, with its one video stream the only one that gives
-/// any. Errors: not there, no video. `where` of the errors is the file.
+/// An open file that gives the packets of its one video stream only. Errors: not there, no video.
+/// `where` of the errors is the file.
 struct VideoInput {
   AvInput context;
   int stream = -1;
@@ -56,14 +56,14 @@ struct VideoInput {
 };
 [[nodiscard]] Result<VideoInput> open_video_input(const std::filesystem::path& file);
 
-/// `number`: what a libav function returned, below 0. Errors of the system (disk full, ...) come
-/// out as system_error() tells them.
+/// `number`: a libav function's return value, below 0. Errors of the system (disk full, ...) become
+/// those of system_error().
 [[nodiscard]] Error av_error(const Message& doing, const std::filesystem::path& file, int number);
 
-/// A decoded picture as grey, CV_8UC1, in memory of its own. Grey pictures come out as they are;
-/// of colour in luma and chroma the luma is taken, stretched to 0 to 255 where it was stored as 16
-/// to 235 (ITU-R BT.601); red, green and blue weigh 0.299, 0.587 and 0.114. More than 8 bits are
-/// cut to the upper 8. Error: a kind of picture that has no brightness (palettes, hardware).
-[[nodiscard]] Result<cv::Mat> grey_of(const AVFrame& picture);
+/// Converts a decoded frame to grey, CV_8UC1, in its own memory. Grey is unchanged. Of luma and
+/// chroma the luma is taken, stretched to 0 to 255 where it was stored as 16 to 235 (ITU-R BT.601).
+/// Red, green and blue have weights 0.299, 0.587 and 0.114. More than 8 bits are cut to the upper
+/// 8. Error: a format without brightness (palettes, hardware).
+[[nodiscard]] Result<cv::Mat> grey_of(const AVFrame& frame);
 
 }  // namespace alltact

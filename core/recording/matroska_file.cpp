@@ -2,7 +2,7 @@
 
 #include "core/io/disk_wait.h"
 #include "core/io/system_error.h"
-#include "core/recording/put_back.h"
+#include "core/recording/restore_file.h"
 
 #include <cerrno>
 
@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kBufferBytes = 1 << 16;
 constexpr const char* kRecordedBy = "RECORDED_BY";
-constexpr const char* kUs = "AllTact";
+constexpr const char* kRecorderName = "AllTact";
 
 Message writing_video() {
   return en::say("could not write the video");
@@ -23,22 +23,22 @@ Message writing_video() {
 
 }  // namespace
 
-MatroskaTag of_recordings() {
-  return {kRecordedBy, kUs};
+MatroskaTag recording_tag() {
+  return {kRecordedBy, kRecorderName};
 }
 
-bool is_our_recording(const AVFormatContext& input) {
+bool is_own_recording(const AVFormatContext& input) {
   const AVDictionaryEntry* entry = av_dict_get(input.metadata, kRecordedBy, nullptr, 0);
-  return entry != nullptr && std::string_view(entry->value) == kUs;
+  return entry != nullptr && std::string_view(entry->value) == kRecorderName;
 }
 
-// Where libav's bytes go. Its callbacks hold this address.
+// Destination of libav's bytes. Its callbacks hold this address.
 struct MatroskaFile::State {
   std::filesystem::path file;
   int descriptor = -1;
-  int error_number = 0;           // of the first write that failed
-  std::uint64_t whole_bytes = 0;  // up to the end of the last whole packet
-  bool is_open = false;           // the header is written, the end is not
+  int error_number = 0;              // of the first failed write
+  std::uint64_t complete_bytes = 0;  // up to the end of the last complete packet
+  bool is_open = false;              // the header is written, the end is not
   AVIOContext* io = nullptr;
   AVFormatContext* context = nullptr;
 
@@ -58,7 +58,7 @@ struct MatroskaFile::State {
     return av_error(writing_video(), file, error_number != 0 ? AVERROR(error_number) : number);
   }
   Status open(const AVCodecParameters& parameters, double frames_per_s, const MatroskaTag& tag);
-  Status cut_back(int number);
+  Status truncate_file(int number);
   Status flush(int number);
   Status finish();
 
@@ -116,20 +116,20 @@ Status MatroskaFile::State::open(const AVCodecParameters& parameters,
   return flush(0);
 }
 
-/// What libav still holds goes to the file.
+/// Writes libav's buffered bytes to the file.
 Status MatroskaFile::State::flush(int number) {
   avio_flush(io);
   if (number < 0 || io->error < 0 || error_number != 0)
-    return cut_back(number < 0 ? number : io->error);
-  whole_bytes = static_cast<std::uint64_t>(avio_tell(io));
+    return truncate_file(number < 0 ? number : io->error);
+  complete_bytes = static_cast<std::uint64_t>(avio_tell(io));
   return {};
 }
 
-Status MatroskaFile::State::cut_back(int number) {
+Status MatroskaFile::State::truncate_file(int number) {
   is_open = false;
   const Error problem = error(number);
-  // Half a packet behind the last whole one harms no reader, should this fail.
-  [[maybe_unused]] const int ignored = ::ftruncate(descriptor, static_cast<off_t>(whole_bytes));
+  // Should this fail, readers ignore the incomplete packet at the end.
+  [[maybe_unused]] const int ignored = ::ftruncate(descriptor, static_cast<off_t>(complete_bytes));
   return problem;
 }
 
@@ -137,9 +137,9 @@ Status MatroskaFile::State::finish() {
   if (!is_open) return error(AVERROR(EPIPE));
   if (Status status = flush(av_write_trailer(context)); !status) return status;
   is_open = false;
-  whole_bytes = static_cast<std::uint64_t>(::lseek(descriptor, 0, SEEK_END));
+  complete_bytes = static_cast<std::uint64_t>(::lseek(descriptor, 0, SEEK_END));
   const DiskWait waiting(file);
-  // A removed file is about to be copied: waiting for its bytes to reach the disk would be in vain.
+  // A removed file is about to be copied: a wait for its bytes to reach the disk would be useless.
   if (!is_removed(descriptor) && ::fsync(descriptor) != 0) return error(AVERROR(errno));
   return {};
 }
@@ -175,7 +175,7 @@ Status MatroskaFile::finish() {
 }
 
 std::uint64_t MatroskaFile::bytes() const {
-  return state_->whole_bytes;
+  return state_->complete_bytes;
 }
 int MatroskaFile::descriptor() const {
   return state_->descriptor;

@@ -1,5 +1,5 @@
-// One Matroska file of one video stream, each packet on the disk before the next is asked for. For
-// this folder's own .cpp files.
+// A Matroska file with one video stream, each packet on the disk before the next is written. Only
+// for .cpp files of this folder.
 #pragma once
 
 #include "core/recording/libav.h"
@@ -11,32 +11,32 @@
 
 namespace alltact {
 
-/// What a file says of itself.
+/// A tag of a file.
 struct MatroskaTag {
   std::string name, text;
 };
-/// By which a recording is known as written here (is_our_recording).
-[[nodiscard]] MatroskaTag of_recordings();
+/// The tag that marks recordings of this program (is_own_recording).
+[[nodiscard]] MatroskaTag recording_tag();
 
-/// A file being written. Whatever ends the program, the packets that write() took stay readable:
-/// each is a cluster of its own and lies in the file when write() returns. As long as it is open
-/// the file is locked (flock), so that nobody takes it for one that a crash left behind.
-/// Not for several threads at once.
+/// A file being written. Packets that write() took stay readable after any crash: each is a cluster
+/// of its own and is in the file when write() returns. The open file is locked (flock), so that
+/// nobody repairs it as an interrupted one. Not for several threads at once.
 class MatroskaFile {
  public:
-  /// `parameters` of the stream; packets are stamped in milliseconds. What was in the file is gone.
+  /// `parameters` of the stream; packets have time stamps in milliseconds. Overwrites the file.
   [[nodiscard]] static Result<MatroskaFile> create(const std::filesystem::path& file,
                                                    const AVCodecParameters& parameters,
                                                    double frames_per_s,
-                                                   const MatroskaTag& tag = of_recordings());
+                                                   const MatroskaTag& tag = recording_tag());
   MatroskaFile(MatroskaFile&&) noexcept;
   MatroskaFile& operator=(MatroskaFile&&) noexcept;
   ~MatroskaFile();
 
-  /// After an error the file is cut back to its last whole packet and takes no more.
+  /// After an error the file is truncated to its last complete packet and takes no more.
   [[nodiscard]] Status write(AVPacket& packet);
-  /// The index and the length, without which the file is readable but slow to seek in; then waits
-  /// until all is on the disk. Error: they could not be written; the packets stay readable.
+  /// Writes the index and the length, without which the file is readable but slow to seek in, then
+  /// waits until everything is on the disk. Error: they could not be written; the packets stay
+  /// readable.
   [[nodiscard]] Status finish();
 
   [[nodiscard]] std::uint64_t bytes() const;
@@ -48,7 +48,7 @@ class MatroskaFile {
   std::unique_ptr<State> state_;
 };
 
-/// True for a file that was written here.
-[[nodiscard]] bool is_our_recording(const AVFormatContext& input);
+/// True for a recording of this program.
+[[nodiscard]] bool is_own_recording(const AVFormatContext& input);
 
 }  // namespace alltact

@@ -23,7 +23,7 @@ namespace {
 constexpr std::uint32_t kEbmlHead = 0x1A45DFA3, kSegment = 0x18538067, kCluster = 0x1F43B675;
 constexpr std::uint32_t kTimestamp = 0xE7, kSimpleBlock = 0xA3, kBlockGroup = 0xA0, kBlock = 0xA1;
 constexpr std::uint32_t kCheckSum = 0xBF;
-constexpr std::uint32_t kReference = 0xFB;  // to the block that one in a group is computed from
+constexpr std::uint32_t kReference = 0xFB;  // to the block from which one in a group is predicted
 
 constexpr std::int64_t kUnknown = -1;
 
@@ -47,7 +47,7 @@ class File {
   }
   [[nodiscard]] bool is_open() const { return number_ >= 0; }
   [[nodiscard]] std::int64_t bytes() const { return bytes_; }
-  /// What there is from `at` on, at most as much as fits.
+  /// Reads from `at` on, up to the size of `room`.
   [[nodiscard]] std::span<const std::uint8_t> read(std::int64_t at,
                                                    std::span<std::uint8_t> room) const {
     const ssize_t got = ::pread(number_, room.data(), room.size(), at);
@@ -59,7 +59,7 @@ class File {
   std::int64_t bytes_ = 0;
 };
 
-/// The element that begins at `at`; nothing where there is none, or not its whole head.
+/// The element that begins at `at`; empty where there is none, or only a part of its head.
 std::optional<Element> element_at(const File& file, std::int64_t at) {
   std::array<std::uint8_t, 12> room{};
   const auto head = file.read(at, room);
@@ -80,9 +80,9 @@ std::optional<Element> element_at(const File& file, std::int64_t at) {
 
 std::int64_t number_in(const File& file, const Element& element) {
   std::array<std::uint8_t, 8> room{};
-  const auto wanted = static_cast<std::size_t>(std::clamp<std::int64_t>(element.bytes, 0, 8));
+  const auto requested = static_cast<std::size_t>(std::clamp<std::int64_t>(element.bytes, 0, 8));
   std::int64_t value = 0;
-  for (const std::uint8_t byte : file.read(element.content_at, std::span(room).first(wanted)))
+  for (const std::uint8_t byte : file.read(element.content_at, std::span(room).first(requested)))
     value = value << 8U | byte;
   return value;
 }
@@ -91,8 +91,8 @@ bool holds_others(std::uint32_t id) {
   return id == kSegment || id == kCluster || id == kBlockGroup;
 }
 
-/// Goes through a file from its first element to its last. Elements that hold others are gone into
-/// rather than over, so that their own lengths, unknown after a crash, are never needed.
+/// Walks through a file from its first element to its last. It enters container elements instead of
+/// skipping them, because after a crash their lengths are unknown.
 class Walk {
  public:
   explicit Walk(const File& file) : file_(file) {}
@@ -131,7 +131,8 @@ class Walk {
     if (element.id == kTimestamp) cluster_time_ = number_in(file_, element);
     if (element.id == kReference && !index_.blocks.empty()) index_.blocks.back().is_key = false;
     if (element.id != kSimpleBlock && element.id != kBlock) return;
-    // The track's number (1 to 8 bytes, ours 1), the time after the cluster's (2), flags (1).
+    // The track's number (1 to 8 bytes, in recordings of this program 1), the time after the
+    // cluster's (2), flags (1).
     std::array<std::uint8_t, 11> room{};
     const auto head = file_.read(element.content_at, room);
     const auto track = head.empty() ? 9 : static_cast<std::size_t>(std::countl_zero(head[0])) + 1;
@@ -145,7 +146,7 @@ class Walk {
 
   const File& file_;
   MatroskaIndex index_;
-  MatroskaIndex::Block block_{};  // the next one, as far as its cluster tells
+  MatroskaIndex::Block block_{};  // the next block, with the values of its cluster
   std::int64_t cluster_time_ = 0, cluster_end_ = 0;
 };
 
@@ -170,12 +171,12 @@ bool is_undamaged(int descriptor, const MatroskaIndex::Block& block) {
     return false;
   const AVCRC* table = av_crc_get_table(AV_CRC_32_IEEE_LE);
   std::uint32_t sum = 0xFFFFFFFFU;
-  // Piece by piece: a damaged length may be nearly that of the file.
+  // In chunks: a damaged length may be nearly that of the file.
   std::array<std::uint8_t, std::size_t{1} << 16> room{};
   std::int64_t left = block.checked_bytes;
   for (std::int64_t at = block.checked_from; left > 0;) {
-    const auto wanted = std::min<std::int64_t>(left, std::ssize(room));
-    const ssize_t got = ::pread(descriptor, room.data(), static_cast<std::size_t>(wanted), at);
+    const auto requested = std::min<std::int64_t>(left, std::ssize(room));
+    const ssize_t got = ::pread(descriptor, room.data(), static_cast<std::size_t>(requested), at);
     if (got <= 0) return false;
     sum = av_crc(table, sum, room.data(), static_cast<std::size_t>(got));
     at += got;

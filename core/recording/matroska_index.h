@@ -1,5 +1,5 @@
-// Where the frames of a Matroska file lie, from its structure alone: quick, and for files that a
-// crash cut off as well.
+// Positions of the frames in a Matroska file, from its structure alone: fast, and valid for
+// truncated files as well.
 #pragma once
 
 #include "core/result.h"
@@ -16,21 +16,20 @@ struct MatroskaIndex {
     std::int64_t data_bytes_at;  ///< of the block's content, from the file's beginning
     std::int64_t cluster_at;     ///< of the cluster it belongs to
     bool is_key;
-    // What the cluster's check sum was computed over; no bytes where it has none.
+    // The range of the cluster's check sum; 0 bytes where it has none.
     std::int64_t checked_from, checked_bytes;
     std::uint32_t check_sum;
   };
-  std::vector<Block> blocks;  ///< whole ones only, in the file's order, of all its tracks
-  bool has_length = false;    ///< false: whoever wrote the file has not come to its end
-  bool is_walkable = false;   ///< false: something damaged or half lies behind the last block
+  std::vector<Block> blocks;  ///< complete ones only, in the file's order, of all its tracks
+  bool has_length = false;    ///< false: the writer did not finish the file
+  bool is_walkable = false;   ///< false: the file is damaged or incomplete behind the last block
 };
 
-/// Reads the elements' heads only (IETF RFC 8794, RFC 9559). Error: it cannot be read, or is no
-/// Matroska file.
+/// Reads only the heads of the elements (IETF RFC 8794, RFC 9559). Error: it cannot be read, or is
+/// no Matroska file.
 [[nodiscard]] Result<MatroskaIndex> index_matroska(const std::filesystem::path& file);
 
-/// False when the bytes around a block are not those that were written. `descriptor`: the open
-/// file. True where there is no check sum.
+/// Verifies the check sum around a block; true where there is none. `descriptor`: the open file.
 [[nodiscard]] bool is_undamaged(int descriptor, const MatroskaIndex::Block& block);
 
 }  // namespace alltact

@@ -2,7 +2,7 @@
 
 #include "core/io/system_error.h"
 #include "core/recording/journal.h"
-#include "core/recording/put_back.h"
+#include "core/recording/restore_file.h"
 #include "core/recording/steady_sync.h"
 
 #include <cerrno>
@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t kMegabyte = 1000000;
-constexpr auto kSyncEvery = std::chrono::seconds(1);
+constexpr auto kSyncInterval = std::chrono::seconds(1);
 
 std::uint64_t bytes_of(const Frame& frame) {
   return frame.grey.total() * frame.grey.elemSize() + (frame.jpeg ? frame.jpeg->size() : 0);
@@ -35,7 +35,7 @@ std::string frames(std::uint64_t count) {
   return count == 1 ? "1 frame" : fmt::format("{} frames", count);
 }
 
-/// What anyone may still write to the disk of an open file.
+/// Space that users may still write on the disk of an open file.
 std::uint64_t free_bytes_at(int descriptor) {
   struct statvfs status {};
   if (::fstatvfs(descriptor, &status) != 0) return 0;
@@ -50,7 +50,7 @@ Error nearly_full(const fs::path& file, std::uint64_t free_bytes, int reserve_mb
           en::say("free some space, or record to another disk")};
 }
 
-/// Makes the file, which must be new: recordings are not written over.
+/// Creates the file, which must be new: recordings are never overwritten.
 Result<int> make_new(const fs::path& file) {
   const int number = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (number >= 0) return number;
@@ -100,7 +100,7 @@ namespace {
 
 struct Waiting {
   FramePtr frame;
-  std::uint64_t dropped_before;  // since the one before it in the queue
+  std::uint64_t dropped_before;  // since the previous one in the queue
 };
 
 }  // namespace
@@ -109,16 +109,16 @@ struct Recorder::State {
   const fs::path file;
   const RecorderSettings settings;
   const double frames_per_s;
-  JournalWriter journal;  // the thread's, while that runs
+  JournalWriter journal;  // used by the thread while it runs
 
-  // Of the thread alone.
+  // Of the thread only.
   std::optional<VideoWriter> video;
   std::optional<std::uint64_t> last_sequence;
 
   mutable std::mutex mutex;  // of all below
-  std::condition_variable news;
+  std::condition_variable changed;
   std::deque<Waiting> queue;
-  std::uint64_t dropped_since = 0;  // the last frame in the queue
+  std::uint64_t dropped_since = 0;  // since the last frame in the queue
   std::uint64_t queue_bytes = 0;
   RecorderCounts counts;
   std::optional<Error> problem;
@@ -141,46 +141,46 @@ struct Recorder::State {
   void push(FramePtr frame) {
     queue_bytes += bytes_of(*frame);
     queue.push_back({std::move(frame), std::exchange(dropped_since, 0)});
-    news.notify_all();
+    changed.notify_all();
   }
 
   void run();
   std::optional<Waiting> take();
   Status record(const Waiting& waiting);
-  Status tell_losses(const Waiting& waiting);
+  Status remark_losses(const Waiting& waiting);
   [[nodiscard]] Status check_disk();
   Status close(std::string_view why, const Job& job);
   Status save_removed(const Error& removed, const Job& job);
 };
 
-/// The frame that waits longest; nothing when there will be no more.
+/// The oldest waiting frame; empty when there will be no more.
 std::optional<Waiting> Recorder::State::take() {
   std::unique_lock lock(mutex);
-  news.wait(lock, [&] { return !queue.empty() || is_ending; });
+  changed.wait(lock, [&] { return !queue.empty() || is_ending; });
   if (queue.empty()) return std::nullopt;
   Waiting waiting = std::move(queue.front());
   queue.pop_front();
   queue_bytes -= bytes_of(*waiting.frame);
-  news.notify_all();
+  changed.notify_all();
   return waiting;
 }
 
-/// The thread: one frame after the other until there are no more, or one cannot be recorded.
+/// The thread: records frames until the queue ends, or one cannot be recorded.
 void Recorder::State::run() {
   while (const auto waiting = take()) {
-    const std::uint64_t recorded_before = counts.recorded;  // written by this thread alone
+    const std::uint64_t recorded_before = counts.recorded;  // written by this thread only
     Status status = check_disk();
     if (status) status = record(*waiting);
     if (!status) {
       const std::lock_guard lock(mutex);
       problem = status.error();
-      // This one may be in the video and only its line not in the journal.
+      // This frame may be in the video with only its line missing in the journal.
       const std::uint64_t lost = queue.size() + (counts.recorded == recorded_before ? 1 : 0);
       dropped_since += lost;
       counts.dropped += lost;
       queue.clear();
       queue_bytes = 0;
-      news.notify_all();
+      changed.notify_all();
       return;
     }
   }
@@ -193,7 +193,7 @@ Status Recorder::State::record(const Waiting& waiting) {
     if (!made) return made.error();
     video = std::move(*made);
   }
-  if (Status status = tell_losses(waiting); !status) return status;
+  if (Status status = remark_losses(waiting); !status) return status;
   if (Status status = video->add(frame); !status) return status;
   {
     const std::lock_guard lock(mutex);
@@ -204,8 +204,9 @@ Status Recorder::State::record(const Waiting& waiting) {
   return journal.add(frame);
 }
 
-/// A gap in the sequence is ours as far as the queue was full, and else the source's.
-Status Recorder::State::tell_losses(const Waiting& waiting) {
+/// A gap in the sequence: frames dropped at a full queue, and for the rest, frames missing from the
+/// source.
+Status Recorder::State::remark_losses(const Waiting& waiting) {
   const std::uint64_t sequence = waiting.frame->sequence, dropped = waiting.dropped_before;
   const std::uint64_t before = last_sequence.value_or(sequence);
   const std::uint64_t gap = sequence > before + 1 ? sequence - before - 1 : 0;
@@ -227,7 +228,7 @@ Status Recorder::State::tell_losses(const Waiting& waiting) {
       fmt::format("{} before frame {} never came from the source", frames(missing), number));
 }
 
-/// Is there room for another frame and for the end, and are the files still where they were?
+/// Checks the free space, and that the files still exist.
 Status Recorder::State::check_disk() {
   const std::uint64_t free_bytes = free_bytes_at(journal.descriptor());
   {
@@ -274,12 +275,12 @@ Status Recorder::State::close(std::string_view why, const Job& job) {
   return first;
 }
 
-/// The journal first: it is short, and tells of what is there if the rest is stopped.
+/// The journal first: it is short, and lists the frames if the rest is stopped.
 Status Recorder::State::save_removed(const Error& removed, const Job& job) {
   Status saved;
   if (is_removed(journal.descriptor()))
-    saved = put_back(journal.descriptor(), journal_of(file), job);
-  if (saved) saved = put_back(video->descriptor(), file, job);
+    saved = restore_file(journal.descriptor(), journal_of(file), job);
+  if (saved) saved = restore_file(video->descriptor(), file, job);
   if (!saved)
     return Error{en::say("{}, and it could not be put back ({})", removed.what, saved.error().what),
                  removed.where,
@@ -321,7 +322,7 @@ Result<std::unique_ptr<Recorder>> Recorder::start(const fs::path& file,
   }
   auto state = std::make_unique<State>(file, settings, frames_per_s, std::move(*journal));
   state->counts.free_bytes = free_bytes;
-  state->sync.emplace(std::vector{file, journal_of(file)}, kSyncEvery);
+  state->sync.emplace(std::vector{file, journal_of(file)}, kSyncInterval);
   state->thread = std::jthread([s = state.get()] { s->run(); });
   return std::unique_ptr<Recorder>(new Recorder(std::move(state)));
 }
@@ -342,7 +343,7 @@ bool Recorder::add(FramePtr frame) {
 bool Recorder::add_waiting(FramePtr frame) {
   State& s = *state_;
   std::unique_lock lock(s.mutex);
-  s.news.wait(lock, [&] { return s.problem || s.is_ending || s.has_room(*frame); });
+  s.changed.wait(lock, [&] { return s.problem || s.is_ending || s.has_room(*frame); });
   if (s.problem || s.is_ending) return false;
   s.push(std::move(frame));
   return true;
@@ -366,7 +367,7 @@ Status Recorder::finish(std::string_view why, const Job& job) {
   {
     const std::lock_guard lock(s.mutex);
     s.is_ending = true;
-    s.news.notify_all();
+    s.changed.notify_all();
   }
   s.thread.join();
   return s.close(why, job);

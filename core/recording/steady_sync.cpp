@@ -38,7 +38,7 @@ void SteadySync::sync() {
   for (std::size_t i = 0; i < files_.size(); ++i) {
     int& descriptor = descriptors_[i];
     const bool is_new = descriptor < 0;
-    // Once it is open it stays the same file, wherever it is moved.
+    // An open descriptor follows its file, wherever it is moved.
     if (is_new) descriptor = ::open(files_[i].c_str(), O_RDONLY | O_CLOEXEC);
     if (descriptor < 0) continue;
     const DiskWait waiting(files_[i]);

@@ -1,4 +1,4 @@
-// Files that are on the disk while they are still being written.
+// Regular synchronisation of files to the disk while they are being written.
 #pragma once
 
 #include <chrono>
@@ -10,18 +10,17 @@
 
 namespace alltact {
 
-/// Makes sure, once in a while and on a thread of its own, that what was written to some files is
-/// on the disk: without that a power cut may take all that was recorded in the last half minute, or
-/// the file's name. Files that are not there yet are waited for; what cannot be synced is told by
-/// whoever writes, at the end.
+/// Syncs files to the disk at regular intervals, on a thread of its own. Otherwise a power cut may
+/// lose the last half minute, or the file's name. It waits for files that do not exist yet. The
+/// writer reports failures at its end.
 class SteadySync {
  public:
-  /// In this order, so that what the second told of the first before a sync is there after it; what
-  /// it tells while the first is synced may be ahead.
+  /// Files are synced in this order. A later file's entries about an earlier one are valid up to
+  /// the previous sync; newer entries may be ahead.
   SteadySync(std::vector<std::filesystem::path> files, std::chrono::milliseconds every);
   SteadySync(const SteadySync&) = delete;
   SteadySync& operator=(const SteadySync&) = delete;
-  /// Waits for a sync that is under way.
+  /// Waits for a running sync.
   ~SteadySync();
 
  private:

@@ -1,4 +1,4 @@
-// Which frame of a second recording belongs to a frame of the first.
+// Matches frames of two recordings by time.
 #pragma once
 
 #include <cstddef>
@@ -7,24 +7,24 @@
 
 namespace alltact {
 
-/// Times of capture of a recording's frames, ns; empty where it has none (pictures).
+/// Times of capture of a recording's frames, ns; empty where it has none (images).
 using FrameTimes = std::vector<std::int64_t>;
 
-enum class JoinedBy {
-  kTime = 1,   ///< both clocks are one: recorded at the same time
-  kBeginning,  ///< recorded one after the other: their beginnings count as one moment
+enum class MatchedBy {
+  kTime = 1,   ///< one common clock: recorded at the same time
+  kBeginning,  ///< recorded one after the other: their beginnings are aligned
   kNumber,     ///< one of them has no times
 };
 
-struct FrameBeside {
+struct MatchedFrame {
   std::size_t number = 0;
-  JoinedBy by = JoinedBy::kNumber;
-  double later_ms = 0;  ///< than the first recording's frame; 0 by number
+  MatchedBy by = MatchedBy::kNumber;
+  double later_ms = 0;  ///< relative to the first recording's frame; 0 for kNumber
 };
 
-/// The frame nearest in time; the last one where the second recording is shorter.
+/// The frame of the second recording that is nearest in time; its last one where it is shorter.
 ///   number: below the first recording's count; other_count: at least 1
-[[nodiscard]] FrameBeside frame_beside(std::size_t number,
+[[nodiscard]] MatchedFrame match_frame(std::size_t number,
                                        const FrameTimes& times_ns,
                                        const FrameTimes& other_times_ns,
                                        std::size_t other_count);

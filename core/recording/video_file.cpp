@@ -5,7 +5,7 @@
 #include "core/recording/libav.h"
 #include "core/recording/matroska_file.h"
 #include "core/recording/matroska_index.h"
-#include "core/recording/mend.h"
+#include "core/recording/repair.h"
 
 #include <numeric>
 
@@ -17,8 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A packet: its time in the stream's time steps, its place in the file, which tells it from
-/// others, whether decoding can begin there, and its check sum.
+/// A packet: time in the stream's time steps, file position (its identity), key flag, and check
+/// sum.
 using Entry = MatroskaIndex::Block;
 
 Error unreadable(const Message& what, const fs::path& file) {
@@ -32,7 +32,7 @@ std::int64_t time_of(const AVPacket& packet, std::int64_t otherwise) {
   return packet.dts != AV_NOPTS_VALUE ? packet.dts : otherwise;
 }
 
-/// All packets of the video, by reading through the whole file.
+/// All packets of the video, by reading through the complete file.
 std::vector<Entry> entries_by_reading(const VideoInput& input) {
   std::vector<Entry> entries;
   const AvPtr<AVPacket> packet(av_packet_alloc());
@@ -47,7 +47,7 @@ std::vector<Entry> entries_by_reading(const VideoInput& input) {
   return entries;
 }
 
-/// The same from the file's structure; libav learns from it how to seek.
+/// The same from the file's structure; libav receives the key frames for seeking.
 std::vector<Entry> entries_by_structure(const VideoInput& input, const MatroskaIndex& index) {
   for (const auto& block : index.blocks)
     if (block.is_key)
@@ -63,9 +63,9 @@ Result<AvPtr<AVCodecContext>> open_decoder(const AVStream& video, const fs::path
                       file);
   AvPtr<AVCodecContext> context(avcodec_alloc_context3(found));
   avcodec_parameters_to_context(context.get(), video.codecpar);
-  context->thread_type = FF_THREAD_SLICE;  // threads by frames would hold pictures back
+  context->thread_type = FF_THREAD_SLICE;  // frame threads would delay frames
   context->thread_count = 2;
-  context->err_recognition = AV_EF_CRCCHECK | AV_EF_EXPLODE;  // wrong pixels are no pixels
+  context->err_recognition = AV_EF_CRCCHECK | AV_EF_EXPLODE;  // a damaged frame is an error
   if (avcodec_open2(context.get(), found, nullptr) < 0)
     return unreadable(en::say("the video cannot be opened"), file);
   return context;
@@ -77,16 +77,16 @@ struct VideoFile::State {
   fs::path file;
   VideoInput input;
   GreyDecoder jpeg_decoder;
-  AvPtr<AVCodecContext> decoder;   // none for JPEG, which is decoded as a camera's is
+  AvPtr<AVCodecContext> decoder;   // none for JPEG, which GreyDecoder decodes as for a camera
   std::vector<Entry> entries;      // in the file's order
   std::vector<std::size_t> shown;  // the entry of each frame
   std::vector<JournalEntry> journal;
 
-  int check = -1;  // the open file, for check sums; none where there are none of ours
+  int check = -1;  // the open file, for check sums; -1 for videos of other programs
 
   AvPtr<AVPacket> packet{av_packet_alloc()};
-  AvPtr<AVFrame> picture{av_frame_alloc()};
-  std::size_t next_read = 0;     // the entry that libav would give next
+  AvPtr<AVFrame> av_frame{av_frame_alloc()};
+  std::size_t next_read = 0;     // the entry that libav would return next
   std::size_t next_decoded = 0;  // the entry that the decoder expects
   std::size_t next_shown = 0;    // frames before it have left the decoder
   bool is_draining = false;
@@ -103,22 +103,22 @@ struct VideoFile::State {
   [[nodiscard]] std::size_t key_before(std::size_t entry) const;
   [[nodiscard]] Result<cv::Mat> decoded(std::size_t number);
   [[nodiscard]] Status add_jpeg(std::size_t number, Frame& frame);
-  void tell_when(std::size_t number, Frame& frame) const;
+  void set_times(std::size_t number, Frame& frame) const;
   [[nodiscard]] Error frame_error(std::size_t number) const {
     return unreadable(en::say("frame {} of the video cannot be read", number), file);
   }
 };
 
-/// Fills `packet` with the one of this entry.
+/// Fills `packet` with the packet of this entry.
 bool VideoFile::State::read(std::size_t entry) {
-  const std::int64_t wanted = entries[entry].data_bytes_at;
+  const std::int64_t position = entries[entry].data_bytes_at;
   if (entry != next_read)
     av_seek_frame(
         input.context.get(), input.stream, entries[key_before(entry)].time, AVSEEK_FLAG_BACKWARD);
   next_read = entry + 1;
   while (input.read(*packet))
-    if (packet->pos == wanted) return check < 0 || is_undamaged(check, entries[entry]);
-  next_read = entries.size();  // wherever it stands now, the next one is sought
+    if (packet->pos == position) return check < 0 || is_undamaged(check, entries[entry]);
+  next_read = entries.size();  // unknown position: the next read seeks
   return false;
 }
 
@@ -133,7 +133,7 @@ void VideoFile::State::restart(std::size_t entry) {
   is_draining = false;
 }
 
-/// The next packet into the decoder. False: the decoder has had everything, or refused.
+/// Sends the next packet to the decoder. False: the decoder has everything, or refused.
 bool VideoFile::State::feed() {
   if (next_decoded == entries.size()) {
     if (is_draining) return false;
@@ -142,7 +142,7 @@ bool VideoFile::State::feed() {
   }
   const std::size_t entry = next_decoded++;
   if (!read(entry)) return false;
-  // Comes back with the picture and tells which it is, also where the order changes.
+  // Returns with the frame as its identity, also where the order changes.
   packet->pts = packet->dts = static_cast<std::int64_t>(entry);
   return avcodec_send_packet(decoder.get(), packet.get()) >= 0;
 }
@@ -151,21 +151,21 @@ Result<cv::Mat> VideoFile::State::decoded(std::size_t number) {
   const std::size_t entry = shown[number];
   const std::size_t begin = key_before(entry);
   if (number < next_shown || begin > next_decoded || is_draining) restart(begin);
-  next_shown = entries.size();  // unless all goes well, the next one begins anew
+  next_shown = entries.size();  // an error makes the next call start again
   while (true) {
-    const int status = avcodec_receive_frame(decoder.get(), picture.get());
+    const int status = avcodec_receive_frame(decoder.get(), av_frame.get());
     if (status == AVERROR(EAGAIN)) {
       if (!feed()) return frame_error(number);
     } else if (status < 0) {
       return frame_error(number);
-    } else if (picture->pts == static_cast<std::int64_t>(entry)) {
+    } else if (av_frame->pts == static_cast<std::int64_t>(entry)) {
       break;
     }
   }
-  if (picture->decode_error_flags != 0 || (picture->flags & AV_FRAME_FLAG_CORRUPT) != 0)
+  if (av_frame->decode_error_flags != 0 || (av_frame->flags & AV_FRAME_FLAG_CORRUPT) != 0)
     return frame_error(number);
   next_shown = number + 1;
-  auto grey = grey_of(*picture);
+  auto grey = grey_of(*av_frame);
   if (!grey) return Error{grey.error().what, file.string(), grey.error().advice};
   return grey;
 }
@@ -181,8 +181,9 @@ Status VideoFile::State::add_jpeg(std::size_t number, Frame& frame) {
   return {};
 }
 
-/// From the journal, and where that ends (a crash can leave it a line short) from the video.
-void VideoFile::State::tell_when(std::size_t number, Frame& frame) const {
+/// Sets time, sequence and controls from the journal, or behind its end from the video. A crash can
+/// leave the journal a line short.
+void VideoFile::State::set_times(std::size_t number, Frame& frame) const {
   if (number < journal.size()) {
     frame.time_ns = journal[number].time_ns;
     frame.sequence = journal[number].sequence;
@@ -203,16 +204,16 @@ VideoFile& VideoFile::operator=(VideoFile&&) noexcept = default;
 VideoFile::~VideoFile() = default;
 
 Result<VideoFile> VideoFile::open(const fs::path& file, const Job& job) {
-  // Where it cannot be mended it is still read.
-  [[maybe_unused]] const auto mended = mend_recording(file, job);
+  // A failed repair is no error: the video is still read.
+  [[maybe_unused]] const auto repaired = repair_recording(file, job);
   auto input = open_video_input(file);
   if (!input) return input.error();
   auto state = std::make_unique<State>();
   state->file = file;
   const auto index = index_matroska(file);
-  // A crash leaves half a frame at the end, but damage has whole ones behind it.
-  const bool is_told = index && (index->is_walkable || !index->has_length);
-  if (is_told && input->context->nb_streams == 1) {
+  // A crash leaves an incomplete frame at the end, but damage has complete ones behind it.
+  const bool has_structure = index && (index->is_walkable || !index->has_length);
+  if (has_structure && input->context->nb_streams == 1) {
     state->entries = entries_by_structure(*input, *index);
   } else {
     state->entries = entries_by_reading(*input);
@@ -220,7 +221,7 @@ Result<VideoFile> VideoFile::open(const fs::path& file, const Job& job) {
     if (!input) return input.error();
   }
   state->input = std::move(*input);
-  if (is_our_recording(*state->input.context))
+  if (is_own_recording(*state->input.context))
     state->check = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
   const auto& entries = state->entries;
   if (entries.empty()) return unreadable(en::say("the video holds no frame"), file);
@@ -246,7 +247,7 @@ std::size_t VideoFile::frame_count() const {
 
 std::int64_t VideoFile::time_ns(std::size_t number) const {
   Frame frame;
-  state_->tell_when(number, frame);
+  state_->set_times(number, frame);
   return frame.time_ns;
 }
 
@@ -270,7 +271,7 @@ Result<FramePtr> VideoFile::frame(std::size_t number) {
   } else if (Status status = s.add_jpeg(number, *frame); !status) {
     return status.error();
   }
-  s.tell_when(number, *frame);
+  s.set_times(number, *frame);
   return FramePtr(std::move(frame));
 }
 

@@ -1,4 +1,4 @@
-// Reading videos: any frame by its number, exactly as it was recorded.
+// Reads videos: any frame by its number, exactly as it was recorded.
 #pragma once
 
 #include "core/frame.h"
@@ -11,15 +11,15 @@
 
 namespace alltact {
 
-/// An open video. Recordings of this program come back with the exact grey levels, JPEG packets,
-/// times and sequence numbers (from their journal, see journal.h) that went in; other videos as
-/// grey (see grey_of in libav.h), their times from the file. Not for several threads at once.
+/// An open video. Recordings of this program return the exact grey levels, JPEG packets, times and
+/// sequence numbers (from their journal, see journal.h). Other videos are converted to grey (see
+/// grey_of in libav.h), with times from the file. Not for several threads at once.
 class VideoFile {
  public:
-  /// Counts the frames (quick for Matroska, whose structure tells; others are read through). A
-  /// recording that was cut off is mended first where that can be (see mend.h; `job` is told and
-  /// may stop it); where not, what is there is read as it is.
-  /// Errors: cannot be opened, of a kind that cannot be decoded, holds no frame.
+  /// Counts the frames (fast for Matroska, from its structure; other files are read through). First
+  /// repairs an interrupted recording where possible (see repair_recording(); `job` gets the
+  /// progress and may stop it); otherwise the existing part is read. Errors: cannot be opened,
+  /// cannot be decoded, holds no frame.
   [[nodiscard]] static Result<VideoFile> open(const std::filesystem::path& file,
                                               const Job& job = Job());
   VideoFile(VideoFile&&) noexcept;
@@ -28,12 +28,12 @@ class VideoFile {
 
   /// At least 1.
   [[nodiscard]] std::size_t frame_count() const;
-  /// Frame `number` (below frame_count()), named frame_NNNNN, in the order in which they are
-  /// shown. One after the other is quickest. Error: it cannot be decoded; others still can.
+  /// Frame `number` (below frame_count()), named frame_NNNNN, in display order. Sequential access
+  /// is fastest. Error: it cannot be decoded; others may still be readable.
   [[nodiscard]] Result<FramePtr> frame(std::size_t number);
-  /// When it was captured, as its Frame::time_ns; nothing is decoded.
+  /// Time of capture, as Frame::time_ns, without decoding.
   [[nodiscard]] std::int64_t time_ns(std::size_t number) const;
-  /// About how often frames come.
+  /// Approximate rate of the frames, 1/s.
   [[nodiscard]] double frames_per_s() const;
 
  private:

@@ -6,13 +6,13 @@ namespace alltact {
 namespace {
 
 constexpr int kSlices = 4;
-constexpr int kSmallestSliced = 32;  // px; smaller pictures cannot be cut into slices
+constexpr int kSmallestSliced = 32;  // px; smaller frames cannot be cut into slices
 
 Message encoding() {
   return en::say("could not encode the picture");
 }
 
-/// Grey pictures to packets, one each, without delay.
+/// Encodes grey frames to packets, one each, without delay.
 class Encoder {
  public:
   static Result<Encoder> create(VideoCodec codec, cv::Size size, double frames_per_s) {
@@ -31,8 +31,8 @@ class Encoder {
     context.pix_fmt = AV_PIX_FMT_GRAY8;
     context.time_base = {1, 1000};
     context.framerate = av_d2q(frames_per_s, 100000);
-    context.gop_size = 1;      // each picture stands for itself
-    context.thread_count = 1;  // MagicYUV's threads would hold pictures back
+    context.gop_size = 1;      // each frame is independent
+    context.thread_count = 1;  // MagicYUV's threads would delay frames
     if (is_ffv1 && std::min(size.width, size.height) >= kSmallestSliced) {
       context.level = 3;
       context.slices = kSlices;
@@ -51,7 +51,7 @@ class Encoder {
   Status encode(const cv::Mat& grey, AVPacket& packet) {
     if (Status status = fill(grey); !status) return status;
     av_packet_unref(&packet);
-    int status = avcodec_send_frame(context_.get(), picture_.get());
+    int status = avcodec_send_frame(context_.get(), av_frame_.get());
     if (status >= 0) status = avcodec_receive_packet(context_.get(), &packet);
     if (status < 0) return av_error(encoding(), {}, status);
     return {};
@@ -65,23 +65,23 @@ class Encoder {
 
  private:
   Status fill(const cv::Mat& grey) {
-    AVFrame& picture = *picture_;
-    const int status = make_room(picture, AV_PIX_FMT_GRAY8, grey.size());
+    AVFrame& av_frame = *av_frame_;
+    const int status = allocate_frame(av_frame, AV_PIX_FMT_GRAY8, grey.size());
     if (status < 0) return av_error(encoding(), {}, status);
     for (int v = 0; v < grey.rows; ++v)
       std::copy_n(grey.ptr<std::uint8_t>(v),
                   grey.cols,
-                  picture.data[0] + std::ptrdiff_t{v} * picture.linesize[0]);
-    ++picture.pts;
+                  av_frame.data[0] + std::ptrdiff_t{v} * av_frame.linesize[0]);
+    ++av_frame.pts;
     return {};
   }
 
   AvPtr<AVCodecContext> context_;
-  AvPtr<AVFrame> picture_{av_frame_alloc()};
+  AvPtr<AVFrame> av_frame_{av_frame_alloc()};
 };
 
-VideoCodec resolved(VideoCodec wanted, const Frame& first) {
-  if (wanted != VideoCodec::kAuto) return wanted;
+VideoCodec resolved(VideoCodec requested, const Frame& first) {
+  if (requested != VideoCodec::kAuto) return requested;
   return first.jpeg ? VideoCodec::kMjpeg : VideoCodec::kMagicYuv;
 }
 
@@ -134,7 +134,7 @@ struct VideoWriter::State {
   VideoCodec codec;
   cv::Size size;
   double period_ms;
-  std::optional<Encoder> encoder;  // none for packets that come ready
+  std::optional<Encoder> encoder;  // none for JPEG packets
   MatroskaFile file;
   AvPtr<AVPacket> packet{av_packet_alloc()};
   bool has_first = false;
@@ -147,10 +147,10 @@ struct VideoWriter::State {
       first_ns = last_ns = frame.time_ns;
       return last_ms = 0;
     }
-    const double told_ms = static_cast<double>(frame.time_ns - first_ns) * 1e-6;
-    const bool is_told = frame.time_ns > last_ns && told_ms >= last_ms + 1;
+    const double captured_ms = static_cast<double>(frame.time_ns - first_ns) * 1e-6;
+    const bool is_later = frame.time_ns > last_ns && captured_ms >= last_ms + 1;
     last_ns = std::max(last_ns, frame.time_ns);
-    return last_ms = is_told ? told_ms : last_ms + std::max(period_ms, 1.0);
+    return last_ms = is_later ? captured_ms : last_ms + std::max(period_ms, 1.0);
   }
 };
 
@@ -161,12 +161,12 @@ VideoWriter::~VideoWriter() = default;
 
 Result<VideoWriter> VideoWriter::create(const std::filesystem::path& file,
                                         const Frame& first,
-                                        VideoCodec wanted,
+                                        VideoCodec requested,
                                         double frames_per_s) {
   quiet_libav();
   const cv::Size size = first.grey.size();
-  if (Status status = check(first, size, wanted); !status) return status.error();
-  const VideoCodec codec = resolved(wanted, first);
+  if (Status status = check(first, size, requested); !status) return status.error();
+  const VideoCodec codec = resolved(requested, first);
   std::optional<Encoder> encoder;
   auto parameters = mjpeg_parameters(size);
   if (codec != VideoCodec::kMjpeg) {

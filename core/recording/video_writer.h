@@ -1,4 +1,4 @@
-// Exact video: grey pictures without loss, or the camera's own packets untouched, in Matroska.
+// Lossless grey video, or the camera's own packets unchanged, in Matroska.
 #pragma once
 
 #include "core/frame.h"
@@ -12,23 +12,23 @@
 namespace alltact {
 
 enum class VideoCodec {
-  kAuto = 1,  ///< the camera's packets where it sends such, else kMagicYuv
-  kMagicYuv,  ///< lossless, quick: 270 full HD pictures a second on one core, read at a third of
+  kAuto = 1,  ///< the camera's packets where it sends them, else kMagicYuv
+  kMagicYuv,  ///< lossless, fast: writes 270 full HD frames a second on one core, reads a third of
               ///< that
-  kFfv1,      ///< lossless, 8 to 16 % smaller, written 8 times and read 4 times slower
-  kMjpeg,     ///< the camera's packets, untouched
+  kFfv1,      ///< lossless, 8 to 16 % smaller, 8 times slower to write and 4 times slower to read
+  kMjpeg,     ///< the camera's packets, unchanged
 };
 
-/// "MagicYUV", for people.
+/// Returns "MagicYUV" and the like, for people.
 [[nodiscard]] std::string_view to_string(VideoCodec codec);
 
-/// Writes one video file. Each frame lies in the file, readable whatever happens then, when add()
-/// returns. Not for several threads at once.
+/// Writes one video file. Each frame is in the file when add() returns, and stays readable after
+/// any crash. Not for several threads at once.
 class VideoWriter {
  public:
-  /// Makes the file (what was in it is gone) for frames like `first`, which is not yet added.
-  /// `frames_per_s`: how often frames come, about.
-  /// Errors: the file cannot be written; kMjpeg for frames without packets; not 8-bit grey.
+  /// Creates or overwrites the file for frames like `first`, which is not added yet.
+  /// `frames_per_s`: approximate rate. Errors: the file cannot be written; kMjpeg for frames
+  /// without packets; not 8-bit grey.
   [[nodiscard]] static Result<VideoWriter> create(const std::filesystem::path& file,
                                                   const Frame& first,
                                                   VideoCodec codec,
@@ -37,12 +37,11 @@ class VideoWriter {
   VideoWriter& operator=(VideoWriter&&) noexcept;
   ~VideoWriter();
 
-  /// The frame's time is kept to the millisecond, counted from the first frame; a frame whose time
-  /// is none or not after the last one's comes 1 / frames_per_s behind it.
-  /// Errors: another size than the first, no packet; or it could not be written, and then the file
-  /// takes no more but everything before stays readable.
+  /// Stores the frame's time in milliseconds after the first frame. A frame without a time, or not
+  /// later than the last one, follows it by 1 / frames_per_s. Errors: another size than the first,
+  /// no packet; or a failed write, after which the file takes no more but stays readable.
   [[nodiscard]] Status add(const Frame& frame);
-  /// Writes what makes the file complete, and waits until all is on the disk.
+  /// Writes the end of the file, and waits until everything is on the disk.
   [[nodiscard]] Status finish();
 
   [[nodiscard]] VideoCodec codec() const;     ///< never kAuto

@@ -7,30 +7,30 @@
 namespace alltact {
 namespace {
 
-constexpr int kEvery = 8;
+constexpr int kStride = 8;
 constexpr int kBlackBelow = 16;
-constexpr double kBrightest = 0.001;  // part of the picture that may be brighter
-constexpr int kBlankLevels = 2;       // from the darkest to the brightest of a blank picture
-constexpr double kSaturatedPicture = 1.0 / 3;
-constexpr double kWorthTelling = 0.02;  // part of the face
+constexpr double kTailFraction = 0.001;  // fraction of the image that may be brighter
+constexpr int kBlankLevels = 2;          // from the darkest to the brightest of a blank image
+constexpr double kSaturatedFraction = 1.0 / 3;
+constexpr double kMinReported = 0.02;  // part of the face
 constexpr double kMuchDarker = 0.5, kMuchBrighter = 1.0 / 3;
-constexpr double kForeign = 0.1;  // part of the face brighter than its reference
+constexpr double kForeignFraction = 0.1;  // fraction of the face brighter than its reference
 
 }  // namespace
 
-std::optional<Message> picture_fault(const cv::Mat& grey) {
+std::optional<Message> image_fault(const cv::Mat& grey) {
   CV_Assert(grey.type() == CV_8UC1);
   std::array<int, 256> histogram{};
   int all = 0;
-  for (int v = kEvery / 2; v < grey.rows; v += kEvery) {
+  for (int v = kStride / 2; v < grey.rows; v += kStride) {
     const auto* row = grey.ptr<std::uint8_t>(v);
-    for (int u = kEvery / 2; u < grey.cols; u += kEvery) ++histogram[row[u]], ++all;
+    for (int u = kStride / 2; u < grey.cols; u += kStride) ++histogram[row[u]], ++all;
   }
   if (all == 0) return std::nullopt;
   int level = 255, darkest = 0;
-  for (int above = histogram[255]; level > 0 && above <= kBrightest * all;)
+  for (int above = histogram[255]; level > 0 && above <= kTailFraction * all;)
     above += histogram[static_cast<std::size_t>(--level)];
-  for (int below = histogram[0]; darkest < 255 && below <= kBrightest * all;)
+  for (int below = histogram[0]; darkest < 255 && below <= kTailFraction * all;)
     below += histogram[static_cast<std::size_t>(++darkest)];
   if (level < kBlackBelow)
     return en::say(
@@ -39,7 +39,7 @@ std::optional<Message> picture_fault(const cv::Mat& grey) {
         level);
   int saturated = 0;
   for (std::size_t i = kClippedFrom; i < histogram.size(); ++i) saturated += histogram[i];
-  if (saturated > kSaturatedPicture * all)
+  if (saturated > kSaturatedFraction * all)
     return en::say(
         "the picture is too bright: {:.0f} % of it is saturated; expose shorter, or dim the lamps",
         100.0 * saturated / all);
@@ -57,7 +57,7 @@ bool is_same_frame(const Frame& before, const Frame& now) {
          before.sequence == now.sequence && before.time_ns == now.time_ns;
 }
 
-bool is_same_picture(const cv::Mat& a, const cv::Mat& b) {
+bool is_same_image(const cv::Mat& a, const cv::Mat& b) {
   if (a.size() != b.size() || a.type() != b.type() || a.empty()) return false;
   const std::size_t bytes = static_cast<std::size_t>(a.cols) * a.elemSize();
   for (int v = 0; v < a.rows; ++v)
@@ -65,14 +65,14 @@ bool is_same_picture(const cv::Mat& a, const cv::Mat& b) {
   return true;
 }
 
-std::vector<Message> face_faults(const FlagShares& shares, const LightGain& light) {
+std::vector<Message> face_faults(const FlagFractions& shares, const LightGain& light) {
   std::vector<Message> faults;
-  if (shares.of[kSaturated] > kWorthTelling)
+  if (shares.of[kSaturated] > kMinReported)
     faults.push_back(
         en::say("{:.0f} % of the face is too bright to be measured; expose shorter, or dim the "
                 "lamps",
                 100.0 * shares.of[kSaturated]));
-  if (shares.of[kNoReference] > kWorthTelling)
+  if (shares.of[kNoReference] > kMinReported)
     faults.push_back(en::say(
         "{:.0f} % of the face was never recorded in a pose like this; record the finger bending "
         "further in this direction",
@@ -92,7 +92,7 @@ std::vector<Message> face_faults(const FlagShares& shares, const LightGain& ligh
         "the face is {:.0f} % brighter than when its reference was recorded; set exposure, gain "
         "and lamps as they were then",
         100.0 * light.change()));
-  if (light.brighter() > kForeign)
+  if (light.brighter() > kForeignFraction)
     faults.push_back(en::say(
         "{:.0f} % of the face is brighter than its reference: this is another finger, or its skin "
         "has changed; choose the finger that it is, or record the reference again",

@@ -9,10 +9,10 @@
 namespace alltact {
 namespace {
 
-/// Every frame for itself, numbered by the model.
-class ModelledDots : public MarkerFinder {
+/// Detects and numbers the dots of each frame independently.
+class ModelMarkerFinder : public MarkerFinder {
  public:
-  ModelledDots(std::unique_ptr<const DotFinder> finder, MarkerModel model)
+  ModelMarkerFinder(std::unique_ptr<const DotFinder> finder, MarkerModel model)
       : finder_(std::move(finder)), model_(std::move(model)) {}
 
   std::optional<Markers> operator()(const cv::Mat& grey,
@@ -30,10 +30,10 @@ class ModelledDots : public MarkerFinder {
   MarkerModel model_;
 };
 
-/// The source paper's rows; remembers the last frame's to tell which markers are hidden.
-class SortedDots : public MarkerFinder {
+/// The source paper's rows. The markers of the last frame decide which ones are hidden.
+class SortedRowFinder : public MarkerFinder {
  public:
-  SortedDots(std::unique_ptr<const DotFinder> finder, int per_row, Markers rest)
+  SortedRowFinder(std::unique_ptr<const DotFinder> finder, int per_row, Markers rest)
       : finder_(std::move(finder)), per_row_(per_row), rest_(std::move(rest)), last_(rest_) {}
 
   std::optional<Markers> operator()(const cv::Mat& grey,
@@ -62,8 +62,8 @@ class SortedDots : public MarkerFinder {
 Result<std::unique_ptr<const DotFinder>> network_finder(const std::string& network,
                                                         const MarkerRows& rows) {
   std::filesystem::path file = network;
-  if (network == kOwnNetwork) {
-    const auto own = find_resource(kOwnMarkerNetwork);
+  if (network == kBuiltInNetwork) {
+    const auto own = find_resource(kBuiltInMarkerNetwork);
     if (!own) return own.error();
     file = *own;
   }
@@ -73,11 +73,11 @@ Result<std::unique_ptr<const DotFinder>> network_finder(const std::string& netwo
       std::make_unique<NetworkDotFinder>(std::move(loaded).value(), rows));
 }
 
-Markers rest_of(const Finger& finger) {
+Markers markers_at_rest(const Finger& finger) {
   Markers rest;
   if (!finger.contact) return rest;
-  for (const Eigen::Vector2d& place : finger.contact->rest_markers)
-    rest.push_back({place.x(), place.y(), true, 0});
+  for (const Eigen::Vector2d& position : finger.contact->rest_markers)
+    rest.push_back({position.x(), position.y(), true, 0});
   return rest;
 }
 
@@ -100,17 +100,19 @@ Result<std::unique_ptr<MarkerFinder>> make_marker_finder(MarkerMethod method,
                                                          const Finger& finger,
                                                          const MarkerModel& model) {
   const MarkerRows& rows = finger.markers;
-  using Made = std::unique_ptr<MarkerFinder>;
-  if (method == MarkerMethod::kBlobs) return Made(std::make_unique<MarkerTracker>(rows, model));
+  using FinderPtr = std::unique_ptr<MarkerFinder>;
+  if (method == MarkerMethod::kBlobs)
+    return FinderPtr(std::make_unique<MarkerTracker>(rows, model));
   std::unique_ptr<const DotFinder> dots = std::make_unique<MarkerDetector>(rows);
-  if (method == MarkerMethod::kNetwork || network != kOwnNetwork) {
+  if (method == MarkerMethod::kNetwork || network != kBuiltInNetwork) {
     auto loaded = network_finder(network, rows);
     if (!loaded) return loaded.error();
     dots = std::move(loaded).value();
   }
   if (method == MarkerMethod::kNetwork)
-    return Made(std::make_unique<ModelledDots>(std::move(dots), model));
-  return Made(std::make_unique<SortedDots>(std::move(dots), rows.per_row, rest_of(finger)));
+    return FinderPtr(std::make_unique<ModelMarkerFinder>(std::move(dots), model));
+  return FinderPtr(
+      std::make_unique<SortedRowFinder>(std::move(dots), rows.per_row, markers_at_rest(finger)));
 }
 
 }  // namespace alltact

@@ -1,4 +1,4 @@
-// The ways of finding a finger's markers, one beside the other.
+// Selectable methods of finding a finger's markers.
 #pragma once
 
 #include "core/finger/finger.h"
@@ -12,20 +12,21 @@
 namespace alltact {
 
 enum class MarkerMethod {
-  /// Spots that stand out of the side faces, numbered by what the recording says of how the finger
-  /// moves, then followed from frame to frame.
+  /// Bright or dark spots of the side faces, numbered by the recorded motion of the finger and then
+  /// followed from frame to frame.
   kBlobs = 1,
-  /// The source paper's: each frame's dots sorted into two rows, hidden ones told from their
-  /// neighbours (paper_rows.h). The spots of kBlobs, or a network's where one is named.
+  /// The source paper's method: sorts each frame's dots into two rows and estimates hidden ones
+  /// from their neighbours (paper_rows.h). The dots are those of kBlobs, or of a network where one
+  /// is named.
   kPaper,
-  /// A convolutional network in every frame, its dots numbered as those of kBlobs.
+  /// A convolutional network in every frame. Its dots are numbered like those of kBlobs.
   kNetwork,
 };
 
 /// As text: "blobs", "paper", "network".
 [[nodiscard]] const char* to_string(MarkerMethod method);
 
-/// network: an ONNX file, or kOwnNetwork. Errors: those of DotNetwork::load where a network is
+/// network: an ONNX file, or kBuiltInNetwork. Errors: those of DotNetwork::load, where a network is
 /// used.
 [[nodiscard]] Result<std::unique_ptr<MarkerFinder>> make_marker_finder(MarkerMethod method,
                                                                        const std::string& network,
@@ -33,6 +34,6 @@ enum class MarkerMethod {
                                                                        const MarkerModel& model);
 
 /// The network that comes with the program.
-inline constexpr const char* kOwnNetwork = "own";
+inline constexpr const char* kBuiltInNetwork = "own";
 
 }  // namespace alltact

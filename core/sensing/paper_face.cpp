@@ -14,17 +14,17 @@ namespace alltact {
 namespace {
 
 constexpr int kStripPx = 32;
-constexpr double kLeastContrast = 16;  // of a strip's bright part over its dark one, grey levels
+constexpr double kMinContrast = 16;  // of a strip's bright part over its dark part, grey levels
 constexpr int kProfileDegree = 5;
 constexpr double kUnseen = std::numeric_limits<double>::quiet_NaN();
 
-/// Otsu's threshold of a strip; none where it is dark or bright all over.
+/// Otsu's threshold of a strip; nullopt where all of it is dark or all of it is bright.
 std::optional<double> threshold_of_strip(const cv::Mat& strip) {
   cv::Mat ignored;
   const double level = cv::threshold(strip, ignored, 0, 255, cv::THRESH_BINARY | cv::THRESH_OTSU);
   const cv::Mat bright = strip > level;
   const cv::Scalar inside = cv::mean(strip, bright), outside = cv::mean(strip, ~bright);
-  if (!(inside[0] - outside[0] >= kLeastContrast)) return std::nullopt;
+  if (!(inside[0] - outside[0] >= kMinContrast)) return std::nullopt;
   return level;
 }
 
@@ -38,13 +38,13 @@ cv::Mat binarised(const cv::Mat& grey) {
   return binary;
 }
 
-/// A Chebyshev polynomial of least squares over x.
+/// Chebyshev polynomial over x, fitted by linear regression.
 class PaperCurve {
  public:
   PaperCurve(const std::vector<double>& x, const std::vector<double>& y, int degree) {
-    const auto [least, most] = std::minmax_element(x.begin(), x.end());
-    middle_ = 0.5 * (*least + *most);
-    half_ = std::max(1e-9, 0.5 * (*most - *least));
+    const auto [lowest, highest] = std::minmax_element(x.begin(), x.end());
+    middle_ = 0.5 * (*lowest + *highest);
+    half_ = std::max(1e-9, 0.5 * (*highest - *lowest));
     const auto n = static_cast<Eigen::Index>(x.size());
     Eigen::MatrixXd design(n, degree + 1);
     for (Eigen::Index i = 0; i < n; ++i)
@@ -61,9 +61,9 @@ class PaperCurve {
   Eigen::VectorXd values_, slopes_;
 };
 
-/// Where the line of sight x = across z meets the profile z = P(x); NaN where Newton's method does
-/// not get there from the column's own z.
-double meet_profile(const PaperCurve& profile, double across, double z_mm) {
+/// z where the line of sight x = across z meets the profile z = P(x). NaN where Newton's method
+/// does not converge from the column's own z.
+double intersect_profile(const PaperCurve& profile, double across, double z_mm) {
   for (int step = 0; step < 20; ++step) {
     const double off = profile.value(across * z_mm) - z_mm;
     const double slope = across * profile.slope(across * z_mm) - 1.0;
@@ -75,7 +75,7 @@ double meet_profile(const PaperCurve& profile, double across, double z_mm) {
   return kUnseen;
 }
 
-Error no_paper_face(Message what) {
+Error paper_face_error(Message what) {
   return {std::move(what),
           en::say("the source paper's method"),
           en::say("a picture in which the whole face is bright against its side faces, or our own "
@@ -117,11 +117,11 @@ PaperEdges paper_edges(const cv::Mat& grey) {
 
 Result<PaperFace> PaperFace::fit(const PaperEdges& edges, const Camera& camera, const Face& face) {
   if (!camera.is_perspective())
-    return no_paper_face(
+    return paper_face_error(
         en::say("the shape of a Fin Ray needs a perspective camera, not an orthographic one"));
   const std::size_t width = edges.upper_v.size();
   if (5 * edges.seen < static_cast<int>(width))
-    return no_paper_face(en::say(
+    return paper_face_error(en::say(
         "the binarised picture shows both edges of the face in {} of {} columns, and a fifth of "
         "them is needed",
         edges.seen,
@@ -143,27 +143,27 @@ Result<PaperFace> PaperFace::fit(const PaperEdges& edges, const Camera& camera, 
     middle.push_back(0.5 * (a.y() + b.y()));
   }
   if (columns.size() < 4 * (kProfileDegree + 1))
-    return no_paper_face(en::say("no distance of the face follows from its edges"));
+    return paper_face_error(en::say("no distance of the face follows from its edges"));
   const PaperCurve profile(x_mm, z_mm, kProfileDegree);
-  const std::vector<double> places(columns.begin(), columns.end());
-  const PaperCurve line(places, middle, kProfileDegree);
+  const std::vector<double> column_u(columns.begin(), columns.end());
+  const PaperCurve line(column_u, middle, kProfileDegree);
   PaperFace fitted;
   fitted.z_mm_.assign(width, kUnseen);
   fitted.middle_y_.assign(width, kUnseen);
   bool any = false;
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    const double z = meet_profile(profile, x_mm[i] / z_mm[i], z_mm[i]);
+    const double z = intersect_profile(profile, x_mm[i] / z_mm[i], z_mm[i]);
     fitted.z_mm_[columns[i]] = z;
-    fitted.middle_y_[columns[i]] = line.value(places[i]);
+    fitted.middle_y_[columns[i]] = line.value(column_u[i]);
     any = any || std::isfinite(z);
   }
-  if (!any) return no_paper_face(en::say("no distance of the face follows from its edges"));
+  if (!any) return paper_face_error(en::say("no distance of the face follows from its edges"));
   return fitted;
 }
 
 Result<FaceShape> PaperFace::shape(const Camera& camera, const Face& face) const {
   constexpr int kStep = 4, kDegree = 12;
-  constexpr double kSdPx = 0.29;  // of an edge by whole pixels
+  constexpr double kSdPx = 0.29;  // of an edge quantised to integer pixels: 1 / sqrt(12)
   FaceEdges edges;
   const auto add = [&](Edge& edge, const Eigen::Vector2d* pixel) {
     edge.v.push_back(pixel ? pixel->y() : 0.0);

@@ -1,7 +1,7 @@
 #include "core/sensing/paper_method.h"
 
-#include "core/numerics/picture_noise.h"
-#include "core/sensing/contact/face_touch.h"
+#include "core/numerics/image_noise.h"
+#include "core/sensing/contact/face_contact.h"
 #include "core/sensing/depth/depth_sd.h"
 #include "core/sensing/depth/pixel_flags.h"
 #include "core/sensing/paper_face.h"
@@ -10,13 +10,13 @@
 namespace alltact {
 namespace {
 
-Error not_for_paper(Message what, const FingerSnapshot& finger) {
+Error unsuitable_finger(Message what, const FingerSnapshot& finger) {
   return {std::move(what),
           (finger.folder / Finger::kFileName).string(),
           en::say("our own method, which needs no dots, or a recording of a finger that has them")};
 }
 
-DifferenceOptions plain_difference(double noise_sd) {
+DifferenceOptions paper_difference_options(double noise_sd) {
   DifferenceOptions options;
   options.smoothing = smoothing_of(0.0);
   options.correct_light = false;
@@ -37,13 +37,13 @@ Result<PaperMethod> PaperMethod::create(const FingerSnapshot& finger, const Job&
     return Error{en::say("the finger has no reference recording"),
                  (finger.folder / Finger::kFileName).string(),
                  en::say("alltact reference with a video of the untouched finger bending")};
-  if (finger.finger.markers.per_row < 1 || files->places)
-    return not_for_paper(
+  if (finger.finger.markers.per_row < 1 || files->positions)
+    return unsuitable_finger(
         en::say("the source paper's method chooses its reference by the markers, and this finger "
                 "has none"),
         finger);
   if (!finger.finger.markers.missing.empty())
-    return not_for_paper(
+    return unsuitable_finger(
         en::say("the source paper's method sorts two whole rows, and {} of this finger's dots are "
                 "missing",
                 finger.finger.markers.missing.size()),
@@ -93,7 +93,7 @@ Result<FrameResult> PaperMethod::operator()(const FramePtr& frame) {
   return result;
 }
 
-// Edges and face.
+// Finds the edges and fits the face.
 bool PaperMethod::find_face(FrameResult& result) const {
   if (plane_) {
     result.shape = plane_;
@@ -109,7 +109,7 @@ bool PaperMethod::find_face(FrameResult& result) const {
   return true;
 }
 
-// Markers and the frame whose markers lie nearest.
+// Finds the markers and the recorded frame whose markers lie nearest.
 bool PaperMethod::find_reference(FrameResult& result) {
   if (untouched_) {
     result.reference = untouched_->reference_for({}, *plane_, ReferenceMethod::kSingle);
@@ -129,20 +129,20 @@ bool PaperMethod::find_reference(FrameResult& result) {
   cv::Mat grey;
   recorded.grey.convertTo(grey, CV_32F);
   result.reference.emplace();
-  result.reference->picture = ReferencePicture(grey);
+  result.reference->image = ReferenceImage(grey);
   result.reference->frame = recorded.number;
   result.reference->distance_px = nearest.distance_px;
   return true;
 }
 
 void PaperMethod::find_depth(FrameResult& result) const {
-  const DifferenceOptions options = plain_difference(picture_noise_sd(result.grey));
+  const DifferenceOptions options = paper_difference_options(image_noise_sd(result.grey));
   if (mapping_) {
     result.depth = depth_map(result.grey, *result.reference, *result.shape, options, *mapping_);
     return;
   }
   result.difference = difference(result.grey, *result.reference, *result.shape, options);
-  result.touch = face_touch(*result.difference);
+  result.touch = face_contact(*result.difference);
   result.problems.push_back(
       en::say("the finger is not calibrated: calibrate it with ball presses"));
 }
@@ -150,11 +150,11 @@ void PaperMethod::find_depth(FrameResult& result) const {
 void PaperMethod::find_regions(FrameResult& result) const {
   RegionOptions options;
   options.noise_mm = result.depth->noise_mm;
-  DepthError error(*result.depth, *result.reference, *result.shape, *mapping_);
+  DepthErrorModel error(*result.depth, *result.reference, *result.shape, *mapping_);
   options.untouched = [&](int u, int v) { return error.untouched(u, v); };
   options.pressed = [&](int u, int v, double mm) { return error.of_depth(u, v, mm); };
   result.regions = contact_regions(*result.depth, *result.shape, finger_.face, options);
-  result.touch = face_touch(result.regions);
+  result.touch = face_contact(result.regions);
 }
 
 }  // namespace alltact

@@ -1,16 +1,17 @@
-// The source paper's method from a grey picture to depth, the peer that ours is compared with.
-// Nothing of our edges, face, numbering, reference or smoothing is in it:
+// The source paper's method from a grey image to depth: the reference method that the program's own
+// method is compared with. It shares no edges, face, numbering, reference or smoothing with the own
+// method:
 //
-//   edges       paper_face.h       binarise, border of the bright part, whole pixels
+//   edges       paper_face.h       binarise, border of the bright part, integer pixels
 //   face        paper_face.h       z = fy W / (v2 - v1), polynomial profile, straight across
 //   markers     paper_reference.h  two rows from left to right, hidden ones from their neighbours
-//   reference   paper_reference.h  the nearest frame of the video as it is, nothing laid over
-//   depth       here               x = (I_ref - I) / I_ref, d = M(x); no light's change, no
-//                                  smoothing
+//   reference   paper_reference.h  the nearest frame of the video as it is, without warping
+//   depth       here               x = (I_ref - I) / I_ref, d = M(x); no correction of the light,
+//                                  no smoothing
 //
-// What the paper leaves open is decided as well as we can: the threshold by strips, the degree of
-// the profile (5). Its detector of markers is a network with its authors' weights; ours finds the
-// dots in its place. Contact direction and force are no part of it here.
+// What the paper leaves open is chosen to its advantage: the threshold by strips, the degree of the
+// profile (5). Its detector of markers is a network with its authors' weights; MarkerDetector
+// replaces it. Contact direction and force are not part of it here.
 #pragma once
 
 #include "core/finger/finger_store.h"
@@ -26,20 +27,21 @@ namespace alltact {
 
 class PaperMethod {
  public:
-  /// Reads the finger's recording (a flat sensor: its untouched picture), and takes its mapping,
-  /// where it has one, for depth. Errors: no recording, no markers, those of PaperReference::read.
+  /// Reads the finger's recording (of a flat sensor: its reference image). Takes the mapping of the
+  /// finger for depth, where it has one. Errors: no recording, no markers, those of
+  /// PaperReference::read.
   [[nodiscard]] static Result<PaperMethod> create(const FingerSnapshot& finger, const Job& job);
 
-  /// Of a flat sensor, whose face is known and has one untouched picture
+  /// For a flat sensor, whose face is known and which has one reference image
   /// (ReferenceLibrary::single).
   [[nodiscard]] static PaperMethod flat(ReferenceLibrary untouched, const FingerSnapshot& finger);
 
-  /// The same with another mapping.
+  /// A copy with another mapping.
   [[nodiscard]] PaperMethod with(std::optional<Mapping> mapping) const;
 
-  /// As Pipeline; `push`, `contact` and `force` are absent.
+  /// As Pipeline::operator(), without `push`, `contact` and `force`.
   [[nodiscard]] Result<FrameResult> operator()(const FramePtr& frame);
-  /// The next frame is not the neighbour of the last one in time.
+  /// Call before a frame that does not follow the last one in time.
   void forget() { last_.reset(); }
 
   [[nodiscard]] const Finger& finger() const { return finger_; }
@@ -58,7 +60,7 @@ class PaperMethod {
   std::optional<Mapping> mapping_;
   std::shared_ptr<const PaperReference> reference_;  // of a finger
   std::optional<FaceShape> plane_;                   // of a flat sensor,
-  std::optional<ReferenceLibrary> untouched_;        // and its one picture
+  std::optional<ReferenceLibrary> untouched_;        // and its reference image
   std::optional<Markers> last_;
 };
 

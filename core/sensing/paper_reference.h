@@ -1,5 +1,5 @@
-// The source paper's reference: of a video of the untouched finger, the frame whose markers lie
-// nearest.
+// The source paper's reference: the frame with the nearest markers from a video of the untouched
+// finger.
 #pragma once
 
 #include "core/camera/camera.h"
@@ -15,9 +15,9 @@
 
 namespace alltact {
 
-/// The markers of a frame by the paper's sort into two rows (paper_rows.h). The dots are those of
-/// MarkerDetector in place of the paper's network, whose weights are its authors'. `before`: of an
-/// earlier frame; may be null. nullopt: too few dots.
+/// The markers of a frame by the paper's sorting into two rows (paper_rows.h). MarkerDetector finds
+/// the dots instead of the paper's network, whose weights are its authors'. `before`: the markers
+/// of an earlier frame; may be null. nullopt: too few dots.
 [[nodiscard]] std::optional<Markers> paper_markers(const cv::Mat& grey,
                                                    const FaceShape& shape,
                                                    const MarkerRows& rows,
@@ -31,10 +31,10 @@ class PaperReference {
     int number = 0;  ///< in the video
   };
 
-  /// Reads a recording with the paper's own steps: nothing is taken from a marker table. Frames in
-  /// which face or markers are not found are left out, and of a video that would pass
-  /// `memory_limit_bytes` every second, third, ... is read. Errors: the video cannot be read, or
-  /// shows the markers in no frame; stopped.
+  /// Reads a recording with the paper's own steps, without a marker table. Frames in which face or
+  /// markers are not found are left out. A video larger than `memory_limit_bytes` is read at every
+  /// second, third, ... frame. Errors: the video cannot be read, or shows the markers in no frame;
+  /// stopped.
   [[nodiscard]] static Result<PaperReference> read(const std::filesystem::path& video,
                                                    const Finger& finger,
                                                    const Camera& camera,
@@ -45,8 +45,8 @@ class PaperReference {
   [[nodiscard]] std::size_t frame_count() const { return frames_.size(); }
   [[nodiscard]] const Recorded& frame(std::size_t index) const { return frames_[index]; }
 
-  /// The frame with the least sum of distances over all markers, seen or estimated, as many as were
-  /// recorded; and that sum over their number.
+  /// The frame with the smallest sum of distances over all markers, seen or estimated, and that sum
+  /// divided by their number. `markers`: as many as were recorded.
   struct Nearest {
     std::size_t index = 0;
     double distance_px = 0;

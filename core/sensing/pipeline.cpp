@@ -1,14 +1,14 @@
 #include "core/sensing/pipeline.h"
 
-#include "core/camera/reduced_picture.h"
+#include "core/camera/reduced_image.h"
 #include "core/finger/reduced_finger.h"
 #include "core/sensing/depth/depth_sd.h"
 #include "core/sensing/depth/smoothing.h"
 #include "core/sensing/frame_faults.h"
-#include "core/sensing/markers/whole_markers.h"
+#include "core/sensing/markers/full_size_markers.h"
 #include "core/sensing/pipeline_problems.h"
 #include "core/sensing/pipeline_state.h"
-#include "core/sensing/reference/pose_places.h"
+#include "core/sensing/reference/edge_positions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,12 +17,14 @@
 namespace alltact {
 namespace {
 
-constexpr int kFaultRows = 8;  // one in so many tells how much of the face is measured
-/// Of a flat sensor, grey levels: what is dark and how the light is weighed does not hang on how
-/// noisy a picture is.
-constexpr double kPlaneNoise = 1.0;
+// Stride of the rows that the measured fraction of the face is estimated from
+constexpr int kFaultRowStride = 8;
+/// Of a flat sensor, grey levels. Its threshold of dark pixels and the weights of the light do not
+/// depend on the noise of an image.
+constexpr double kPlaneNoiseSd = 1.0;
 
-/// Depth by the slope at the same pixel is that of a mapping along z, projected onto the normal.
+/// Depth by the slope at the same pixel equals that of a mapping along z, projected onto the
+/// normal.
 std::optional<Mapping> mapping_as_measured(const std::optional<Mapping>& mapping, LayerRays rays) {
   if (!mapping || rays == LayerRays::kExact || mapping->parameters().along != MappingAlong::kNormal)
     return mapping;
@@ -39,12 +41,13 @@ bool any_seen(const Markers& markers) {
 }  // namespace
 
 Result<FrameResult> Pipeline::operator()(const FramePtr& frame) {
-  return measured(frame, nullptr);
+  return measure(frame, nullptr);
 }
 
-Result<FrameResult> Pipeline::alone(const FramePtr& frame, std::optional<FrameContacts>& contacts) {
+Result<FrameResult> Pipeline::measure_untracked(const FramePtr& frame,
+                                                std::optional<FrameContacts>& contacts) {
   contacts.reset();
-  return measured(frame, &contacts);
+  return measure(frame, &contacts);
 }
 
 void Pipeline::warm_up(const FramePtr& frame) {
@@ -60,13 +63,13 @@ void Pipeline::warm_up(const FramePtr& frame) {
   if (result.shape) static_cast<void>(state.find_markers(result));
 }
 
-bool Pipeline::remembers_long() const {
+bool Pipeline::has_long_memory() const {
   return state_->settings.average_frames > 1 ||
-         (state_->paper.has_value() || (state_->force && state_->force->creeps()));
+         (state_->paper.has_value() || (state_->force && state_->force->has_creep()));
 }
 
-Result<FrameResult> Pipeline::measured(const FramePtr& frame,
-                                       std::optional<FrameContacts>* contacts) {
+Result<FrameResult> Pipeline::measure(const FramePtr& frame,
+                                      std::optional<FrameContacts>* contacts) {
   State& state = *state_;
   if (state.paper) return (*state.paper)(frame);
   StopWatch watch;
@@ -77,36 +80,35 @@ Result<FrameResult> Pipeline::measured(const FramePtr& frame,
   result.grey = state.mean(*grey);
   result.mesh_step_px = state.settings.mesh_step_px;
   result.reduced_by =
-      state.turned ? state.turned->reduced_by : pixels_a_side(state.settings.resolution);
-  if (state.library) state.look_at_picture(result);
+      state.snapshot ? state.snapshot->reduced_by : binning_factor(state.settings.resolution);
+  if (state.library) state.check_frame(result);
   watch.lap(result.times_ms.prepare);
   state.find_shape(result, watch);
   if (result.shape && !state.library) state.find_without_reference(result, watch);
   if (result.shape && state.library) state.find_reference(result, watch);
   if (result.reference) state.find_depth(result, watch);
   if (result.depth) state.find_contact(result, watch);
-  if (result.reference) state.tell_contact(result, contacts, watch);
+  if (result.reference) state.track_contact(result, contacts, watch);
   if (result.markers && state.library) state.find_force(result, watch);
   watch.total(result.times_ms.total);
   return result;
 }
 
 Result<cv::Mat> Pipeline::State::oriented(const Frame& frame) const {
-  if (!turned) return reduced_picture(frame.grey, pixels_a_side(settings.resolution));
-  return picture_for(*turned,
-                     frame.grey,
-                     en::say("the picture"),
-                     frame.origin,
-                     library ? en::say("a picture at the size that the finger was calibrated with")
-                             : en::say("the finger that belongs to this camera, or this finger's "
-                                       "camera"));
+  if (!snapshot) return reduced_image(frame.grey, binning_factor(settings.resolution));
+  return image_for(*snapshot,
+                   frame.grey,
+                   en::say("the picture"),
+                   frame.origin,
+                   library ? en::say("a picture at the size that the finger was calibrated with")
+                           : en::say("the finger that belongs to this camera, or this finger's "
+                                     "camera"));
 }
 
-void Pipeline::State::look_at_picture(FrameResult& result) {
-  if (auto fault = picture_fault(result.grey)) result.problems.push_back(std::move(*fault));
-  if (last && !is_same_frame(*last, *result.frame) &&
-      is_same_picture(last->grey, result.frame->grey))
-    result.problems.push_back(camera_stands_still());
+void Pipeline::State::check_frame(FrameResult& result) {
+  if (auto fault = image_fault(result.grey)) result.problems.push_back(std::move(*fault));
+  if (last && !is_same_frame(*last, *result.frame) && is_same_image(last->grey, result.frame->grey))
+    result.problems.push_back(camera_frozen());
   last = result.frame;
 }
 
@@ -122,7 +124,7 @@ void Pipeline::State::find_shape(FrameResult& result, StopWatch& watch) const {
     return;
   }
   result.edges = std::move(edges).value();
-  if (!finger || finger->face.kind == FaceKind::kFlat) return;  // edges alone
+  if (!finger || finger->face.kind == FaceKind::kFlat) return;  // edges only
   auto shape = FaceShape::fit(*result.edges, *camera, finger->face, settings.profile_degree);
   watch.lap(result.times_ms.global);
   if (!shape) {
@@ -138,11 +140,11 @@ void Pipeline::State::find_without_reference(FrameResult& result, StopWatch& wat
   result.dots = std::move(seen.dots);
   watch.lap(result.times_ms.markers);
   const bool is_pressed = contact(result.grey, *result.shape).has_value();
-  if (contact.is_ready()) result.touch = is_pressed ? FaceTouch::kTouched : FaceTouch::kFree;
+  if (contact.is_ready()) result.touch = is_pressed ? FaceContact::kInContact : FaceContact::kFree;
   watch.lap(result.times_ms.contact);
 }
 
-// False: they are needed and could not be had.
+// Returns false where markers are needed and none were found.
 bool Pipeline::State::find_markers(FrameResult& result) {
   Message problem;
   if (marker_problem) {
@@ -152,7 +154,7 @@ bool Pipeline::State::find_markers(FrameResult& result) {
     if (result.markers) result.marker_method = settings.marker_method;
   } else if (const MarkerModel* model = library->marker_model()) {
     result.markers =
-        model->complete(markers_at(*finger->reference->places, edge_curves(*result.shape)));
+        model->complete(markers_at(*finger->reference->positions, edge_curves(*result.shape)));
     problem = en::say("too little of the face is seen to tell the pose by its shape");
   } else {
     return true;
@@ -164,11 +166,11 @@ bool Pipeline::State::find_markers(FrameResult& result) {
 
 void Pipeline::State::find_markers_by_shape(FrameResult& result) const {
   const ShapePoses* poses = library->shape_poses();
-  auto told = poses ? (*poses)(*result.shape) : std::nullopt;
-  if (!told) return;
-  result.problems.push_back(told_by_shape());
-  if (!told->known_pose) result.problems.push_back(never_recorded(told->distance_px));
-  result.markers = std::move(told->markers);
+  auto matched = poses ? (*poses)(*result.shape) : std::nullopt;
+  if (!matched) return;
+  result.problems.push_back(pose_from_shape());
+  if (!matched->known_pose) result.problems.push_back(pose_not_recorded(matched->distance_px));
+  result.markers = std::move(matched->markers);
 }
 
 void Pipeline::State::find_reference(FrameResult& result, StopWatch& watch) {
@@ -182,9 +184,9 @@ void Pipeline::State::find_reference(FrameResult& result, StopWatch& watch) {
         result.shape = std::move(*turned);
   }
   if (seen && finger->contact) {
-    ways_px2 = markers_covariance(result);
-    result.push =
-        push_of(*result.markers, *finger->contact, result.shape->base_at_low_u(), ways_px2);
+    displacement_cov_px2 = markers_covariance(result);
+    result.push = push_of(
+        *result.markers, *finger->contact, result.shape->base_at_low_u(), displacement_cov_px2);
   }
   result.reference = library->reference_for(result.markers ? *result.markers : Markers{},
                                             *result.shape,
@@ -192,30 +194,30 @@ void Pipeline::State::find_reference(FrameResult& result, StopWatch& watch) {
                                             {},
                                             settings.reference_neighbours);
   if (!result.reference->known_pose) {
-    result.problems.push_back(never_recorded(result.reference->distance_px));
+    result.problems.push_back(pose_not_recorded(result.reference->distance_px));
   }
   if (result.reference->known_pose && result.reference->is_sparse())
-    result.problems.push_back(few_frames_near(result.reference->error_factor));
+    result.problems.push_back(sparse_pose(result.reference->error_factor));
   watch.lap(result.times_ms.reference);
 }
 
 void Pipeline::State::find_depth(FrameResult& result, StopWatch& watch) const {
   DifferenceOptions options;
   options.smoothing =
-      mapping ? smoothing_of(settings.smoothing_px) : plain_smoothing_of(settings.smoothing_px);
+      mapping ? smoothing_of(settings.smoothing_px) : gaussian_smoothing(settings.smoothing_px);
   options.columns = columns_of(settings.region, *result.shape);
   options.correct_light = settings.light == LightChange::kCorrected;
-  options.noise_sd = result.edges ? result.edges->noise_sd : kPlaneNoise;
+  options.noise_sd = result.edges ? result.edges->noise_sd : kPlaneNoiseSd;
   options.measure_noise = !result.edges;
   if (mapping) {
     result.depth = depth_map(result.grey, *result.reference, *result.shape, options, *mapping);
     flag_hidden(result.reference->hidden, &result.depth->flags);
     for (Message& fault :
-         face_faults(flag_shares(result.depth->flags, kFaultRows), result.depth->light))
+         face_faults(flag_fractions(result.depth->flags, kFaultRowStride), result.depth->light))
       result.problems.push_back(std::move(fault));
   } else {
     result.difference = difference(result.grey, *result.reference, *result.shape, options);
-    result.touch = face_touch(*result.difference);
+    result.touch = face_contact(*result.difference);
     result.problems.push_back(
         en::say("the finger is not calibrated: calibrate it with ball presses"));
   }
@@ -225,33 +227,33 @@ void Pipeline::State::find_depth(FrameResult& result, StopWatch& watch) const {
 void Pipeline::State::find_contact(FrameResult& result, StopWatch& watch) const {
   RegionOptions options;
   options.threshold_mm = settings.contact_threshold_mm;
-  options.correlated_px2 = std::pow(smoothing_of(settings.smoothing_px).noise_part(), -2);
+  options.correlated_px2 = std::pow(smoothing_of(settings.smoothing_px).noise_factor(), -2);
   options.noise_mm = result.depth->noise_mm;
   options.is_light_doubtful = is_light_doubtful(*result.depth);
-  // Of bars at drawn places and angles in rendered pictures: their upright ends.
+  // Of bars at random positions and angles in rendered images: their upright ends.
   constexpr double kAxisBeyondNoiseDeg = 0.021;
   options.axis_beyond_noise_deg = kAxisBeyondNoiseDeg;
-  DepthError error(*result.depth, *result.reference, *result.shape, *mapping);
+  DepthErrorModel error(*result.depth, *result.reference, *result.shape, *mapping);
   options.untouched = [&](int u, int v) { return error.untouched(u, v); };
   options.pressed = [&](int u, int v, double mm) { return error.of_depth(u, v, mm); };
   result.regions = contact_regions(*result.depth, *result.shape, finger->face, options);
-  result.touch = face_touch(result.regions);
+  result.touch = face_contact(result.regions);
   watch.lap(result.times_ms.contact);
 }
 
-// Of their ways from rest.
+// Covariance of the markers' displacements from rest, px^2.
 Eigen::MatrixXd Pipeline::State::markers_covariance(const FrameResult& result) const {
   const MarkerModel* model = library->marker_model();
   const bool all_seen = std::all_of(
       result.markers->begin(), result.markers->end(), [](const Marker& m) { return m.seen; });
-  return ways_covariance_px2(
+  return displacement_covariance_px2(
       *result.markers, model && !all_seen ? model->covariance_px2(*result.markers) : std::nullopt);
 }
 
-void Pipeline::State::tell_contact(FrameResult& result,
-                                   std::optional<FrameContacts>* contacts,
-                                   StopWatch& watch) {
-  FingerContactTracker::FrameSigns signs;
+void Pipeline::State::track_contact(FrameResult& result,
+                                    std::optional<FrameContacts>* contacts,
+                                    StopWatch& watch) {
+  FingerContactTracker::FrameInput signs;
   if (result.frame->time_ns != 0) signs.time_s = 1e-9 * static_cast<double>(result.frame->time_ns);
   signs.shape = &*result.shape;
   if (result.markers) signs.markers = &*result.markers;
@@ -259,12 +261,12 @@ void Pipeline::State::tell_contact(FrameResult& result,
   if (result.push) {
     signs.push = &*result.push;
     signs.settings = &*finger->contact;
-    signs.ways_px2 = &ways_px2;
+    signs.displacement_cov_px2 = &displacement_cov_px2;
   }
   if (contacts != nullptr)
-    *contacts = FingerContactTracker::alone(signs);
+    *contacts = FingerContactTracker::single_frame(signs);
   else
-    result.contact = touched(signs);
+    result.contact = contact_tracker(signs);
   double milliseconds = 0;
   watch.lap(milliseconds);
   result.times_ms.contact += milliseconds;
@@ -273,11 +275,12 @@ void Pipeline::State::tell_contact(FrameResult& result,
 void Pipeline::State::find_force(FrameResult& result, StopWatch& watch) {
   if (force_problem) result.problems.push_back(en::say("{}.", force_problem->message()));
   if (!force) return;
-  std::optional<Eigen::Vector2d> place_mm;
-  if (!result.regions.empty()) place_mm = result.regions.front().place_on_face_mm;
+  std::optional<Eigen::Vector2d> position_mm;
+  if (!result.regions.empty()) position_mm = result.regions.front().position_on_face_mm;
   std::optional<double> time_s;
   if (result.frame->time_ns != 0) time_s = 1e-9 * static_cast<double>(result.frame->time_ns);
-  result.force = (*force)(whole_markers(*result.markers, result.reduced_by), place_mm, time_s);
+  result.force =
+      (*force)(full_size_markers(*result.markers, result.reduced_by), position_mm, time_s);
   if (!result.force)
     result.problems.push_back(en::say("no marker is seen that could tell the force"));
   else if (!result.force->in_range)
@@ -290,24 +293,24 @@ Result<Pipeline> Pipeline::create(const FingerSnapshot& finger,
                                   const Job& job) {
   auto library = ReferenceLibrary::load(finger_as_measured(finger, settings), job);
   if (!library) return library.error();
-  Pipeline pipeline = over(std::move(library).value(), finger, settings);
+  Pipeline pipeline = with_library(std::move(library).value(), finger, settings);
   if (pipeline.state_->marker_problem) return *pipeline.state_->marker_problem;
   return pipeline;
 }
 
-Pipeline Pipeline::over(ReferenceLibrary library,
-                        const FingerSnapshot& whole,
-                        const PipelineSettings& settings) {
-  const FingerSnapshot snapshot = finger_as_measured(whole, settings);
+Pipeline Pipeline::with_library(ReferenceLibrary library,
+                                const FingerSnapshot& full_size,
+                                const PipelineSettings& settings) {
+  const FingerSnapshot snapshot = finger_as_measured(full_size, settings);
   const Finger& finger = snapshot.finger;
-  Pipeline pipeline = before_reference(snapshot, settings);
+  Pipeline pipeline = without_reference(snapshot, settings);
   State& state = *pipeline.state_;
   state.library = std::move(library);
   state.mapping = mapping_as_measured(snapshot.mapping, settings.rays);
   if (state.mapping) state.finger->mapping = state.mapping->parameters();
   if (finger.face.kind == FaceKind::kFlat)
     state.plane = FaceShape::plane(snapshot.camera, finger.face);
-  const bool by_shape = finger.reference && finger.reference->places;
+  const bool by_shape = finger.reference && finger.reference->positions;
   if (const MarkerModel* model = state.library->marker_model(); model && !by_shape) {
     auto made = make_marker_finder(settings.marker_method, settings.marker_network, finger, *model);
     if (made)
@@ -317,29 +320,30 @@ Pipeline Pipeline::over(ReferenceLibrary library,
   }
   state.force_problem = snapshot.force_problem;
   if (!snapshot.force) return pipeline;
-  if (const Status belongs = snapshot.force->belongs_to(whole.finger); belongs)
+  if (const Status belongs = snapshot.force->belongs_to(full_size.finger); belongs)
     state.force.emplace(snapshot.force);
   else
     state.force_problem = belongs.error();
   return pipeline;
 }
 
-Pipeline Pipeline::of_paper(PaperMethod method) {
-  Pipeline pipeline = of_unknown_finger();
+Pipeline Pipeline::with_paper_method(PaperMethod method) {
+  Pipeline pipeline = without_finger();
   pipeline.state_->finger = method.finger();
   pipeline.state_->camera = method.camera();
   pipeline.state_->paper = std::move(method);
   return pipeline;
 }
 
-Pipeline Pipeline::before_reference(const FingerSnapshot& whole, const PipelineSettings& settings) {
-  const FingerSnapshot snapshot = finger_as_measured(whole, settings);
+Pipeline Pipeline::without_reference(const FingerSnapshot& full_size,
+                                     const PipelineSettings& settings) {
+  const FingerSnapshot snapshot = finger_as_measured(full_size, settings);
   const Finger& finger = snapshot.finger;
-  Pipeline pipeline = of_unknown_finger(settings);
+  Pipeline pipeline = without_finger(settings);
   State& state = *pipeline.state_;
   state.finger = finger;
   state.camera = snapshot.camera;
-  state.turned = snapshot;
+  state.snapshot = snapshot;
   state.edge_finder = FaceEdgeFinder({settings.edge_method,
                                       settings.edge_columns,
                                       FaceView{snapshot.camera, finger.face.width_mm}});
@@ -347,7 +351,7 @@ Pipeline Pipeline::before_reference(const FingerSnapshot& whole, const PipelineS
   return pipeline;
 }
 
-Pipeline Pipeline::of_unknown_finger(const PipelineSettings& settings) {
+Pipeline Pipeline::without_finger(const PipelineSettings& settings) {
   auto state = std::make_unique<State>();
   state->settings = settings;
   state->mean = RunningMean(settings.average_frames);
@@ -366,7 +370,7 @@ void Pipeline::forget() {
   if (state_->rows) state_->rows->forget();
   if (state_->force) state_->force->forget();
   state_->contact.forget();
-  state_->touched.forget();
+  state_->contact_tracker.forget();
   state_->last.reset();
   state_->mean.forget();
 }

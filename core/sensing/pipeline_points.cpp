@@ -25,19 +25,19 @@ cv::Mat contact_face_points_mm(const FrameResult& result, const Face& face) {
 }
 
 FaceVertices contact_face_vertices(const FrameResult& result, const Face& face) {
-  const FaceVertices every{contact_face_points_mm(result, face), result.depth->depth_mm};
+  const FaceVertices full{contact_face_points_mm(result, face), result.depth->depth_mm};
   const int step = result.mesh_step_px;
-  if (step == 1) return every;
-  const cv::Size size((every.depth_mm.cols + step - 1) / step,
-                      (every.depth_mm.rows + step - 1) / step);
-  FaceVertices some{cv::Mat(size, CV_32FC3), cv::Mat(size, CV_32FC1)};
+  if (step == 1) return full;
+  const cv::Size size((full.depth_mm.cols + step - 1) / step,
+                      (full.depth_mm.rows + step - 1) / step);
+  FaceVertices sampled{cv::Mat(size, CV_32FC3), cv::Mat(size, CV_32FC1)};
   for (int row = 0; row < size.height; ++row)
     for (int column = 0; column < size.width; ++column) {
-      some.points_mm.at<cv::Vec3f>(row, column) =
-          every.points_mm.at<cv::Vec3f>(step * row, step * column);
-      some.depth_mm.at<float>(row, column) = every.depth_mm.at<float>(step * row, step * column);
+      sampled.points_mm.at<cv::Vec3f>(row, column) =
+          full.points_mm.at<cv::Vec3f>(step * row, step * column);
+      sampled.depth_mm.at<float>(row, column) = full.depth_mm.at<float>(step * row, step * column);
     }
-  return some;
+  return sampled;
 }
 
 }  // namespace alltact

@@ -1,31 +1,31 @@
-// What a frame's problems say.
+// Messages for the problems of a frame.
 #pragma once
 
 #include "core/message.h"
 
 namespace alltact {
 
-inline Message never_recorded(double distance_px) {
+inline Message pose_not_recorded(double distance_px) {
   return en::say(
       "this pose was never recorded: the nearest reference frame is {:.1f} px away; record the "
       "finger bending further in this direction",
       distance_px);
 }
 
-inline Message camera_stands_still() {
+inline Message camera_frozen() {
   return en::say(
       "the picture is the same as the one before to the last grey level: the camera stands "
       "still; plug it in again");
 }
 
-inline Message few_frames_near(double error_factor) {
+inline Message sparse_pose(double error_factor) {
   return en::say(
       "few recorded frames are near this pose: its reference is {:.0f} times less "
       "sure than usual; record the finger bending slowly through it",
       error_factor);
 }
 
-inline Message told_by_shape() {
+inline Message pose_from_shape() {
   return en::say(
       "the markers were not found: the face's shape alone tells this pose, so that depth is less "
       "sure and neither twist nor what touches the finger is told; uncover and light the dots on "

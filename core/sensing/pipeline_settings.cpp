@@ -12,16 +12,16 @@
 
 namespace alltact {
 
-#ifndef __clang__  // whose strings cannot be made while it compiles
-static_assert(PipelineSettings{}.profile_degree == kUsualProfileDegree);
+#ifndef __clang__  // Clang cannot evaluate its std::string in a constant expression
+static_assert(PipelineSettings{}.profile_degree == kDefaultProfileDegree);
 #endif
 
 namespace {
 
 using S = PipelineSettings;
 
-constexpr const char* kWholeFace = "all";
-constexpr double kLongestFace_mm = 1000;
+constexpr const char* kFullFace = "all";
+constexpr double kMaxFace_mm = 1000;
 
 bool has_edges(const Finger& finger) {
   return finger.face.kind == FaceKind::kFinRay;
@@ -29,7 +29,7 @@ bool has_edges(const Finger& finger) {
 
 bool has_markers(const Finger& finger) {
   return has_edges(finger) && finger.markers.per_row > 0 &&
-         !(finger.reference && finger.reference->places);
+         !(finger.reference && finger.reference->positions);
 }
 
 bool has_distortion(const Finger& finger) {
@@ -43,12 +43,12 @@ bool maps_along_normal(const Finger& finger) {
 }
 
 std::string region_text(const FaceRegion& region) {
-  if (region == FaceRegion{}) return kWholeFace;
+  if (region == FaceRegion{}) return kFullFace;
   return fmt::format("{}-{}", region.from_mm, region.to_mm);
 }
 
 std::optional<FaceRegion> region_from(std::string_view text) {
-  if (text == kWholeFace) return FaceRegion{};
+  if (text == kFullFace) return FaceRegion{};
   FaceRegion region;
   const std::size_t dash = text.find('-');
   if (dash == std::string_view::npos) return std::nullopt;
@@ -58,7 +58,7 @@ std::optional<FaceRegion> region_from(std::string_view text) {
   region.from_mm = *from;
   region.to_mm = *to;
   const bool is_part =
-      region.from_mm >= 0 && region.to_mm > region.from_mm && region.to_mm <= kLongestFace_mm;
+      region.from_mm >= 0 && region.to_mm > region.from_mm && region.to_mm <= kMaxFace_mm;
   return is_part ? std::optional(region) : std::nullopt;
 }
 
@@ -84,40 +84,42 @@ Setting<S> region_setting() {
   return setting;
 }
 
-std::vector<Setting<S>> settings_of_pictures() {
+std::vector<Setting<S>> image_settings() {
   return {
-      trading(choice_setting<S, Resolution>(
-                  "resolution",
-                  en::say("pixels that a picture is measured with: all of them, or means of 2 by "
-                          "2 or 4 by 4 of them; results in pixels are then of that picture"),
-                  &S::resolution,
-                  {{"whole", Resolution::kWhole},
-                   {"half", Resolution::kHalf},
-                   {"quarter", Resolution::kQuarter}}),
-              {en::say("'whole' tells small contacts and steep edges, and numbers small dots"),
-               en::say("'half' is a quarter of the pixels and of the recording's memory, "
-                       "'quarter' a sixteenth"),
-               {"quarter", "half", "whole"}}),
-      trading(number_setting<S>("average-frames",
-                                en::say("pictures of one source whose running mean is measured; 1: "
-                                        "each by itself. A finger that moves is then seen where it "
-                                        "was on average, and blurred"),
-                                &S::average_frames,
-                                1,
-                                64),
-              {en::say("more quiet the noise of a finger that holds still, by their square root"),
-               en::say("more tell of the finger later, by half of them; adding them up takes a "
-                       "little"),
-               {"1"}}),
-      trading(region_setting(),
-              {en::say("'all' misses no contact"),
-               en::say("depth takes as much less time as the part is shorter than the face"),
-               {kWholeFace}})};
+      with_trade_off(
+          choice_setting<S, Resolution>(
+              "resolution",
+              en::say("pixels that a picture is measured with: all of them, or means of 2 by "
+                      "2 or 4 by 4 of them; results in pixels are then of that picture"),
+              &S::resolution,
+              {{"whole", Resolution::kFull},
+               {"half", Resolution::kHalf},
+               {"quarter", Resolution::kQuarter}}),
+          {en::say("'whole' tells small contacts and steep edges, and numbers small dots"),
+           en::say("'half' is a quarter of the pixels and of the recording's memory, "
+                   "'quarter' a sixteenth"),
+           {"quarter", "half", "whole"}}),
+      with_trade_off(
+          number_setting<S>("average-frames",
+                            en::say("pictures of one source whose running mean is measured; 1: "
+                                    "each by itself. A finger that moves is then seen where it "
+                                    "was on average, and blurred"),
+                            &S::average_frames,
+                            1,
+                            64),
+          {en::say("more quiet the noise of a finger that holds still, by their square root"),
+           en::say("more tell of the finger later, by half of them; adding them up takes a "
+                   "little"),
+           {"1"}}),
+      with_trade_off(region_setting(),
+                     {en::say("'all' misses no contact"),
+                      en::say("depth takes as much less time as the part is shorter than the face"),
+                      {kFullFace}})};
 }
 
-std::vector<Setting<S>> settings_of_edges() {
-  return {
-      trading(choice_setting<S, EdgeMethod>(
+std::vector<Setting<S>> edge_settings() {
+  return {with_trade_off(
+              choice_setting<S, EdgeMethod>(
                   "edge-method",
                   en::say("how the face's edges are placed: half-way crossing to a fiftieth of "
                           "a pixel, or the steepest whole pixel"),
@@ -129,7 +131,8 @@ std::vector<Setting<S>> settings_of_edges() {
                {"integer", "crossing"},
                {},
                has_edges}),
-      trading(number_setting<S>("edge-columns",
+          with_trade_off(
+              number_setting<S>("edge-columns",
                                 en::say("pixel columns averaged into one place on each edge"),
                                 &S::edge_columns,
                                 1,
@@ -140,7 +143,8 @@ std::vector<Setting<S>> settings_of_edges() {
                {"32", "16", "8", "4", "2"},
                {},
                has_edges}),
-      trading(number_setting<S>("profile-degree",
+          with_trade_off(
+              number_setting<S>("profile-degree",
                                 en::say("degree of the smooth curve through each edge of the face"),
                                 &S::profile_degree,
                                 2,
@@ -151,7 +155,8 @@ std::vector<Setting<S>> settings_of_edges() {
                {"3", "5", "7", "9"},
                {},
                has_edges}),
-      trading(choice_setting<S, Undistortion>(
+          with_trade_off(
+              choice_setting<S, Undistortion>(
                   "undistortion",
                   en::say("whether what the lens bends is taken out of every point, or the lens is "
                           "taken as one that bends nothing"),
@@ -164,9 +169,9 @@ std::vector<Setting<S>> settings_of_edges() {
                has_distortion})};
 }
 
-std::vector<Setting<S>> settings_of_markers() {
+std::vector<Setting<S>> marker_settings() {
   return {
-      trading(
+      with_trade_off(
           choice_setting<S, MarkerMethod>(
               "marker-method",
               en::say(
@@ -188,124 +193,129 @@ std::vector<Setting<S>> settings_of_markers() {
           en::say("the network that marker-method network uses, and paper too where one is named: "
                   "an ONNX file, a detector such as YOLO11 among them"),
           &S::marker_network,
-          fmt::format("a file, or {}", kOwnNetwork))};
+          fmt::format("a file, or {}", kBuiltInNetwork))};
 }
 
-std::vector<Setting<S>> settings_of_depth() {
-  return {trading(choice_setting<S, ReferenceMethod>(
-                      "reference-method",
-                      en::say("which untouched picture a frame is compared with: the one of the "
-                              "finger at rest, the "
-                              "nearest recorded one, or one computed from the nearest several"),
-                      &S::reference,
-                      {{"single", ReferenceMethod::kSingle},
-                       {"nearest", ReferenceMethod::kNearest},
-                       {"local", ReferenceMethod::kLocal}}),
-                  {en::say("'local' keeps depth of a bent finger right between the recorded poses; "
-                           "'single' is right at rest alone"),
-                   en::say("'local' adds up several pictures instead of one"),
-                   {"single", "nearest", "local"},
-                   {},
-                   has_edges}),
-          trading(number_setting<S>(
-                      "reference-neighbours",
-                      en::say("recorded pictures that reference-method local computes the "
-                              "reference from"),
-                      &S::reference_neighbours,
-                      2,
-                      32),
-                  {en::say("more leave less noise in the reference; too many reach too far from "
-                           "the pose"),
-                   en::say("each is added up in every frame"),
-                   {"2", "4", "8", "16"},
-                   {},
-                   has_edges}),
-          trading(choice_setting<S, LightChange>(
-                      "light-change",
-                      en::say("whether a change of the light since the reference is read from the "
-                              "untouched skin and "
-                              "taken out"),
-                      &S::light,
-                      {{"corrected", LightChange::kCorrected}, {"ignored", LightChange::kIgnored}}),
-                  {en::say("'corrected' keeps depth right when the room or the lamp changes"),
-                   en::say("'corrected' looks once over the untouched skin"),
-                   {"ignored", "corrected"}}),
-          trading(number_setting<S>(
-                      "smoothing-px",
-                      en::say("standard deviation of the smoothing before depth is read, in "
-                              "pixels; 0: none"),
-                      &S::smoothing_px,
-                      0.0,
-                      8.0),
-                  {en::say("more quiets the depth of a smooth contact and rounds off edges and "
-                           "threads"),
-                   en::say("more takes longer, none the least"),
-                   {"0", "1", "2", "4"}}),
-          trading(choice_setting<S, LayerRays>(
-                      "rays",
-                      en::say("how a layer pressed in along its normal is told along z: looked up "
-                              "where the normal leads, or at the same pixel as if all rays were "
-                              "parallel"),
-                      &S::rays,
-                      {{"exact", LayerRays::kExact}, {"parallel", LayerRays::kParallel}}),
-                  {en::say("'exact' tells a contact on a sloping face where it is and as deep as "
-                           "it is; 'parallel' up to a layer's thickness beside"),
-                   en::say("'exact' looks every pixel of a contact up once more"),
-                   {"parallel", "exact"},
-                   {},
-                   maps_along_normal}),
-          number_setting<S>("contact-threshold-mm",
-                            en::say("depth that counts as touched, in millimetres"),
-                            &S::contact_threshold_mm,
-                            0.01,
-                            5.0)};
+std::vector<Setting<S>> depth_settings() {
+  return {
+      with_trade_off(
+          choice_setting<S, ReferenceMethod>(
+              "reference-method",
+              en::say("which untouched picture a frame is compared with: the one of the "
+                      "finger at rest, the "
+                      "nearest recorded one, or one computed from the nearest several"),
+              &S::reference,
+              {{"single", ReferenceMethod::kSingle},
+               {"nearest", ReferenceMethod::kNearest},
+               {"local", ReferenceMethod::kLocal}}),
+          {en::say("'local' keeps depth of a bent finger right between the recorded poses; "
+                   "'single' is right at rest alone"),
+           en::say("'local' adds up several pictures instead of one"),
+           {"single", "nearest", "local"},
+           {},
+           has_edges}),
+      with_trade_off(
+          number_setting<S>("reference-neighbours",
+                            en::say("recorded pictures that reference-method local computes the "
+                                    "reference from"),
+                            &S::reference_neighbours,
+                            2,
+                            32),
+          {en::say("more leave less noise in the reference; too many reach too far from "
+                   "the pose"),
+           en::say("each is added up in every frame"),
+           {"2", "4", "8", "16"},
+           {},
+           has_edges}),
+      with_trade_off(
+          choice_setting<S, LightChange>(
+              "light-change",
+              en::say("whether a change of the light since the reference is read from the "
+                      "untouched skin and "
+                      "taken out"),
+              &S::light,
+              {{"corrected", LightChange::kCorrected}, {"ignored", LightChange::kIgnored}}),
+          {en::say("'corrected' keeps depth right when the room or the lamp changes"),
+           en::say("'corrected' looks once over the untouched skin"),
+           {"ignored", "corrected"}}),
+      with_trade_off(
+          number_setting<S>("smoothing-px",
+                            en::say("standard deviation of the smoothing before depth is read, in "
+                                    "pixels; 0: none"),
+                            &S::smoothing_px,
+                            0.0,
+                            8.0),
+          {en::say("more quiets the depth of a smooth contact and rounds off edges and "
+                   "threads"),
+           en::say("more takes longer, none the least"),
+           {"0", "1", "2", "4"}}),
+      with_trade_off(
+          choice_setting<S, LayerRays>(
+              "rays",
+              en::say("how a layer pressed in along its normal is told along z: looked up "
+                      "where the normal leads, or at the same pixel as if all rays were "
+                      "parallel"),
+              &S::rays,
+              {{"exact", LayerRays::kExact}, {"parallel", LayerRays::kParallel}}),
+          {en::say("'exact' tells a contact on a sloping face where it is and as deep as "
+                   "it is; 'parallel' up to a layer's thickness beside"),
+           en::say("'exact' looks every pixel of a contact up once more"),
+           {"parallel", "exact"},
+           {},
+           maps_along_normal}),
+      number_setting<S>("contact-threshold-mm",
+                        en::say("depth that counts as touched, in millimetres"),
+                        &S::contact_threshold_mm,
+                        0.01,
+                        5.0)};
 }
 
-// Not looked at by a study: no frame is measured with it.
-Setting<S> setting_of_meshes() {
-  return trading(number_setting<S>("mesh-step-px",
-                                   en::say("pixels from one vertex to the next in surfaces that "
-                                           "are saved or shown in 3D; 1: every pixel"),
-                                   &S::mesh_step_px,
-                                   1,
-                                   16),
-                 {en::say("1 keeps every edge that was measured"),
-                  en::say("time and size fall with its square"),
-                  {}});
+// No study varies it: no frame is measured with it.
+Setting<S> mesh_setting() {
+  return with_trade_off(
+      number_setting<S>("mesh-step-px",
+                        en::say("pixels from one vertex to the next in surfaces that "
+                                "are saved or shown in 3D; 1: every pixel"),
+                        &S::mesh_step_px,
+                        1,
+                        16),
+      {en::say("1 keeps every edge that was measured"),
+       en::say("time and size fall with its square"),
+       {}});
 }
 
 }  // namespace
 
 const std::vector<Setting<PipelineSettings>>& pipeline_settings() {
   static const std::vector<Setting<S>> settings = [] {
-    std::vector<Setting<S>> all = settings_of_pictures();
-    for (const auto& more : {settings_of_edges(), settings_of_markers(), settings_of_depth()})
+    std::vector<Setting<S>> all = image_settings();
+    for (const auto& more : {edge_settings(), marker_settings(), depth_settings()})
       all.insert(all.end(), more.begin(), more.end());
-    all.push_back(setting_of_meshes());
+    all.push_back(mesh_setting());
     return all;
   }();
   return settings;
 }
 
-const std::vector<std::string>& settings_beyond_mapping() {
+const std::vector<std::string>& mapping_independent_settings() {
   static const std::vector<std::string> names{
       "resolution", "average-frames", "region", "rays", "contact-threshold-mm", "mesh-step-px"};
   return names;
 }
 
-PipelineSettings for_presses(PipelineSettings settings) {
-  const PipelineSettings usual;
-  settings.resolution = usual.resolution;
-  settings.average_frames = usual.average_frames;
-  settings.region = usual.region;
-  settings.rays = usual.rays;
-  settings.contact_threshold_mm = usual.contact_threshold_mm;
-  settings.mesh_step_px = usual.mesh_step_px;
+PipelineSettings settings_for_presses(PipelineSettings settings) {
+  const PipelineSettings defaults;
+  settings.resolution = defaults.resolution;
+  settings.average_frames = defaults.average_frames;
+  settings.region = defaults.region;
+  settings.rays = defaults.rays;
+  settings.contact_threshold_mm = defaults.contact_threshold_mm;
+  settings.mesh_step_px = defaults.mesh_step_px;
   return settings;
 }
 
 FingerSnapshot finger_as_measured(const FingerSnapshot& finger, const PipelineSettings& settings) {
-  FingerSnapshot measured = reduced_finger(finger, pixels_a_side(settings.resolution));
+  FingerSnapshot measured = reduced_finger(finger, binning_factor(settings.resolution));
   if (settings.undistortion == Undistortion::kExact || !has_distortion(measured.finger))
     return measured;
   CameraParameters plain = measured.finger.camera;

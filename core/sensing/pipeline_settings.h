@@ -1,4 +1,4 @@
-// Every choice of the frame pipeline that trades accuracy for time.
+// All settings of the frame pipeline that trade accuracy for time.
 #pragma once
 
 #include "core/finger/finger_store.h"
@@ -13,37 +13,37 @@
 
 namespace alltact {
 
-/// Whether the light is taken to be that of the recording.
+/// Whether changes of the light since the recording are corrected.
 enum class LightChange {
-  kIgnored = 1,  ///< the light of the recording is that of now
-  kCorrected,    ///< the untouched skin tells how it has changed (light_gain.h)
+  kIgnored = 1,  ///< the light is assumed to be that of the recording
+  kCorrected,    ///< the change is estimated on the skin without contact (light_gain.h)
 };
 
-/// How many pixels a side are averaged into one before anything looks at a picture. Lengths in
-/// pixels, of settings and results, are then of what comes out.
-enum class Resolution { kWhole = 1, kHalf = 2, kQuarter = 4 };
-[[nodiscard]] constexpr int pixels_a_side(Resolution resolution) {
+/// Binning: how many pixels a side are averaged into one before anything else. Lengths in pixels,
+/// of settings and results, are those of the binned image.
+enum class Resolution { kFull = 1, kHalf = 2, kQuarter = 4 };
+[[nodiscard]] constexpr int binning_factor(Resolution resolution) {
   return static_cast<int>(resolution);
 }
 
-/// How depth along the layer's normal becomes depth along z (depth_along_z.h).
+/// How depth along the layer's normal is converted to depth along z (depth_along_z.h).
 enum class LayerRays {
-  kExact = 1,  ///< where the normal leads on the face
-  kParallel,   ///< at the same pixel, by the slope alone: the source paper's way
+  kExact = 1,  ///< at the position on the face that the normal leads to
+  kParallel,   ///< at the same pixel, by the slope alone: the source paper's method
 };
 
-/// Whether the lens's distortion is taken out of every point.
+/// Whether lens distortion is removed from every point.
 enum class Undistortion { kExact = 1, kNone };
 
 struct PipelineSettings {
-  Resolution resolution = Resolution::kWhole;
+  Resolution resolution = Resolution::kFull;
   int average_frames = 1;
   FaceRegion region;
   EdgeMethod edge_method = EdgeMethod::kCrossing;
   int edge_columns = 8;
   int profile_degree = 7;
   MarkerMethod marker_method = MarkerMethod::kBlobs;
-  std::string marker_network = kOwnNetwork;  ///< an ONNX file
+  std::string marker_network = kBuiltInNetwork;  ///< an ONNX file
   ReferenceMethod reference = ReferenceMethod::kLocal;
   int reference_neighbours = kPoseNeighbours;
   LightChange light = LightChange::kCorrected;
@@ -54,17 +54,18 @@ struct PipelineSettings {
   int mesh_step_px = 1;
 };
 
-/// The table that flags, help and files are made from.
+/// Table of all settings, from which flags, help and files are generated.
 [[nodiscard]] const std::vector<Setting<PipelineSettings>>& pipeline_settings();
 
-/// Names of those that no mapping depends on: it is made from presses that are measured whole, each
-/// by itself.
-[[nodiscard]] const std::vector<std::string>& settings_beyond_mapping();
-/// These as usual, the others as they are: what presses are measured with.
-[[nodiscard]] PipelineSettings for_presses(PipelineSettings settings);
+/// Names of the settings that no mapping depends on. A mapping is fitted to presses that are
+/// measured over the full face and one by one.
+[[nodiscard]] const std::vector<std::string>& mapping_independent_settings();
+/// The settings that presses are measured with: those of mapping_independent_settings() at their
+/// defaults, the others unchanged.
+[[nodiscard]] PipelineSettings settings_for_presses(PipelineSettings settings);
 
-/// The finger as it is in the pictures that a pipeline of these settings measures: reduced
-/// (reduced_finger.h), its lens taken as they say. What a pipeline's library is loaded of.
+/// The finger as it appears in the images that a pipeline with these settings measures: reduced
+/// (reduced_finger.h), with the lens model of the settings. ReferenceLibrary::load takes it.
 [[nodiscard]] FingerSnapshot finger_as_measured(const FingerSnapshot& finger,
                                                 const PipelineSettings& settings);
 

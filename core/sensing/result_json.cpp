@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Rounded to what the figure is good for, so that lines stay readable.
+/// Rounds to the decimals that the figure supports, so that lines stay readable.
 double to_decimals(double value, int decimals) {
   const double scale = std::pow(10.0, decimals);
   const double result = std::round(value * scale) / scale;
@@ -46,7 +46,7 @@ Json markers_json(const Markers& markers) {
 
 Json reference_json(const Reference& reference, bool searched, ReferenceMethod method) {
   Json entry = Json::object();
-  if (!searched) {  // a flat sensor's one picture
+  if (!searched) {  // the single image of a flat sensor
     entry["method"] = "single";
     return entry;
   }
@@ -69,9 +69,9 @@ Json push_json(const Push& push) {
   return entry;
 }
 
-/// What lasts over frames.
+/// Fields that the tracker estimates over several frames.
 template <class Contact>
-void put_lasting(Json& entry, const Contact& contact) {
+void put_tracked(Json& entry, const Contact& contact) {
   entry["new"] = contact.is_new;
   if (contact.held_s) put(entry, "held_s", *contact.held_s, 3);
   if (contact.is_slipping) entry["slipping"] = *contact.is_slipping;
@@ -82,16 +82,16 @@ Json contact_json(const FingerContact& contact) {
   entry["face"] = to_string(contact.face);
   if (contact.direction) put_vector(entry, "direction", *contact.direction, 5);
   if (contact.direction_sd_deg) put(entry, "direction_sd_deg", *contact.direction_sd_deg, 2);
-  if (const auto& place = contact.place) {
-    put(entry, "along_mm", place->along_mm, 3);
-    if (place->along_sd_mm) put(entry, "along_sd_mm", *place->along_sd_mm, 4);
-    if (place->across_mm) put(entry, "across_mm", *place->across_mm, 3);
-    if (place->across_sd_mm) put(entry, "across_sd_mm", *place->across_sd_mm, 4);
-    if (place->depth_mm) put(entry, "depth_mm", *place->depth_mm, 4);
-    if (place->depth_sd_mm) put(entry, "depth_sd_mm", *place->depth_sd_mm, 4);
-    if (place->limits != kNoLimit) entry["limits"] = limit_names(place->limits);
+  if (const auto& position = contact.position) {
+    put(entry, "along_mm", position->along_mm, 3);
+    if (position->along_sd_mm) put(entry, "along_sd_mm", *position->along_sd_mm, 4);
+    if (position->across_mm) put(entry, "across_mm", *position->across_mm, 3);
+    if (position->across_sd_mm) put(entry, "across_sd_mm", *position->across_sd_mm, 4);
+    if (position->depth_mm) put(entry, "depth_mm", *position->depth_mm, 4);
+    if (position->depth_sd_mm) put(entry, "depth_sd_mm", *position->depth_sd_mm, 4);
+    if (position->limits != kNoLimit) entry["limits"] = limit_names(position->limits);
   }
-  if (!contact.no_place.empty()) entry["no_place"] = contact.no_place.english();
+  if (!contact.no_position.empty()) entry["no_place"] = contact.no_position.english();
   return entry;
 }
 
@@ -100,17 +100,17 @@ Eigen::Vector<double, 6> upper_triangle(const Eigen::Matrix3d& m) {
   return {m(0, 0), m(0, 1), m(0, 2), m(1, 1), m(1, 2), m(2, 2)};
 }
 
-/// How well the face's z is known, at places from its first column to its last.
+/// Standard deviation of the face's z, sampled from its first column to its last.
 Json face_json(const FaceShape& shape) {
-  constexpr int kPlaces = 9;
+  constexpr int kSamples = 9;
   std::vector<int> valid;
   for (int u = 0; u < shape.width_px(); ++u)
     if (shape.columns()[static_cast<std::size_t>(u)].valid) valid.push_back(u);
   Json entry = Json::object();
   if (valid.empty()) return entry;
   entry["u"] = Json::array(), entry["z_sd_mm"] = Json::array();
-  for (std::size_t k = 0; k < kPlaces; ++k) {
-    const int u = valid[k * (valid.size() - 1) / (kPlaces - 1)];
+  for (std::size_t k = 0; k < kSamples; ++k) {
+    const int u = valid[k * (valid.size() - 1) / (kSamples - 1)];
     entry["u"].push_back(u);
     entry["z_sd_mm"].push_back(
         to_decimals(shape.columns()[static_cast<std::size_t>(u)].z_sd_mm, 5));
@@ -122,8 +122,8 @@ Json regions_json(const std::vector<ContactRegion>& regions) {
   Json array = Json::array();
   for (const ContactRegion& region : regions) {
     Json entry = Json::object();
-    put_vector(entry, "place_mm", region.place_mm, 4);
-    put_vector(entry, "place_on_face_mm", region.place_on_face_mm, 3);
+    put_vector(entry, "place_mm", region.position_mm, 4);
+    put_vector(entry, "place_on_face_mm", region.position_on_face_mm, 3);
     put(entry, "deepest_mm", region.deepest_mm, 4);
     if (region.deepest_sd_mm) put(entry, "deepest_sd_mm", *region.deepest_sd_mm, 4);
     if (region.limits != kNoLimit) entry["limits"] = limit_names(region.limits);
@@ -133,7 +133,7 @@ Json regions_json(const std::vector<ContactRegion>& regions) {
     if (region.angle_sd_deg) put(entry, "angle_sd_deg", *region.angle_sd_deg, 2);
     if (region.axis) put_vector(entry, "axis", *region.axis, 6);
     if (region.normal) put_vector(entry, "normal", *region.normal, 6);
-    if (const auto& c = region.place_covariance_mm2)
+    if (const auto& c = region.position_covariance_mm2)
       put_vector(entry, "place_covariance_mm2", upper_triangle(*c), 9);
     if (!region.polygon_mm.empty()) {
       Json corners = Json::array();
@@ -146,18 +146,18 @@ Json regions_json(const std::vector<ContactRegion>& regions) {
   return array;
 }
 
-/// Parts of the face by what their depth is worth; those that there are none of are left out.
+/// Fractions of the face by the validity of their depth. Zero fractions are left out.
 Json validity_json(const cv::Mat& flags) {
-  static constexpr std::array<const char*, kPixelFlags> kNames{"measured",
-                                                               "off_face",
-                                                               "too_dark",
-                                                               "saturated",
-                                                               "extrapolated",
-                                                               "beyond_layer",
-                                                               "no_reference",
-                                                               "hidden_end",
-                                                               "bulge_limit"};
-  const FlagShares shares = flag_shares(flags);
+  static constexpr std::array<const char*, kPixelFlagCount> kNames{"measured",
+                                                                   "off_face",
+                                                                   "too_dark",
+                                                                   "saturated",
+                                                                   "extrapolated",
+                                                                   "beyond_layer",
+                                                                   "no_reference",
+                                                                   "hidden_end",
+                                                                   "bulge_limit"};
+  const FlagFractions shares = flag_fractions(flags);
   Json entry = Json::object();
   for (std::size_t k = 0; k < kNames.size(); ++k)
     if (shares.of[k] > 0) put(entry, kNames[k], shares.of[k], 5);
@@ -181,7 +181,7 @@ Json force_json(const Force& force) {
   return entry;
 }
 
-/// Only the steps that ran: a step that did not has no time.
+/// Only steps that ran have a time.
 Json times_json(const FrameResult& result) {
   const StepTimes& times = result.times_ms;
   Json entry = Json::object();
@@ -219,7 +219,7 @@ std::string result_line(const FrameResult& result, std::size_t index, ReferenceM
   if (result.push) line["contact"] = push_json(*result.push);
   if (result.contact) {
     Json entry = contact_json(*result.contact);
-    put_lasting(entry, *result.contact);
+    put_tracked(entry, *result.contact);
     line["finger_contact"] = std::move(entry);
   }
   if (result.depth && !result.depth->flags.empty())
@@ -241,7 +241,7 @@ std::string failure_line(const std::string& frame,
   return line.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-std::string name_of(const Error& error, std::size_t index) {
+std::string frame_name(const Error& error, std::size_t index) {
   const std::string stem = std::filesystem::path(error.where.english()).stem().string();
   return stem.empty() ? fmt::format("frame_{:05}", index) : stem;
 }
@@ -256,10 +256,10 @@ std::string contact_text(const FingerContact& contact) {
 
 std::string with_contact(const std::string& line,
                          const std::string& contact,
-                         const ContactState::Told& told) {
+                         const ContactState::Estimate& tracked) {
   Json entry = Json::parse(contact);
-  put_lasting(entry, told);
-  // Before the first of the keys that result_line() puts behind it.
+  put_tracked(entry, tracked);
+  // Inserts before the first of the keys that result_line() writes after it.
   std::size_t at = std::string::npos;
   for (const char* key : {",\"validity\":", ",\"regions\":", ",\"force\":", ",\"times_ms\":"})
     if (at = line.find(key); at != std::string::npos) break;

@@ -1,4 +1,4 @@
-// What one frame told, as a line of results.jsonl.
+// The result of one frame as a line of results.jsonl.
 #pragma once
 
 #include "core/message.h"
@@ -10,30 +10,31 @@
 
 namespace alltact {
 
-/// One JSON object without line break. What could not be had is absent, never zero; `problems`,
-/// where there are any, say why in English.
+/// One JSON object without line break. Fields that could not be estimated are absent, never zero;
+/// `problems` holds the reasons in English.
 [[nodiscard]] std::string result_line(const FrameResult& result,
                                       std::size_t index,
                                       ReferenceMethod method);
 
-/// The line of a frame that could not be read at all.
+/// The line of a frame that could not be read.
 [[nodiscard]] std::string failure_line(const std::string& frame,
                                        std::size_t index,
                                        const std::vector<Message>& problems);
 
-/// Name of a frame that could not be read, from the error that says which it was.
-[[nodiscard]] std::string name_of(const Error& error, std::size_t index);
+/// Name of a frame that could not be read, from the error that names its file.
+[[nodiscard]] std::string frame_name(const Error& error, std::size_t index);
 
-/// As problems stand in a line.
+/// The form in which an error is listed among the problems of a line.
 [[nodiscard]] Message as_sentence(const Error& error);
 
-/// A contact as it stands in a line, without what lasts over frames (is_new and behind it).
+/// A contact as it stands in a line, without the fields of the tracker (is_new and after).
 [[nodiscard]] std::string contact_text(const FingerContact& contact);
 
-/// A line of a frame measured by itself (Pipeline::alone) with its contact put into it.
+/// Inserts a contact into the line of a frame that was measured on its own
+/// (Pipeline::measure_untracked).
 ///   contact: contact_text()
 [[nodiscard]] std::string with_contact(const std::string& line,
                                        const std::string& contact,
-                                       const ContactState::Told& told);
+                                       const ContactState::Estimate& tracked);
 
 }  // namespace alltact

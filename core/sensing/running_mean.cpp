@@ -3,10 +3,10 @@
 namespace alltact {
 
 cv::Mat RunningMean::operator()(const cv::Mat& grey) {
-  if (most_ == 1) return grey;
+  if (max_frames_ == 1) return grey;
   if (!last_.empty() && last_.front().size() != grey.size()) forget();
   if (last_.empty()) sum_ = cv::Mat::zeros(grey.size(), CV_16UC1);
-  if (last_.size() == most_) {
+  if (last_.size() == max_frames_) {
     cv::subtract(sum_, last_.front(), sum_, cv::noArray(), CV_16U);
     last_.pop_front();
   }

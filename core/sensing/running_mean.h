@@ -1,4 +1,4 @@
-// Mean of the last pictures of a source, for a finger that holds still.
+// Mean of the last frames of a source, for a finger that holds still.
 #pragma once
 
 #include <cstddef>
@@ -8,23 +8,23 @@
 
 namespace alltact {
 
-/// Its time does not grow with how many they are.
+/// The time of a call does not depend on the number of frames.
 class RunningMean {
  public:
-  /// Of the last `most` pictures, 1 (each as it is) to 256.
-  explicit RunningMean(int most) : most_(static_cast<std::size_t>(most)) {}
+  /// Averages the last `max_frames` frames, 1 (no averaging) to 256.
+  explicit RunningMean(int max_frames) : max_frames_(static_cast<std::size_t>(max_frames)) {}
 
-  /// `grey`: CV_8UC1, not written to from now on. Mean, rounded, of it and those before it;
-  /// pictures of another size are forgotten.
+  /// Returns the rounded mean of `grey` and the frames before it. `grey`: CV_8UC1, not written to
+  /// from now on. Frames of another size are dropped.
   [[nodiscard]] cv::Mat operator()(const cv::Mat& grey);
 
-  /// The next picture is the first.
+  /// Drops all frames: the next one is the first.
   void forget() { last_.clear(); }
 
  private:
-  std::size_t most_;
+  std::size_t max_frames_;
   std::deque<cv::Mat> last_;
-  cv::Mat sum_;  // of them, CV_16UC1
+  cv::Mat sum_;  // of last_, CV_16UC1
 };
 
 }  // namespace alltact

@@ -9,24 +9,24 @@ namespace {
 
 using Outline = std::vector<Eigen::Vector2d>;
 
-// The part of a convex polygon where sign * coordinate <= sign * limit.
-Outline cut(const Outline& polygon, int axis, double limit, double sign) {
-  Outline kept;
+// Clips a convex polygon to sign * coordinate <= sign * limit.
+Outline clip(const Outline& polygon, int axis, double limit, double sign) {
+  Outline clipped;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Eigen::Vector2d& a = polygon[i];
     const Eigen::Vector2d& b = polygon[(i + 1) % polygon.size()];
     const double da = sign * (limit - a[axis]), db = sign * (limit - b[axis]);
-    if (da >= 0) kept.push_back(a);
-    if ((da >= 0) != (db >= 0)) kept.push_back(a + (b - a) * (da / (da - db)));
+    if (da >= 0) clipped.push_back(a);
+    if ((da >= 0) != (db >= 0)) clipped.push_back(a + (b - a) * (da / (da - db)));
   }
-  return kept;
+  return clipped;
 }
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-// Relative to the first corner, so that large coordinates do not cancel.
+// Coordinates are relative to the first corner, so that large values do not cancel.
 double area(const Outline& polygon) {
   double twice = 0;
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
@@ -51,13 +51,13 @@ Coverage convex_coverage(const Outline& outline, cv::Size size) {
   const int v1 = std::min(size.height, pixel(high.y(), size.height) + 1);
   Coverage coverage{{u0, v0}, {}};
   if (u0 >= u1 || v0 >= v1) return coverage;
-  coverage.part = cv::Mat_<float>::zeros(v1 - v0, u1 - u0);
+  coverage.fraction = cv::Mat_<float>::zeros(v1 - v0, u1 - u0);
   for (int v = v0; v < v1; ++v) {
-    const Outline strip = cut(cut(outline, 1, v - 0.5, -1), 1, v + 0.5, 1);
+    const Outline strip = clip(clip(outline, 1, v - 0.5, -1), 1, v + 0.5, 1);
     if (strip.size() < 3) continue;
     for (int u = u0; u < u1; ++u) {
-      const Outline cell = cut(cut(strip, 0, u - 0.5, -1), 0, u + 0.5, 1);
-      if (cell.size() >= 3) coverage.part(v - v0, u - u0) = static_cast<float>(area(cell));
+      const Outline cell = clip(clip(strip, 0, u - 0.5, -1), 0, u + 0.5, 1);
+      if (cell.size() >= 3) coverage.fraction(v - v0, u - u0) = static_cast<float>(area(cell));
     }
   }
   return coverage;

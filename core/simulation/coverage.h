@@ -1,4 +1,4 @@
-// Which part of each pixel a convex outline covers.
+// The fraction of each pixel that a convex outline covers.
 #pragma once
 
 #include <vector>
@@ -9,15 +9,15 @@
 namespace alltact {
 
 struct Coverage {
-  cv::Point corner;      ///< top left pixel
-  cv::Mat_<float> part;  ///< 0..1; empty when the outline lies outside the picture
+  cv::Point corner;          ///< top left pixel
+  cv::Mat_<float> fraction;  ///< 0..1; empty when the outline lies outside the image
 };
 
-/// Exact areas of a convex polygon within pixels (pixel (0, 0) reaches from -0.5 to 0.5), clipped
-/// to the picture.
+/// Exact areas of a convex polygon within pixels, clipped to the image. Pixel (0, 0) covers -0.5 to
+/// 0.5.
 [[nodiscard]] Coverage convex_coverage(const std::vector<Eigen::Vector2d>& outline, cv::Size size);
 
-/// Centre of the polygon's area.
+/// Centroid of the polygon.
 [[nodiscard]] Eigen::Vector2d centre_of_area(const std::vector<Eigen::Vector2d>& outline);
 
 }  // namespace alltact

@@ -1,5 +1,5 @@
-// What an effect is. One effect is one file in core/simulation/effects/: its name is the file's
-// ('_' written as '-'), its registration is written by the build, nothing else is edited.
+// The interface of effects. One effect is one file in core/simulation/effects/. Its name is the
+// file's, with '_' written as '-'. The build generates the registration; nothing else is edited.
 //
 // An effect file ends with
 //   const EffectKind& effect_NAME() { static const EffectKind kind{...}; return kind; }
@@ -11,7 +11,7 @@
 #include "core/simulation/frame_geometry.h"
 #include "core/simulation/motion.h"
 #include "core/simulation/row_view.h"
-#include "core/simulation/sent_picture.h"
+#include "core/simulation/sent_frame.h"
 #include "core/simulation/varying.h"
 
 #include <algorithm>
@@ -26,24 +26,25 @@
 
 namespace alltact {
 
-/// In the order they run. Within a stage the physical order (EffectKind::rank) rules, not the
-/// order in which a scene lists them.
+/// Stages in running order. Within a stage EffectKind::rank gives the physical order, independent
+/// of the order in the scene.
 enum class Stage { kGeometry = 1, kRadiance, kSensor, kTransport };
 
-/// Which picture is being made. All that a random draw may depend on besides who draws and where.
+/// Identifies the frame being rendered. A random draw depends only on this, the drawing effect and
+/// the pixel.
 struct FrameContext {
-  std::uint64_t seed;  ///< of the effect's own draws: another one for each effect of one name
+  std::uint64_t seed;  ///< of the effect's own draws; effects of one name have different seeds
   int frame;
   const Motion& motion;
   const Finger& finger;
   double frames_per_s;
-  std::uint64_t motion_seed;  ///< of what the motion draws, alike for all effects
-  double later = 0;           ///< frames after (before, when negative) the frame's own moment
+  std::uint64_t motion_seed;  ///< of the motion's draws, shared by all effects
+  double frame_offset = 0;    ///< frames after (negative: before) the frame's own time
 
-  /// Since the moment of frame 0.
-  [[nodiscard]] double time_s() const { return (frame + later) / frames_per_s; }
+  /// Seconds since frame 0.
+  [[nodiscard]] double time_s() const { return (frame + frame_offset) / frames_per_s; }
 
-  /// This moment's value of a parameter or of a degree of freedom.
+  /// Value of a parameter or of a degree of freedom at this time.
   [[nodiscard]] double operator()(const Varying& varying) const {
     return at_moment([&](int i) { return varying.at(seed, i); });
   }
@@ -51,44 +52,44 @@ struct FrameContext {
     return at_moment([&](int i) { return motion.value(dof, motion_seed, i); });
   }
 
-  /// Straight from one frame to the next; nothing moves before frame 0.
+  /// Interpolates linearly between frames. Nothing moves before frame 0.
   template <class Value>
   [[nodiscard]] double at_moment(const Value& value) const {
-    if (later == 0) return value(frame);
-    const double moment = std::max(0.0, frame + later);
+    if (frame_offset == 0) return value(frame);
+    const double moment = std::max(0.0, frame + frame_offset);
     const int first = static_cast<int>(moment);
     const double from = value(first), part = moment - first;
     return part > 0 ? from + part * (value(first + 1) - from) : from;
   }
 };
 
-/// What can be pressed into the face.
+/// Kinds of objects that press into the face.
 enum class PressKind { kBall = 1, kBody };
 
-/// What an effect may ask of the rest of its scene before anything is rendered. It is asked for
-/// each stretch of frames that hold the same effects, itself among them.
+/// What an effect may ask about the rest of its scene before rendering. Computed for each run of
+/// frames with the same effects, including the asking effect.
 struct SceneFacts {
   const Finger& finger;
   double length_mm;                       ///< 0 for a flat sensor
   const std::vector<std::string>& named;  ///< effects that are present
   double frames_per_s;
   int lamp_count;
-  const std::vector<PressKind>& pressed;  ///< what presses into the face
-  const ElasticFinger* elastic;           ///< nullptr: the finger stands firm
+  const std::vector<PressKind>& press_kinds;  ///< objects that press into the face
+  const ElasticFinger* elastic;               ///< nullptr: the finger is rigid
   [[nodiscard]] bool presses(PressKind kind) const {
-    return std::find(pressed.begin(), pressed.end(), kind) != pressed.end();
+    return std::find(press_kinds.begin(), press_kinds.end(), kind) != press_kinds.end();
   }
-  [[nodiscard]] bool names(std::string_view effect) const {
+  [[nodiscard]] bool has_effect(std::string_view effect) const {
     return std::find(named.begin(), named.end(), effect) != named.end();
   }
 };
 
-/// How many objects effects were ever made of, for tests of what is built. Counted where they are
-/// made, never in a loop over rows.
+/// Counts constructed objects, for tests of what is built. Counted at construction, never in a loop
+/// over rows.
 struct BuildCount {
   std::atomic<long> effects = 0;  ///< read from scenes
-  std::atomic<long> steps = 0;    ///< effects that were present in a frame that was compiled
-  std::atomic<long> rows = 0;     ///< RadianceEffect::Rows, one a frame and effect
+  std::atomic<long> steps = 0;    ///< effects present in a compiled frame
+  std::atomic<long> rows = 0;     ///< RadianceEffect::Rows, one for each frame and effect
 };
 [[nodiscard]] BuildCount& build_count();
 
@@ -98,35 +99,35 @@ class Effect {
   Effect(const Effect&) = delete;
   Effect& operator=(const Effect&) = delete;
   virtual ~Effect() = default;
-  /// What it does, without a full stop; for people who ask what a scene holds.
+  /// What the effect does, without a full stop; shown to users who list a scene.
   [[nodiscard]] virtual Message sentence() const = 0;
-  /// True: a frame may hold several of it, each with parameters and draws of its own.
-  [[nodiscard]] virtual bool may_be_several() const { return false; }
-  /// Error: impossible for this finger, or together with, or without, other effects.
-  [[nodiscard]] virtual Status fits(const SceneFacts&) const { return {}; }
-  /// What the scene's motion may move.
+  /// True: a frame may hold several of this effect, each with its own parameters and draws.
+  [[nodiscard]] virtual bool is_repeatable() const { return false; }
+  /// Error: the effect is impossible for this finger, or in this combination of effects.
+  [[nodiscard]] virtual Status validate(const SceneFacts&) const { return {}; }
+  /// Degrees of freedom that the scene's motion may drive.
   [[nodiscard]] virtual std::vector<DegreeOfFreedom> degrees_of_freedom() const { return {}; }
-  /// What it presses into the face, if anything.
+  /// The kind of object that it presses into the face, if any.
   [[nodiscard]] virtual std::optional<PressKind> presses() const { return std::nullopt; }
-  /// What it makes of the camera's lens, for all frames of the scene.
+  /// Changes the camera's lens, for all frames of the scene.
   virtual void change_lens(CameraParameters&) const {}
   [[nodiscard]] virtual bool changes_lens() const { return false; }
-  /// How many lamps it brings.
+  /// Number of lamps that the effect adds.
   [[nodiscard]] virtual int lamp_count() const { return 0; }
-  /// The body that it makes of the finger.
+  /// The elastic body that the effect gives the finger.
   [[nodiscard]] virtual const ElasticFinger* elastic() const { return nullptr; }
 };
 
-/// Once a frame, in two passes over all geometry effects: first the face gets its shape, then
-/// what stands on it is added. `place` sees the finished face.
+/// Runs once a frame, in two passes over all geometry effects. shape() deforms the face. apply()
+/// then adds objects to the finished face.
 class GeometryEffect : public Effect {
  public:
   virtual void shape(const FrameContext&, FaceCurve&) const {}
-  virtual void place(const FrameContext&, FrameGeometry&) const {}
+  virtual void apply(const FrameContext&, FrameGeometry&) const {}
 };
 
-/// Light, row by row. begin() does what is common to a frame's rows; the result is used by
-/// several threads at once.
+/// Computes light row by row. begin() does the work common to a frame's rows; several threads use
+/// its result at once.
 class RadianceEffect : public Effect {
  public:
   class Rows {
@@ -141,49 +142,51 @@ class RadianceEffect : public Effect {
                                                           const FrameGeometry&) const = 0;
 };
 
-/// What the lens and the sensor make of the light (grey levels, float): row by row, or of the whole
-/// picture at once, for which a scene pays that names such an effect.
+/// What the lens and the sensor do to the light (grey levels, float): row by row, or on the full
+/// image. Full-image effects cost time only in scenes that use them.
 class SensorEffect : public Effect {
  public:
   /// Only v, width, scratch, value, lit_first, lit_last and bytes of the row are set.
   virtual void row(const FrameContext&, RowView&) const {}
-  /// True: picture() is called and row() is not.
-  [[nodiscard]] virtual bool needs_picture() const { return false; }
-  virtual void picture(const FrameContext&, const FrameGeometry&, cv::Mat_<float>&) const {}
-  /// When the rows are taken.
+  /// True: process_image() is called instead of row().
+  [[nodiscard]] virtual bool needs_full_image() const { return false; }
+  virtual void process_image(const FrameContext&, const FrameGeometry&, cv::Mat_<float>&) const {}
+  /// Sets when the rows are exposed.
   virtual void expose(const SceneFacts&, Exposure&) const {}
   /// True for the effect that turns grey levels into RowView::bytes.
-  [[nodiscard]] virtual bool gives_bytes() const { return false; }
+  [[nodiscard]] virtual bool outputs_bytes() const { return false; }
 };
 
-/// What happens to the finished picture on its way, or to when and whether it comes at all.
+/// What happens to the finished image during transport, and whether and when it arrives.
 class TransportEffect : public Effect {
  public:
   virtual void arrival(const FrameContext&, Arrival&) const {}
-  virtual void picture(const FrameContext&, SentPicture&) const {}
+  virtual void process_image(const FrameContext&, SentFrame&) const {}
 };
 
-/// A place on the face, s along it from its base and y across. Error: beyond its ends or beside it;
-/// a flat sensor's face goes as far as the picture.
-[[nodiscard]] Status place_fits(const SceneFacts& scene, const Varying& s_mm, const Varying& y_mm);
+/// Checks a position on the face, s along it from its base and y across. Error: outside the face. A
+/// flat sensor's face fills the image.
+[[nodiscard]] Status check_position(const SceneFacts& scene,
+                                    const Varying& s_mm,
+                                    const Varying& y_mm);
 
-/// What all presses of a given depth ask alike: on the face, and not through the layer.
-[[nodiscard]] Status press_fits(const SceneFacts& scene,
-                                const Varying& depth_mm,
-                                const Varying& s_mm,
-                                const Varying& y_mm);
+/// Checks that a press of given depth lies on the face and does not go through the layer.
+[[nodiscard]] Status check_press(const SceneFacts& scene,
+                                 const Varying& depth_mm,
+                                 const Varying& s_mm,
+                                 const Varying& y_mm);
 
 struct EffectKind {
   std::string name;
   Stage stage;
-  int rank;  ///< place within the stage
-  /// Reads the parameters; errors are left in them. The object is of the stage's class.
+  int rank;  ///< order within the stage
+  /// Reads the parameters; the section collects errors. The object is of the stage's class.
   std::shared_ptr<const Effect> (*make)(YamlSection&);
   std::string_view example = {};             ///< typical parameters, YAML: "sd: 1"
-  std::vector<std::string_view> needs = {};  ///< kinds that a scene of the example names besides
+  std::vector<std::string_view> needs = {};  ///< other kinds that a scene of the example needs
 };
 
-/// All kinds there are, written by the build from the files in effects/.
+/// All kinds. The build generates this from the files in effects/.
 [[nodiscard]] std::vector<const EffectKind*> effect_kinds();
 
 }  // namespace alltact

@@ -28,7 +28,7 @@ Result<Plan> example_plan(std::string_view kind, std::string_view without) {
 double frame_ms(const Plan& plan, int frame) {
   const auto begin = std::chrono::steady_clock::now();
   const Arrival arrival = plan.arrival(frame);
-  const SentPicture sent = plan.send(frame);
+  const SentFrame sent = plan.send(frame);
   const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - begin;
   return sent.grey.empty() || arrival.late_ms < 0 ? 0 : taken.count();
 }
@@ -51,15 +51,15 @@ std::string_view to_string(Stage stage) {
 
 std::string example_scene(const std::vector<std::string_view>& kinds, std::string_view without) {
   const auto all = effect_kinds();
-  std::vector<std::string_view> wanted{"bend", "layer", "leds", "quantisation"};
+  std::vector<std::string_view> requested{"bend", "layer", "leds", "quantisation"};
   for (const std::string_view name : kinds) {
     if (const EffectKind* kind = kind_named(all, name))
-      wanted.insert(wanted.end(), kind->needs.begin(), kind->needs.end());
-    wanted.push_back(name);
+      requested.insert(requested.end(), kind->needs.begin(), kind->needs.end());
+    requested.push_back(name);
   }
   std::string effects;
   std::set<std::string_view> listed{without};
-  for (const std::string_view name : wanted) {
+  for (const std::string_view name : requested) {
     const EffectKind* kind = kind_named(all, name);
     if (kind == nullptr || !listed.insert(name).second) continue;
     effects += fmt::format(

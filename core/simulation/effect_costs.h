@@ -1,4 +1,4 @@
-// What every effect costs on this computer.
+// The run time of every effect on this computer.
 #pragma once
 
 #include "core/job.h"
@@ -11,21 +11,20 @@
 
 namespace alltact {
 
-/// A finger of 960 x 540 pixels that bends a little from frame to frame, with layer, LEDs and
-/// quantisation, and with the named kinds and what their examples need, as a scene's text; without
-/// the kind `without`.
+/// YAML of an example scene: a finger of 960 x 540 pixels that bends a little between frames, with
+/// layer, LEDs, quantisation, the given kinds and their needs. The kind `without` is left out.
 [[nodiscard]] std::string example_scene(const std::vector<std::string_view>& kinds,
                                         std::string_view without = {});
 
 struct EffectCost {
   const EffectKind* kind;
-  /// What its example adds to the time of a frame on one thread, per million pixels of the picture;
-  /// noise of the clock may take it below 0.
+  /// Time that the example adds to a frame on one thread, per million pixels. Timer noise may make
+  /// it negative.
   double ms_per_megapixel;
 };
 
-/// Every kind there is, in the order they run; the median of `repetitions` frames with the effect
-/// beside the same frames without it. Error: stopped before the end.
+/// Measures every kind in running order: the median of `repetitions` frames with the effect minus
+/// the same frames without it. Error: stopped before the end.
 [[nodiscard]] Result<std::vector<EffectCost>> measure_effect_costs(int repetitions, const Job& job);
 
 /// "radiance".

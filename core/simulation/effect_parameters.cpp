@@ -10,7 +10,7 @@ namespace {
 
 using Pairs = std::vector<std::pair<std::string, std::string>>;
 
-// "a: 1, b: [2, 3]" by key; what stands in brackets stays together.
+// Splits "a: 1, b: [2, 3]" by key; text in brackets stays together.
 Pairs pairs_of(std::string_view flow) {
   Pairs pairs;
   int depth = 0;
@@ -36,7 +36,7 @@ Pairs pairs_of(std::string_view flow) {
 
 struct Made {
   std::shared_ptr<const Effect> effect;  // null: refused
-  std::string what, where, advice;       // why
+  std::string what, where, advice;       // of the error
 };
 
 Made make(const EffectKind& kind, const Pairs& pairs) {
@@ -45,7 +45,7 @@ Made make(const EffectKind& kind, const Pairs& pairs) {
   YamlFile file("example", YamlFile::Unknown::kRefused);
   Made made;
   const Status read = file.read(text, [&](YamlSection& top) {
-    (void)top.whole_number("frames", 1, 100);
+    (void)top.integer("frames", 1, 100);
     YamlSection section = top.section("effect");
     (void)section.text("use");
     made.effect = kind.make(section);
@@ -70,7 +70,7 @@ std::string between(std::string text, std::string_view before, std::string_view 
   return end == std::string::npos ? text : text.substr(0, end);
 }
 
-// The keys that it looked for, as it names them to one who wrote another.
+// The keys that the kind reads, parsed from its error about an unknown key.
 std::vector<std::string> keys_of(const EffectKind& kind, Pairs pairs) {
   pairs.emplace_back("0", "0");
   const std::string advice = make(kind, pairs).advice;
@@ -89,8 +89,8 @@ std::vector<std::string> keys_of(const EffectKind& kind, Pairs pairs) {
 
 constexpr std::string_view kMustBe = "must be ";
 
-// "must be a number above 0, not 'x'": what it must be.
-std::string asked_in(const Made& made) {
+// Extracts the requirement from "must be a number above 0, not 'x'".
+std::string requirement_in(const Made& made) {
   std::string text = between(made.what, kMustBe, ", not '");
   text = between(text, "holds 'x', which is not ", "\n");
   const std::string_view to = " and up to ";
@@ -107,7 +107,7 @@ std::string values_of(const EffectKind& kind, Pairs pairs, const std::string& ke
   };
   Made to_word = answer_to("x");
   std::string together;
-  if (to_word.what == "is missing") {  // another key that goes with it
+  if (to_word.what == "is missing") {  // another required key
     const std::string other = to_word.where.substr(to_word.where.rfind('.') + 1);
     set(pairs, other, "1");
     to_word = answer_to("x");
@@ -116,12 +116,12 @@ std::string values_of(const EffectKind& kind, Pairs pairs, const std::string& ke
   if (to_word.what.find("is not known here") != std::string::npos) return to_word.advice;
   if (!to_word.what.starts_with(kMustBe)) return "a name";
   if (to_word.what.starts_with("must be a block"))
-    return "{from: ..., to: ...}, each " + asked_in(answer_to("{from: x, to: 1}"));
+    return "{from: ..., to: ...}, each " + requirement_in(answer_to("{from: x, to: 1}"));
   if (to_word.what.starts_with("must be a list"))
     for (const char* value : {"[x, x, x]", "[x, x]"})
       if (const Made inner = answer_to(value); inner.what.find("number") != std::string::npos)
-        return "a list, each " + asked_in(inner);
-  return asked_in(to_word) + together;
+        return "a list, each " + requirement_in(inner);
+  return requirement_in(to_word) + together;
 }
 
 }  // namespace
@@ -130,7 +130,7 @@ EffectDescription describe(const EffectKind& kind) {
   const Pairs pairs = pairs_of(kind.example);
   const Made made = make(kind, pairs);
   if (!made.effect) return {&kind, {}, false, {}};
-  EffectDescription description{&kind, made.effect->sentence(), made.effect->may_be_several(), {}};
+  EffectDescription description{&kind, made.effect->sentence(), made.effect->is_repeatable(), {}};
   for (const std::string& key : keys_of(kind, pairs)) {
     const bool in_example = std::any_of(
         pairs.begin(), pairs.end(), [&](const auto& pair) { return pair.first == key; });

@@ -1,4 +1,4 @@
-// What a scene says of the rubber that a finger is of.
+// The rubber of a finger, as a scene gives it.
 #pragma once
 
 #include "core/finger/finger.h"
@@ -12,7 +12,7 @@ struct ElasticFinger {
   double wall_mm = 0, base_depth_mm = 0, tip_depth_mm = 0, coupling = 0;  ///< as in FinRayGeometry
   KelvinChain chain;
 
-  /// Error: these do not make a body of that face.
+  /// Error: these parameters do not make a body of that face.
   [[nodiscard]] Result<FinRayBody> body(const Face& face, double length_mm) const;
 };
 

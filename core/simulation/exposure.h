@@ -1,22 +1,22 @@
-// When within its frame a picture is taken.
+// When within its frame an image is exposed.
 #pragma once
 
 namespace alltact {
 
-/// Times are in frames; 0 is the frame's own moment, which is that of the picture's middle row and
-/// of the truth. As it stands here every row is taken at that moment.
+/// Times in frames; 0 is the frame's own time, which is that of the image's middle row and of the
+/// truth. By default every row is exposed at that time.
 struct Exposure {
-  double open = 0;       ///< how long a row is exposed, half before its moment and half after
-  int moments = 1;       ///< whose mean stands for that
-  double readout = 0;    ///< from the first row's moment to the last's
-  int rows_at_once = 1;  ///< neighbouring rows that share a moment
+  double open = 0;       ///< exposure of a row, half before its time and half after
+  int moments = 1;       ///< number of samples averaged over the exposure
+  double readout = 0;    ///< from the first row's time to the last's
+  int rows_at_once = 1;  ///< neighbouring rows that share one time
 
-  [[nodiscard]] bool is_at_once() const { return open == 0 && readout == 0; }
-  /// The moment of the rows around row `v` (which may be a half) of `rows`.
+  [[nodiscard]] bool is_instantaneous() const { return open == 0 && readout == 0; }
+  /// Time of the rows around row `v` (may be fractional) of `rows`.
   [[nodiscard]] double moment_of(double v, int rows) const {
     return rows > 1 ? readout * (v / (rows - 1) - 0.5) : 0.0;
   }
-  /// Middle of part `i` of the time that the shutter is open.
+  /// Middle of sample `i` of the exposure.
   [[nodiscard]] double offset_of(int i) const { return open * ((i + 0.5) / moments - 0.5); }
 };
 

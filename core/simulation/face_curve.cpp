@@ -12,7 +12,7 @@ namespace alltact {
 
 namespace {
 
-constexpr double kLeastCrossing = 0.02;
+constexpr double kMinCrossing = 0.02;
 
 // Three-point Gauss on [0, 1]; kGaussAt[0] is 1/2 - sqrt(0.15).
 constexpr std::array<double, 3> kGaussAt{
@@ -21,8 +21,8 @@ constexpr std::array<double, 3> kGaussWeight{5.0 / 18, 8.0 / 18, 5.0 / 18};
 
 using NodeNumbers = std::array<double, FaceCurve::kCells + 1>;
 
-// The mean cosine and sine of each cell between n + 1 nodes, where the angle turns little; and how
-// much it turns there at most.
+// The mean cosine and sine of each cell between n + 1 nodes of small angle change, and the maximum
+// change there.
 ALLTACT_WIDE void integrate_cells(int n,
                                   const double* __restrict theta,
                                   const double* __restrict theta_s,
@@ -137,11 +137,11 @@ void FaceCurve::integrate() {
                   x.data(),
                   z.data(),
                   turn.data());
-  turns_little_ = *std::max_element(turn.begin(), turn.end()) <= kLittleTurn;
+  has_small_turns_ = *std::max_element(turn.begin(), turn.end()) <= kSeriesTurn;
   for (std::size_t i = 0; i < kCells; ++i) {
     const Node& a = nodes_[i];
     Node& b = nodes_[i + 1];
-    if (turn[i] > kLittleTurn) {
+    if (turn[i] > kSeriesTurn) {
       x[i] = z[i] = 0;
       for (std::size_t k = 0; k < 3; ++k) {
         const double theta = hermite(a.theta, a.theta_s, b.theta, b.theta_s, cell_mm_, kGaussAt[k]);
@@ -152,20 +152,20 @@ void FaceCurve::integrate() {
     b.x_mm = a.x_mm + cell_mm_ * x[i];
     b.z_mm = a.z_mm + cell_mm_ * z[i];
   }
-  find_plain_directions();
+  find_unique_directions();
 }
 
 // From node to node a line's distance x - origin - direction z grows by dx - direction dz.
-void FaceCurve::find_plain_directions() {
-  constexpr double kLeastGrowth = 1e-6;  // mm; far above what rounding does
-  plain_low_ = std::numeric_limits<double>::lowest();
-  plain_high_ = std::numeric_limits<double>::max();
+void FaceCurve::find_unique_directions() {
+  constexpr double kMinGrowth = 1e-6;  // mm; far above rounding
+  unique_low_ = std::numeric_limits<double>::lowest();
+  unique_high_ = std::numeric_limits<double>::max();
   for (std::size_t i = 0; i + 1 < nodes_.size(); ++i) {
-    const double dx = nodes_[i + 1].x_mm - nodes_[i].x_mm - kLeastGrowth;
+    const double dx = nodes_[i + 1].x_mm - nodes_[i].x_mm - kMinGrowth;
     const double dz = nodes_[i + 1].z_mm - nodes_[i].z_mm;
-    if (dz > 0) plain_high_ = std::min(plain_high_, dx / dz);
-    if (dz < 0) plain_low_ = std::max(plain_low_, dx / dz);
-    if (dz == 0 && dx <= 0) plain_high_ = std::numeric_limits<double>::lowest();
+    if (dz > 0) unique_high_ = std::min(unique_high_, dx / dz);
+    if (dz < 0) unique_low_ = std::max(unique_low_, dx / dz);
+    if (dz == 0 && dx <= 0) unique_high_ = std::numeric_limits<double>::lowest();
   }
 }
 
@@ -194,7 +194,7 @@ FaceCurve::Node FaceCurve::at(double s_mm) const {
   p.theta_s = a.theta_s + (b.theta_s - a.theta_s) * t;
   p.x_mm = hermite(a.x_mm, a.x_s, b.x_mm, b.x_s, h, t);
   p.z_mm = hermite(a.z_mm, a.z_s, b.z_mm, b.z_s, h, t);
-  if (!turns_little_) {
+  if (!has_small_turns_) {
     p.x_s = std::cos(p.theta);
     p.z_s = std::sin(p.theta);
     return p;
@@ -214,23 +214,24 @@ double FaceCurve::z_at(double s_mm) const {
   return hermite(a.z_mm, a.z_s, b.z_mm, b.z_s, cell_mm_, t);
 }
 
-double FaceCurve::meet(double origin_x_mm, double direction_x) const {
+double FaceCurve::intersect(double origin_x_mm, double direction_x) const {
   const auto gap = [&](const Node& n) { return n.x_mm - origin_x_mm - direction_x * n.z_mm; };
   const auto slope = [&](const Node& n) { return n.x_s - direction_x * n.z_s; };
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  const auto seen = [&](double s) { return z_at(s) > 0 ? s : kNone; };
-  if (!is_bent_) return slope(base_) <= kLeastCrossing ? kNone : seen(-gap(base_) / slope(base_));
+  const auto if_visible = [&](double s) { return z_at(s) > 0 ? s : kNone; };
+  if (!is_bent_)
+    return slope(base_) <= kMinCrossing ? kNone : if_visible(-gap(base_) / slope(base_));
   if (gap(nodes_.front()) >= 0 || gap(nodes_.back()) <= 0) {
     const bool before = gap(nodes_.front()) >= 0;
     const Node& end = before ? nodes_.front() : nodes_.back();
-    if (slope(end) <= kLeastCrossing) return kNone;
-    return seen((before ? 0 : length_mm_) - gap(end) / slope(end));
+    if (slope(end) <= kMinCrossing) return kNone;
+    return if_visible((before ? 0 : length_mm_) - gap(end) / slope(end));
   }
   const auto above =
       std::partition_point(nodes_.begin(), nodes_.end(), [&](const Node& n) { return gap(n) < 0; });
   const Node &a = *(above - 1), &b = *above;
-  if (std::min(slope(a), slope(b)) <= kLeastCrossing) return kNone;
-  // Within a cell the gap is a cubic Hermite curve too, and nearly straight.
+  if (std::min(slope(a), slope(b)) <= kMinCrossing) return kNone;
+  // Within a cell the gap is also a cubic Hermite curve, and nearly straight.
   const double h = cell_mm_, f0 = gap(a), f1 = gap(b), d0 = h * slope(a), d1 = h * slope(b);
   double t = f0 / (f0 - f1);
   for (int i = 0; i < 3; ++i) {
@@ -240,45 +241,45 @@ double FaceCurve::meet(double origin_x_mm, double direction_x) const {
         d0 + t * (2 * (3 * (f1 - f0) - 2 * d0 - d1) + 3 * t * (2 * (f0 - f1) + d0 + d1));
     t -= f / f_t;
   }
-  return seen(cell_mm_ * (static_cast<double>(above - nodes_.begin() - 1) + t));
+  return if_visible(cell_mm_ * (static_cast<double>(above - nodes_.begin() - 1) + t));
 }
 
-// The cell in which each line crosses the curve; -1 where meet() has to see. Lines side by side
-// cross in the same cell or the next ones, so that each is looked for from the one before.
-std::vector<int> FaceCurve::cells_met(const std::vector<double>& origin_x_mm,
+// The cell in which each line crosses the curve; -1 where intersect() has to decide. Neighbouring
+// lines cross in the same cell or the next ones, so each search starts at the previous result.
+std::vector<int> FaceCurve::cells_hit(const std::vector<double>& origin_x_mm,
                                       const std::vector<double>& direction_x) const {
   std::vector<int> cells(direction_x.size(), -1);
-  if (!is_bent_ || !turns_little_) return cells;
+  if (!is_bent_ || !has_small_turns_) return cells;
   const Node* node = nodes_.data();
   int cell = 0;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const double origin = origin_x_mm[i], direction = direction_x[i];
     const auto gap = [&](const Node& n) { return n.x_mm - origin - direction * n.z_mm; };
     const auto slope = [&](const Node& n) { return n.x_s - direction * n.z_s; };
-    if (!(direction > plain_low_ && direction < plain_high_)) continue;
+    if (!(direction > unique_low_ && direction < unique_high_)) continue;
     if (gap(node[0]) >= 0 || gap(node[kCells]) <= 0) continue;
     while (gap(node[cell]) >= 0) --cell;
     while (gap(node[cell + 1]) < 0) ++cell;
-    if (std::min(slope(node[cell]), slope(node[cell + 1])) > kLeastCrossing) cells[i] = cell;
+    if (std::min(slope(node[cell]), slope(node[cell + 1])) > kMinCrossing) cells[i] = cell;
   }
   return cells;
 }
 
 namespace {
 
-// The steps of meet() and at(), for lines whose cells are known.
-ALLTACT_WIDE void meet_in_cells(int n,
-                                const FaceCurve::Node* nodes,
-                                const int* __restrict cells,
-                                const double* __restrict origins,
-                                const double* __restrict directions,
-                                double h,
-                                double* __restrict s,
-                                double* __restrict x,
-                                double* __restrict z,
-                                double* __restrict x_s,
-                                double* __restrict z_s,
-                                double* __restrict shift) {
+// The steps of intersect() and at(), for lines whose cells are known.
+ALLTACT_WIDE void intersect_in_cells(int n,
+                                     const FaceCurve::Node* nodes,
+                                     const int* __restrict cells,
+                                     const double* __restrict origins,
+                                     const double* __restrict directions,
+                                     double h,
+                                     double* __restrict s,
+                                     double* __restrict x,
+                                     double* __restrict z,
+                                     double* __restrict x_s,
+                                     double* __restrict z_s,
+                                     double* __restrict shift) {
   for (int i = 0; i < n; ++i) {
     const int cell = std::max(cells[i], 0);
     const FaceCurve::Node &a = nodes[cell], &b = nodes[cell + 1];
@@ -303,28 +304,28 @@ ALLTACT_WIDE void meet_in_cells(int n,
 
 }  // namespace
 
-FaceCurve::Meetings FaceCurve::meet_all(const std::vector<double>& origin_x_mm,
-                                        const std::vector<double>& direction_x) const {
+FaceCurve::Intersections FaceCurve::intersect_all(const std::vector<double>& origin_x_mm,
+                                                  const std::vector<double>& direction_x) const {
   const std::size_t n = direction_x.size();
-  const std::vector<int> cells = cells_met(origin_x_mm, direction_x);
-  Meetings m;
+  const std::vector<int> cells = cells_hit(origin_x_mm, direction_x);
+  Intersections m;
   for (auto* numbers : {&m.s_mm, &m.x_mm, &m.z_mm, &m.x_s, &m.z_s, &m.shift_mm}) numbers->resize(n);
   if (is_bent_)
-    meet_in_cells(static_cast<int>(n),
-                  nodes_.data(),
-                  cells.data(),
-                  origin_x_mm.data(),
-                  direction_x.data(),
-                  cell_mm_,
-                  m.s_mm.data(),
-                  m.x_mm.data(),
-                  m.z_mm.data(),
-                  m.x_s.data(),
-                  m.z_s.data(),
-                  m.shift_mm.data());
+    intersect_in_cells(static_cast<int>(n),
+                       nodes_.data(),
+                       cells.data(),
+                       origin_x_mm.data(),
+                       direction_x.data(),
+                       cell_mm_,
+                       m.s_mm.data(),
+                       m.x_mm.data(),
+                       m.z_mm.data(),
+                       m.x_s.data(),
+                       m.z_s.data(),
+                       m.shift_mm.data());
   for (std::size_t i = 0; i < n; ++i) {
     if (cells[i] >= 0 && m.z_mm[i] > 0) continue;
-    const double s = meet(origin_x_mm[i], direction_x[i]);
+    const double s = intersect(origin_x_mm[i], direction_x[i]);
     // A line that misses the curve gets some point of it, so that its numbers are finite.
     const Node p = at(std::isfinite(s) ? s : length_mm_);
     m.s_mm[i] = s;

@@ -1,5 +1,4 @@
-// The middle line of a view face: straight, or where it is bent an inextensible curve, given by its
-// slope angle.
+// The middle line of a view face: straight, or an inextensible curve given by its slope angle.
 #pragma once
 
 #include "core/simulation/face_load.h"
@@ -11,11 +10,11 @@
 
 namespace alltact {
 
-/// Parametrised by arc length s in the x-z plane, from the base (s = 0) to the tip. As long as
-/// nothing bends it, it is the straight line, without nodes and without rounding from summing up.
-/// Effects add to the slope angle and to the sideways shift at the nodes; integrate() makes the
-/// curve of it. Between nodes everything is a cubic Hermite curve, exact for quadratic slope angles
-/// and within 1e-11 mm for fingers of this size; beyond the ends the curve goes on straight.
+/// Parametrised by arc length s in the x-z plane, from the base (s = 0) to the tip. Undeformed, it
+/// is the straight line, without nodes and without summation error. Effects add to the slope angle
+/// and to the lateral shift at the nodes; integrate() computes the curve. Between nodes everything
+/// is a cubic Hermite curve. It is exact for quadratic slope angles and within 1e-11 mm for fingers
+/// of this size. Beyond the ends the curve continues straight.
 class FaceCurve {
  public:
   static constexpr int kCells = 256;
@@ -25,7 +24,7 @@ class FaceCurve {
     double theta_s = 0;   ///< its derivative along s, rad/mm
     double shift_mm = 0;  ///< of the middle line in y
     double shift_s = 0;   ///< its derivative along s
-    double twist = 0;     ///< angle of the section about the tangent, rad: +y goes away from z = 0
+    double twist = 0;     ///< angle of the section about the tangent, rad: +y moves away from z = 0
     double twist_s = 0;   ///< its derivative along s
     double x_mm = 0, z_mm = 0;
     double x_s = 1, z_s = 0;  ///< cos and sin of theta, after integrate()
@@ -35,70 +34,71 @@ class FaceCurve {
 
   [[nodiscard]] double length_mm() const { return length_mm_; }
   [[nodiscard]] double s_mm(int node) const { return node * cell_mm_; }
-  /// kCells + 1 of them; none as long as nothing moves the face.
+  /// kCells + 1 of them; empty for an undeformed face.
   [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
-  /// By at most 0.1 rad within each cell.
-  [[nodiscard]] bool turns_little() const { return turns_little_; }
-  /// To be changed: from now on this is a curve.
+  /// True: the slope changes by at most 0.1 rad within each cell.
+  [[nodiscard]] bool has_small_turns() const { return has_small_turns_; }
+  /// Mutable access: the face becomes a curve.
   [[nodiscard]] Node& node(int i);
   [[nodiscard]] bool is_straight() const { return !is_bent_; }
 
-  /// Adds the deflection q1 t^2 + q2 (t^3 - t^2) along the untouched face's normal, t = s / length:
-  /// the slope angle changes by its derivative.
+  /// Adds the deflection q1 t^2 + q2 (t^3 - t^2) along the undeformed face's normal, t = s /
+  /// length. The slope angle changes by its derivative.
   void bend(double q1_mm, double q2_mm);
 
   /// Shifts the middle line in y by sway t^2, t = s / length; a straight face stays straight.
   void sway(double sway_mm);
 
-  /// Turns the section at s by tip_rad s / length about the curve; the middle line stays.
+  /// Rotates the section at s by tip_rad s / length about the curve; the middle line does not move.
   void twist(double tip_rad);
   [[nodiscard]] bool is_twisted() const { return is_twisted_; }
 
-  /// Unit vector across the face at a node, towards +y: cos(twist) y + sin(twist) n, n = (-z_s, 0,
-  /// x_s) the untwisted normal, away from the camera; and the normal of the twisted section.
+  /// Unit vector across the face at a node, towards +y: cos(twist) y + sin(twist) n. n = (-z_s, 0,
+  /// x_s) is the untwisted normal, away from the camera. normal() is that of the twisted section.
   [[nodiscard]] static Eigen::Vector3d across(const Node& p);
   [[nodiscard]] static Eigen::Vector3d normal(const Node& p);
 
-  /// What pushes on the finger, until it is borne.
+  /// Loads on the finger, until the body responds to them.
   std::vector<FaceLoad> loads;
-  /// How they moved it: q1, q2 and sway in mm, and the twist in rad.
-  std::optional<Eigen::Vector4d> borne;
+  /// Deflection under the loads: q1, q2 and sway in mm, twist in rad.
+  std::optional<Eigen::Vector4d> response;
 
-  /// Integrates the slope angle (three-point Gauss in each cell); needed before what follows.
+  /// Integrates the slope angle (three-point Gauss in each cell). Required before the functions
+  /// below.
   void integrate();
 
-  /// Where lines meet it, line by line; s_mm is NaN where one does not.
-  struct Meetings {
+  /// Where lines cross it, line by line; s_mm is NaN where one does not.
+  struct Intersections {
     std::vector<double> s_mm, x_mm, z_mm, x_s, z_s, shift_mm;
   };
-  /// meet() and at() of the lines x = origin_x_mm[i] + z * direction_x[i]: the same points within
-  /// 1e-12 mm, many at a time. Made for lines side by side, as the columns of a picture.
-  [[nodiscard]] Meetings meet_all(const std::vector<double>& origin_x_mm,
-                                  const std::vector<double>& direction_x) const;
+  /// intersect() and at() of the lines x = origin_x_mm[i] + z * direction_x[i]: the same points
+  /// within 1e-12 mm, many at a time. For neighbouring lines, as the columns of an image.
+  [[nodiscard]] Intersections intersect_all(const std::vector<double>& origin_x_mm,
+                                            const std::vector<double>& direction_x) const;
 
-  /// Anything at arc length s, any s.
+  /// The curve at arc length s; any s is allowed.
   [[nodiscard]] Node at(double s_mm) const;
 
-  /// The s where the curve meets the line x = origin_x + z * direction_x; NaN when it does not
-  /// with z > 0. Lines that graze the face (cos - direction_x sin <= 0.02) do not meet it.
-  [[nodiscard]] double meet(double origin_x_mm, double direction_x) const;
+  /// The s where the curve crosses the line x = origin_x + z * direction_x; NaN when it does not
+  /// with z > 0. Lines that graze the face (cos - direction_x sin <= 0.02) do not cross it.
+  [[nodiscard]] double intersect(double origin_x_mm, double direction_x) const;
 
  private:
   void make_nodes();
-  void find_plain_directions();
+  void find_unique_directions();
   [[nodiscard]] Node along_line(double s_mm) const;
   [[nodiscard]] double z_at(double s_mm) const;
-  [[nodiscard]] std::vector<int> cells_met(const std::vector<double>& origin_x_mm,
+  [[nodiscard]] std::vector<int> cells_hit(const std::vector<double>& origin_x_mm,
                                            const std::vector<double>& direction_x) const;
 
   double length_mm_, cell_mm_;
   Node base_;
   bool is_bent_ = false, is_twisted_ = false;
-  bool turns_little_ = true;  // within every cell
-  // Lines of a direction between these two meet the curve at most once, and so do their distances
-  // from the nodes change sign.
-  double plain_low_ = 0, plain_high_ = 0;
-  std::vector<Node> nodes_;  // none as long as nothing moves the face
+  bool has_small_turns_ = true;  // within every cell
+  // Lines with a direction between these two cross the curve at most once, and their distances from
+  // the nodes change sign at most once.
+  double unique_low_ = 0, unique_high_ = 0;
+  std::vector<Node> nodes_;  // empty for an undeformed face
 };
 
 }  // namespace alltact

@@ -1,4 +1,4 @@
-// A push on the finger on its way from who pushes to the body that bears it.
+// A load on the finger, from the pushing effect to the body that carries it.
 #pragma once
 
 #include "core/simulation/mechanics/point_force.h"
@@ -8,19 +8,19 @@
 
 namespace alltact {
 
-/// Added to the face by what pushes, before the body (EffectKind::rank) answers it. Without a body
-/// there is no answer: the finger stands firm.
+/// The pushing effect adds it to the face before the body (EffectKind::rank) responds. Without a
+/// body there is no response: the finger is rigid.
 struct FaceLoad {
-  /// At a moment so many frames after frame `frame`; nothing where it does not push yet.
-  std::function<PointForce(int frame, double later)> at;
-  const void* source = nullptr;  ///< tells whose it is
+  /// The force `frame_offset` frames after frame `frame`; zero before the push begins.
+  std::function<PointForce(int frame, double frame_offset)> at;
+  const void* source = nullptr;  ///< identifies the effect
 
-  struct Borne {
-    PointForce force;      ///< what of it the finger bears
-    SurfaceFrame surface;  ///< where that stands now
+  struct Response {
+    PointForce force;      ///< the force that the finger carries
+    SurfaceFrame surface;  ///< where the force acts after deflection
     double modulus_MPa;    ///< of the body
   };
-  std::optional<Borne> borne;
+  std::optional<Response> response;
 };
 
 }  // namespace alltact

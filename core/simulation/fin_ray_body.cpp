@@ -12,8 +12,8 @@ namespace alltact {
 
 namespace {
 
-// Gauss-Legendre on [0, 1]: 16 points integrate what bends this little to rounding.
-constexpr std::array<double, 8> kBodyGaussPlace{0.0950125098376374,
+// Gauss-Legendre on [0, 1]: 16 points integrate such small bends to rounding.
+constexpr std::array<double, 8> kBodyGaussPoint{0.0950125098376374,
                                                 0.2816035507792589,
                                                 0.4580167776572274,
                                                 0.6178762444026438,
@@ -32,9 +32,9 @@ constexpr std::array<double, 8> kBodyGaussWeight{0.1894506104550685,
 
 template <class Add>
 void for_gauss_points(const Add& add) {
-  for (std::size_t i = 0; i < kBodyGaussPlace.size(); ++i)
+  for (std::size_t i = 0; i < kBodyGaussPoint.size(); ++i)
     for (const double side : {-1.0, 1.0})
-      add(0.5 + 0.5 * side * kBodyGaussPlace[i], 0.5 * kBodyGaussWeight[i]);
+      add(0.5 + 0.5 * side * kBodyGaussPoint[i], 0.5 * kBodyGaussWeight[i]);
 }
 
 // The slope angle that q1 = 1 and q2 = 1 add at t, times the length.
@@ -61,44 +61,44 @@ MaterialPoint material_point(const FinRayGeometry& g, const PointForce& at) {
   return {g.width_mm / 2, at.across_mm - depth / 2};
 }
 
-// The face without the forces, from its base to a section: what all q have in common.
-struct RestWay {
+// The undeformed face from its base to a section, common to all q.
+struct RestPath {
   double s_mm, length_mm;
   Eigen::Vector3d middle_mm;  // x and z of the base, y of the section
   double theta, twist;        // of the section
-  std::array<double, 2 * kBodyGaussPlace.size()> way_theta;
+  std::array<double, 2 * kBodyGaussPoint.size()> path_theta;
   [[nodiscard]] double t() const { return s_mm / length_mm; }
 };
 
-RestWay rest_way(const FaceCurve& rest, double s_mm) {
+RestPath rest_path(const FaceCurve& rest, double s_mm) {
   const FaceCurve::Node base = rest.at(0), here = rest.at(s_mm);
-  RestWay way{
+  RestPath path{
       s_mm, rest.length_mm(), {base.x_mm, here.shift_mm, base.z_mm}, here.theta, here.twist, {}};
-  auto* next = way.way_theta.data();
+  auto* next = path.path_theta.data();
   for_gauss_points([&](double part, double) { *next++ = rest.at(part * s_mm).theta; });
-  return way;
+  return path;
 }
 
-// A section of the deformed finger, the way there, and how both change with q1 and q2.
+// A section of the deformed finger, and its derivatives by q1 and q2.
 struct DeformedSection {
   Eigen::Vector3d middle_mm, along, across, out;
   Eigen::Matrix<double, 3, 2> middle_q;
   Eigen::Vector2d turn_q;
 };
 
-DeformedSection section_at(const RestWay& rest, const BodyModes& q) {
+DeformedSection section_at(const RestPath& rest, const BodyModes& q) {
   const double length = rest.length_mm, t = rest.t();
   const Eigen::Vector2d bend = q.head<2>() / length;
   DeformedSection result;
   result.middle_mm = rest.middle_mm + q[2] * t * t * Eigen::Vector3d::UnitY();
   result.middle_q.setZero();
-  const auto* theta = rest.way_theta.data();
+  const auto* theta = rest.path_theta.data();
   for_gauss_points([&](double part, double weight) {
     const Eigen::Vector2d turn = turn_of_bend(part * t);
     const double angle = *theta++ + turn.dot(bend), step = weight * rest.s_mm;
-    const Eigen::Vector3d way(std::cos(angle), 0, std::sin(angle));
-    const Eigen::Vector3d turned(-way.z(), 0, way.x());
-    result.middle_mm += step * way;
+    const Eigen::Vector3d tangent(std::cos(angle), 0, std::sin(angle));
+    const Eigen::Vector3d turned(-tangent.z(), 0, tangent.x());
+    result.middle_mm += step * tangent;
     result.middle_q += step / length * turned * turn.transpose();
   });
   FaceCurve::Node here;
@@ -125,7 +125,7 @@ SurfaceFrame frame_of(const DeformedSection& section, const MaterialPoint& at, P
   return frame;
 }
 
-// d(point)/dq. The section's axes turn about y with theta and about the tangent with the twist.
+// d(point)/dq. The section's axes rotate about y with theta and about the tangent with the twist.
 Eigen::Matrix<double, 3, 4> point_q(const DeformedSection& section,
                                     const MaterialPoint& at,
                                     double t) {
@@ -139,40 +139,40 @@ Eigen::Matrix<double, 3, 4> point_q(const DeformedSection& section,
   return result;
 }
 
-// A force with all that does not depend on q.
-struct StandingForce {
+// A force with everything that does not depend on q.
+struct PreparedForce {
   PointForce force;
   MaterialPoint at;
-  RestWay rest;
+  RestPath rest;
 };
 
-std::vector<StandingForce> standing(std::span<const PointForce> forces,
+std::vector<PreparedForce> prepared(std::span<const PointForce> forces,
                                     const FinRayGeometry& geometry,
                                     const FaceCurve& rest) {
-  std::vector<StandingForce> result;
+  std::vector<PreparedForce> result;
   for (const PointForce& force : forces)
-    result.push_back({force, material_point(geometry, force), rest_way(rest, force.s_mm)});
+    result.push_back({force, material_point(geometry, force), rest_path(rest, force.s_mm)});
   return result;
 }
 
-BodyModes sum_of(const std::vector<StandingForce>& forces, const BodyModes& q) {
+BodyModes sum_of(const std::vector<PreparedForce>& forces, const BodyModes& q) {
   BodyModes sum = BodyModes::Zero();
-  for (const StandingForce& standing : forces) {
-    const DeformedSection section = section_at(standing.rest, q);
-    const SurfaceFrame frame = frame_of(section, standing.at, standing.force.face);
-    sum += point_q(section, standing.at, standing.rest.t()).transpose() *
-           frame.vector_N(standing.force);
+  for (const PreparedForce& prepared : forces) {
+    const DeformedSection section = section_at(prepared.rest, q);
+    const SurfaceFrame frame = frame_of(section, prepared.at, prepared.force.face);
+    sum += point_q(section, prepared.at, prepared.rest.t()).transpose() *
+           frame.vector_N(prepared.force);
   }
   return sum;
 }
 
 bool is_within_limits(const BodyModes& q, double length_mm) {
-  if (!q.allFinite() || std::abs(q[3]) > PushedFinger::kGreatestTwist ||
-      std::abs(q[2]) > PushedFinger::kGreatestSway * length_mm)
+  if (!q.allFinite() || std::abs(q[3]) > PushedFinger::kMaxTwist ||
+      std::abs(q[2]) > PushedFinger::kMaxSway * length_mm)
     return false;
-  // The turn is a parabola over t; eight places see its greatest value closely enough.
+  // The slope is a parabola over t; eight samples give its maximum closely enough.
   for (int i = 1; i <= 8; ++i)
-    if (std::abs(turn_of_bend(i / 8.0).dot(q.head<2>())) > PushedFinger::kGreatestTurn * length_mm)
+    if (std::abs(turn_of_bend(i / 8.0).dot(q.head<2>())) > PushedFinger::kMaxTurn * length_mm)
       return false;
   return true;
 }
@@ -182,10 +182,10 @@ double relative_size(const BodyModes& q, double length_mm) {
   return q.cwiseQuotient(BodyModes(length_mm, length_mm, length_mm, 1)).cwiseAbs().maxCoeff();
 }
 
-// K (q - before) = weight * share * forces, by Newton's method with differences for the derivatives
-// of the forces, from q on. False: not found within the limits; q is as it was.
+// Solves K (q - before) = weight * share * forces from q on, by Newton's method with numeric
+// derivatives of the forces. False: no solution within the limits; q is unchanged.
 bool find_equilibrium(const Eigen::Matrix4d& stiffness,
-                      const std::vector<StandingForce>& forces,
+                      const std::vector<PreparedForce>& forces,
                       double length_mm,
                       double weight,
                       const BodyModes& before,
@@ -248,12 +248,12 @@ Result<FinRayBody> FinRayBody::create(const FinRayGeometry& g, double modulus_MP
       return Error{en::say("a modulus or a length of {:g} is not one of a body", given),
                    "",
                    en::say("numbers above 0")};
-  const double least_mm = std::min(g.base_depth_mm, g.tip_depth_mm);
-  if (least_mm < 2 * g.wall_mm)
+  const double min_mm = std::min(g.base_depth_mm, g.tip_depth_mm);
+  if (min_mm < 2 * g.wall_mm)
     return Error{
-        en::say("two walls of {:g} mm do not fit into a depth of {:g} mm", g.wall_mm, least_mm),
+        en::say("two walls of {:g} mm do not fit into a depth of {:g} mm", g.wall_mm, min_mm),
         "",
-        en::say("walls of up to {:g} mm", least_mm / 2)};
+        en::say("walls of up to {:g} mm", min_mm / 2)};
   if (!(g.coupling >= 0 && g.coupling <= 1))
     return Error{en::say("a coupling of {:g} is not a share", g.coupling), "", en::say("0 to 1")};
   return FinRayBody(g, modulus_MPa);
@@ -261,30 +261,31 @@ Result<FinRayBody> FinRayBody::create(const FinRayGeometry& g, double modulus_MP
 
 SurfaceFrame PushedFinger::surface(const PointForce& at, const BodyModes& q) const {
   return frame_of(
-      section_at(rest_way(rest_, at.s_mm), q), material_point(body_.geometry(), at), at.face);
+      section_at(rest_path(rest_, at.s_mm), q), material_point(body_.geometry(), at), at.face);
 }
 
 BodyModes PushedFinger::generalised_force(std::span<const PointForce> forces,
                                           const BodyModes& q) const {
-  return sum_of(standing(forces, body_.geometry(), rest_), q);
+  return sum_of(prepared(forces, body_.geometry(), rest_), q);
 }
 
 PushedFinger::Equilibrium PushedFinger::equilibrium(std::span<const PointForce> forces,
                                                     double weight,
                                                     const BodyModes& before) const {
-  // Large forces grow bit by bit, so that Newton's method stays with the shape that began at rest.
-  constexpr double kLeastStep = 1.0 / 256, kShareOfLarge = 0.25, kSmallTurn = 0.3;
+  // Large forces are applied in increments, so that Newton's method stays on the branch that starts
+  // at rest.
+  constexpr double kMinStep = 1.0 / 256, kShareOfLarge = 0.25, kSmallTurn = 0.3;
   const double length = rest_.length_mm();
   Equilibrium result{before, 0};
   if (!is_within_limits(before, length)) return result;
-  const std::vector<StandingForce> all = standing(forces, body_.geometry(), rest_);
+  const std::vector<PreparedForce> all = prepared(forces, body_.geometry(), rest_);
   const BodyModes linear = body_.stiffness().ldlt().solve(weight * sum_of(all, before));
   double step = relative_size(linear, length) < kSmallTurn ? 1.0 : kShareOfLarge;
   while (result.share < 1) {
     const double share = std::min(1.0, result.share + step);
     if (find_equilibrium(body_.stiffness(), all, length, weight * share, before, result.q))
       result.share = share;
-    else if ((step /= 2) < kLeastStep)
+    else if ((step /= 2) < kMinStep)
       break;
   }
   return result;

@@ -12,15 +12,15 @@
 namespace alltact {
 
 /// Two walls of equal thickness along the finger, one behind the view face and one at the back,
-/// joined by ribs. The body gets thinner evenly from base to tip.
+/// joined by ribs. The body tapers evenly from base to tip.
 struct FinRayGeometry {
   double length_mm = 0, width_mm = 0;
-  double layer_mm = 0;  ///< the soft layer before the view face, which bears no bending
+  double layer_mm = 0;  ///< the soft layer before the view face, which carries no bending
   double wall_mm = 0;
   double base_depth_mm = 0, tip_depth_mm = 0;  ///< from the view face to the back face
-  /// How much of the shear between the walls the ribs carry: 0, the walls slide past each other
-  /// like two leaves of a spring; 1, they bend as one, like the skins of a sandwich. What a finger
-  /// has follows from pushing it once with a known force.
+  /// Fraction of the shear between the walls that the ribs carry. 0: the walls slide past each
+  /// other like two leaves of a spring. 1: they bend as one, like the skins of a sandwich. One push
+  /// with a known force determines it.
   double coupling = 0;
 
   [[nodiscard]] double depth_mm(double s_mm) const {
@@ -65,32 +65,31 @@ class FinRayBody {
   Eigen::Matrix4d stiffness_;
 };
 
-/// A body on a face that something else has bent already, and forces on it.
+/// A body on a face that is already bent, under forces.
 class PushedFinger {
  public:
-  /// Beyond these the modes are no finger's any more: how far the face turns anywhere, rad, the tip
-  /// twists, rad, and shifts aside, as a share of the length.
-  static constexpr double kGreatestTurn = 1.2, kGreatestTwist = 1.2, kGreatestSway = 0.4;
+  /// Limits of the model: rotation of the face anywhere, rad; twist of the tip, rad; lateral shift
+  /// as a share of the length.
+  static constexpr double kMaxTurn = 1.2, kMaxTwist = 1.2, kMaxSway = 0.4;
 
-  /// `rest`: the face without the forces; it must stay while this is used, and need not be
-  /// integrated. It is as long as the body.
+  /// `rest`: the face without the forces, as long as the body. It must outlive this object and need
+  /// not be integrated.
   PushedFinger(const FinRayBody& body, const FaceCurve& rest) : body_(body), rest_(rest) {}
 
-  /// Where a point of the surface is when the body is deformed by q.
+  /// A surface point when the body is deformed by q.
   [[nodiscard]] SurfaceFrame surface(const PointForce& at, const BodyModes& q) const;
 
-  /// What the forces do to the modes: sum of force . d(point)/dq, at q.
+  /// Generalised force on the modes: sum of force . d(point)/dq, at q.
   [[nodiscard]] BodyModes generalised_force(std::span<const PointForce> forces,
                                             const BodyModes& q) const;
 
   struct Equilibrium {
     BodyModes q = BodyModes::Zero();
-    /// What part of the forces is borne: below 1 they are more than the finger bears within the
-    /// limits above.
+    /// Fraction of the forces that is carried; below 1 they exceed the limits above.
     double share = 1;
   };
   /// The q with K (q - before) = weight * generalised force at q, reached from `before` with
-  /// growing forces. (1, 0) is the elastic body's rest; others are asked for by KelvinChain.
+  /// growing forces. (1, 0) is the elastic body at rest; KelvinChain uses other values.
   [[nodiscard]] Equilibrium equilibrium(std::span<const PointForce> forces,
                                         double weight = 1,
                                         const BodyModes& before = BodyModes::Zero()) const;

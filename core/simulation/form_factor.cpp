@@ -10,31 +10,31 @@ namespace alltact {
 
 namespace {
 
-// Corners as seen from the point; cutting a quadrilateral with a plane adds one at most, and one
+// Corners relative to the point. Clipping a quadrilateral with a plane adds one at most, and one
 // more where it is not quite flat.
-struct SeenPolygon {
+struct VisiblePolygon {
   std::array<Eigen::Vector3d, 6> corners;
   std::size_t n = 0;
 };
 
-SeenPolygon above_the_plane(const Eigen::Vector3d& point,
-                            const Eigen::Vector3d& normal,
-                            const Quadrilateral& corners) {
-  std::array<Eigen::Vector3d, 4> way;
+VisiblePolygon clip_to_plane(const Eigen::Vector3d& point,
+                             const Eigen::Vector3d& normal,
+                             const Quadrilateral& corners) {
+  std::array<Eigen::Vector3d, 4> to_corner;
   std::array<double, 4> height{};
   for (std::size_t i = 0; i < 4; ++i) {
-    way[i] = corners[i] - point;
-    height[i] = normal.dot(way[i]);
+    to_corner[i] = corners[i] - point;
+    height[i] = normal.dot(to_corner[i]);
   }
-  SeenPolygon seen;
+  VisiblePolygon visible;
   for (std::size_t i = 0; i < 4; ++i) {
     const std::size_t next = (i + 1) % 4;
-    if (height[i] >= 0) seen.corners[seen.n++] = way[i];
+    if (height[i] >= 0) visible.corners[visible.n++] = to_corner[i];
     if ((height[i] >= 0) == (height[next] >= 0)) continue;
     const double part = height[i] / (height[i] - height[next]);
-    seen.corners[seen.n++] = way[i] + part * (way[next] - way[i]);
+    visible.corners[visible.n++] = to_corner[i] + part * (to_corner[next] - to_corner[i]);
   }
-  return seen;
+  return visible;
 }
 
 }  // namespace
@@ -42,15 +42,15 @@ SeenPolygon above_the_plane(const Eigen::Vector3d& point,
 double form_factor(const Eigen::Vector3d& point,
                    const Eigen::Vector3d& normal,
                    const Quadrilateral& corners) {
-  const SeenPolygon seen = above_the_plane(point, normal, corners);
-  if (seen.n < 3) return 0;
+  const VisiblePolygon visible = clip_to_plane(point, normal, corners);
+  if (visible.n < 3) return 0;
   double sum = 0;
-  for (std::size_t i = 0; i < seen.n; ++i) {
-    const Eigen::Vector3d& a = seen.corners[i];
-    const Eigen::Vector3d& b = seen.corners[(i + 1) % seen.n];
+  for (std::size_t i = 0; i < visible.n; ++i) {
+    const Eigen::Vector3d& a = visible.corners[i];
+    const Eigen::Vector3d& b = visible.corners[(i + 1) % visible.n];
     const Eigen::Vector3d turn = b.cross(a);
     const double sine = turn.norm();
-    // An edge that points at the point is seen as none.
+    // An edge in line with the point has no angle.
     if (sine <= 1e-14 * a.norm() * b.norm()) continue;
     sum += std::atan2(sine, a.dot(b)) * normal.dot(turn) / sine;
   }

@@ -11,10 +11,10 @@ namespace {
 // Directions tabulated for a camera with distortion: 0.0005 apart at most, so that linear
 // interpolation stays within 1e-5 mm.
 constexpr double kTableStep = 5e-4;
-constexpr float kNoEdge = 1e30F;  // half width of a face that has no edges
+constexpr float kNoEdge = 1e30F;  // half width of a face without edges
 
-// y of the face's points and what part of each pixel the face covers: exact along v, because the
-// edges are straight within a pixel.
+// y of the face's points and each pixel's coverage: exact along v, because the edges are straight
+// within a pixel.
 ALLTACT_WIDE void cover_row(int first,
                             int last,
                             float origin_y,
@@ -61,7 +61,7 @@ FrameGeometry::FrameGeometry(const PixelRays& rays,
                              std::optional<FaceCurve> curve)
     : rays_(rays), face_(face), curve_(std::move(curve)) {
   const cv::Size size = rays.camera().size();
-  if (!meets_columns()) return;
+  if (!is_column_wise()) return;
   if (rays.linear()) {
     std::vector<double> origins, directions;
     for (int u = 0; u < size.width; ++u) {
@@ -96,12 +96,12 @@ void FrameGeometry::set_columns(const std::vector<double>& origin_x,
     }
     return;
   }
-  const FaceCurve::Meetings met = curve_->meet_all(origin_x, direction_x);
+  const FaceCurve::Intersections hit = curve_->intersect_all(origin_x, direction_x);
   for (std::size_t i = 0; i < n; ++i) {
-    p.x_mm = met.x_mm[i], p.z_mm = met.z_mm[i];
-    p.x_s = met.x_s[i], p.z_s = met.z_s[i];
-    p.shift_mm = met.shift_mm[i];
-    set_column(i, direction_x[i], met.s_mm[i], p);
+    p.x_mm = hit.x_mm[i], p.z_mm = hit.z_mm[i];
+    p.x_s = hit.x_s[i], p.z_s = hit.z_s[i];
+    p.shift_mm = hit.shift_mm[i];
+    set_column(i, direction_x[i], hit.s_mm[i], p);
   }
 }
 
@@ -111,14 +111,14 @@ void FrameGeometry::set_column(std::size_t i,
                                const FaceCurve::Node& p) {
   double end = 1;
   if (curve_) {
-    const bool met = std::isfinite(s);
+    const bool hit = std::isfinite(s);
     const CameraParameters& camera = rays_.camera().parameters();
     const double px_u = rays_.camera().is_perspective() ? p.z_mm / camera.fx_px : camera.mm_per_px;
     const double s_per_px = px_u / std::max(0.02, p.x_s - direction_x * p.z_s);
     const double inside = std::min(s, curve_->length_mm() - s) / s_per_px + 0.5;
-    // A direction that misses the face sees nothing; its numbers only have to be finite.
-    end = met ? std::clamp(inside, 0.0, 1.0) : 0.0;
-    if (!met) s = kNotMet_mm;
+    // A direction that misses the face has no coverage; its numbers only have to be finite.
+    end = hit ? std::clamp(inside, 0.0, 1.0) : 0.0;
+    if (!hit) s = kNoHit_mm;
   }
   columns_.x[i] = static_cast<float>(p.x_mm);
   columns_.z[i] = static_cast<float>(p.z_mm);
@@ -132,7 +132,7 @@ void FrameGeometry::set_column(std::size_t i,
   columns_.per_mm[i] = static_cast<float>(1 / rays_.camera().mm_per_px_at(p.z_mm));
 }
 
-// For each row the blocks of columns that the face can be in, so that the rest is skipped.
+// The column blocks that the face can cover in each row; the others are skipped.
 void FrameGeometry::find_bands() {
   const int width = static_cast<int>(columns_.x.size());
   const auto height = static_cast<std::size_t>(rays_.camera().size().height);
@@ -173,12 +173,12 @@ void FrameGeometry::find_bands() {
   for (std::size_t i = blocks; i-- > 0;) set_rows(i, row_first_, static_cast<int>(i) * kBlock);
 }
 
-bool FrameGeometry::meets_columns() const {
+bool FrameGeometry::is_column_wise() const {
   return rays_.are_simple() && !(curve_ && curve_->is_twisted());
 }
 
 void FrameGeometry::fill(RowView& row) const {
-  const Surface face = meets_columns() ? fill_by_columns(row) : fill_by_rays(row);
+  const Surface face = is_column_wise() ? fill_by_columns(row) : fill_by_rays(row);
   if (!layer_changes.empty()) {
     float* luf = row.scratch.floats();
     std::copy(
@@ -302,9 +302,9 @@ void FrameGeometry::fill_presses(RowView& row) const {
   for (const auto& press : presses) {
     int from = face.first, to = face.last;
     const auto reach = static_cast<float>(std::visit(
-        [](const auto& p) { return 1.1 * p.reach_mm() + 2 * p.place.depth_mm + 1; }, press));
+        [](const auto& p) { return 1.1 * p.reach_mm() + 2 * p.pose.depth_mm + 1; }, press));
     const auto s_0 =
-        static_cast<float>(std::visit([](const auto& p) { return p.place.s_mm; }, press));
+        static_cast<float>(std::visit([](const auto& p) { return p.pose.s_mm; }, press));
     while (from < to && std::abs(face.s_mm[from] - s_0) > reach) ++from;
     while (to > from && std::abs(face.s_mm[to - 1] - s_0) > reach) --to;
     if (from >= to) continue;

@@ -1,4 +1,4 @@
-// Where everything is in one frame: the face, what presses into it, the dots beside it.
+// The geometry of one frame: the face, what presses into it, the dots on the side faces.
 #pragma once
 
 #include "core/camera/camera.h"
@@ -21,28 +21,28 @@
 
 namespace alltact {
 
-/// A dot engraved on a side face, as it appears in the picture.
+/// A dot engraved on a side face, as it appears in the image.
 struct MarkerDisc {
   int side;                   ///< -1: upper (small v), +1: lower
   Eigen::Vector2d centre_px;  ///< of its image
   bool visible;
   double albedo;
   cv::Point corner;          ///< top left pixel of `coverage`
-  cv::Mat_<float> coverage;  ///< part of each pixel that the dot covers
+  cv::Mat_<float> coverage;  ///< fraction of each pixel that the dot covers
 };
 
 /// Changes the layer's thickness.
 class LayerChange {
  public:
   virtual ~LayerChange() = default;
-  /// `luf_mm`: the thickness along z in the face's columns, to be changed.
+  /// `luf_mm`: thickness along z in the face's columns, changed by this call.
   virtual void row(const FaceRow& face, RowScratch& scratch, float* luf_mm) const = 0;
 };
 
-/// The view face of one frame, for a given camera, and what an effect may add to it.
+/// The view face of one frame for a given camera, and the additions of effects.
 class FrameGeometry {
  public:
-  /// Fin Ray: a finished curve. Flat: nullopt, the plane face.plane_z_mm.
+  /// Fin Ray: an integrated curve. Flat: nullopt, the plane face.plane_z_mm.
   FrameGeometry(const PixelRays& rays, const Face& face, std::optional<FaceCurve> curve);
 
   [[nodiscard]] const PixelRays& rays() const { return rays_; }
@@ -50,31 +50,31 @@ class FrameGeometry {
   /// nullptr for a flat sensor.
   [[nodiscard]] const FaceCurve* curve() const { return curve_ ? &*curve_ : nullptr; }
 
-  /// A point of the body, by its place along and across the view face and how far it lies behind
-  /// that (towards the camera), and the directions along the face and away from the camera there.
+  /// A point of the body by its position along and across the view face and its depth behind it
+  /// (towards the camera). Also the directions along the face and away from the camera there.
   struct BodyPoint {
     Eigen::Vector3d point_mm, along, normal;
   };
   [[nodiscard]] BodyPoint body_point(double s_mm, double across_mm, double behind_mm) const;
 
-  /// The LUF over a place of the view face.
+  /// The LUF (undeformed outer side) over a position of the view face.
   [[nodiscard]] Eigen::Vector3d luf_point_mm(double s_mm, double across_mm) const;
 
-  /// A place for a press; for a flat sensor s is x and y is y.
-  [[nodiscard]] PressPlace press_place(double s_mm, double y_mm, double depth_mm) const;
+  /// The pose of a press; for a flat sensor s is x and y is y.
+  [[nodiscard]] PressPose press_pose(double s_mm, double y_mm, double depth_mm) const;
 
-  /// The layer's greatest thickness along z over the picture, untouched.
-  [[nodiscard]] double greatest_t0_mm() const;
+  /// Maximum thickness of the undeformed layer along z over the image.
+  [[nodiscard]] double max_thickness_mm() const;
 
   std::vector<std::variant<BallPress, BodyPress, SampledPress>> presses;
-  std::vector<ContactTruth> contacts;  ///< what presses on the finger
-  std::vector<SideDrag> drags;         ///< what drags the side faces
+  std::vector<ContactTruth> contacts;  ///< objects that press on the finger
+  std::vector<SideDrag> drags;         ///< drags on the side faces
   std::vector<MarkerDisc> discs;       ///< by number
   std::vector<std::shared_ptr<const LayerChange>> layer_changes;
   Illumination illumination;
 
-  /// False: rows are met ray by ray, because the face is twisted or seen through a window.
-  [[nodiscard]] bool meets_columns() const;
+  /// False: rows are intersected ray by ray, because the face is twisted or behind a window.
+  [[nodiscard]] bool is_column_wise() const;
   /// Fills row.face, the press depth and the view face's surface.
   void fill(RowView& row) const;
 
@@ -95,12 +95,12 @@ class FrameGeometry {
   const PixelRays& rays_;
   Face face_;
   std::optional<FaceCurve> curve_;
-  // By column, or by direction for a camera with distortion; empty where it takes more than the
-  // column to know what is met: see meets_columns().
+  // By column, or by direction for a camera with distortion. Empty where the column alone does not
+  // determine the intersection: see is_column_wise().
   Columns columns_;
   double table_first_ = 0, table_per_direction_ = 0;
   static constexpr int kBlock = 16;
-  std::vector<int> row_first_, row_last_;  // columns that the face may be in, by row
+  std::vector<int> row_first_, row_last_;  // columns that the face may cover, by row
 };
 
 }  // namespace alltact

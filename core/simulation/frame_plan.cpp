@@ -26,8 +26,8 @@ FramePlan::FramePlan(const Scene::Content& content, std::uint64_t seed, int fram
         break;
       case Stage::kSensor:
         add(sensor);
-        gives_bytes_ = gives_bytes_ || sensor.back().effect->gives_bytes();
-        in_passes_ = in_passes_ || sensor.back().effect->needs_picture();
+        outputs_bytes_ = outputs_bytes_ || sensor.back().effect->outputs_bytes();
+        is_multi_pass_ = is_multi_pass_ || sensor.back().effect->needs_full_image();
         break;
       case Stage::kTransport:
         add(transport);
@@ -37,12 +37,12 @@ FramePlan::FramePlan(const Scene::Content& content, std::uint64_t seed, int fram
   if (sensor.empty()) return;
   const Facts known = facts(content);
   for (const auto& step : sensor) step.effect->expose(known.scene(), exposure_);
-  in_passes_ = in_passes_ || !exposure_.is_at_once();
+  is_multi_pass_ = is_multi_pass_ || !exposure_.is_instantaneous();
 }
 
-void FramePlan::move_to(double later) {
-  for (auto& step : geometry) step.context.later = later;
-  for (auto& step : radiance) step.context.later = later;
+void FramePlan::move_to(double frame_offset) {
+  for (auto& step : geometry) step.context.frame_offset = frame_offset;
+  for (auto& step : radiance) step.context.frame_offset = frame_offset;
 }
 
 FramePlan::Facts FramePlan::facts(const Scene::Content& content) const {
@@ -50,7 +50,7 @@ FramePlan::Facts FramePlan::facts(const Scene::Content& content) const {
   for (const auto* named : effects()) {
     facts.named.push_back(named->kind->name);
     facts.lamp_count += named->effect->lamp_count();
-    if (const auto kind = named->effect->presses()) facts.pressed.push_back(*kind);
+    if (const auto kind = named->effect->presses()) facts.press_kinds.push_back(*kind);
     if (const ElasticFinger* elastic = named->effect->elastic()) facts.elastic = elastic;
   }
   return facts;

@@ -1,4 +1,4 @@
-// Between the nodes of a curve.
+// Interpolation between the nodes of a curve.
 #pragma once
 
 namespace alltact {
@@ -10,9 +10,9 @@ inline double hermite(double f0, double d0, double f1, double d1, double h, doub
   return u * u * (f0 * (1 + 2 * t) + h * d0 * t) + t * t * (f1 * (3 - 2 * t) - h * d1 * u);
 }
 
-/// Cosine and sine of an angle `by` beyond one whose cosine and sine are known, |by| <=
-/// kLittleTurn: the series, within 3e-17, and the addition theorems.
-inline constexpr double kLittleTurn = 0.1;
+/// Cosine and sine of an angle `by` beyond one with known cosine and sine, |by| <= kSeriesTurn: the
+/// series, within 3e-17, and the addition theorems.
+inline constexpr double kSeriesTurn = 0.1;
 struct TurnedDirection {
   double cos, sin;
 };

@@ -1,4 +1,4 @@
-// Light that does not come straight from the lamps, but from what they light.
+// Light that arrives not directly from the lamps but from lit surfaces.
 #pragma once
 
 #include "core/simulation/row_view.h"
@@ -8,7 +8,7 @@
 
 namespace alltact {
 
-/// One frame's. Made while the geometry is, asked by the effect that has the lamps.
+/// Of one frame. Built with the geometry; the effect that owns the lamps evaluates it.
 class IndirectLight {
  public:
   IndirectLight() = default;
@@ -16,10 +16,10 @@ class IndirectLight {
   IndirectLight& operator=(const IndirectLight&) = delete;
   virtual ~IndirectLight() = default;
 
-  /// Sets irradiance[first, last) to what falls on a surface straight from lamps and room.
+  /// Sets irradiance[first, last) to the irradiance of a surface directly from lamps and room.
   using Direct = std::function<void(const Surface& surface, float* irradiance)>;
 
-  /// Used by several threads at once.
+  /// Several threads use it at once.
   class Rows {
    public:
     Rows() = default;

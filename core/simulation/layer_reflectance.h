@@ -1,4 +1,4 @@
-// How much light a translucent layer on its coat gives back.
+// Reflectance of a translucent layer on its coat.
 #pragma once
 
 #include <cmath>

@@ -7,13 +7,13 @@ namespace alltact {
 
 namespace {
 
-constexpr std::size_t kMostMarkers = 128;
+constexpr std::size_t kMaxMarkers = 128;
 
 }  // namespace
 
 std::vector<std::size_t> read_marker_numbers(YamlSection& section) {
   std::vector<std::size_t> numbers;
-  for (const double given : section.numbers("markers", 1, kMostMarkers, {-1e6, 1e6})) {
+  for (const double given : section.numbers("markers", 1, kMaxMarkers, {-1e6, 1e6})) {
     if (given < 0 || given != std::floor(given))
       section.refuse(
           "markers", en::say("{:g} is not a marker's number", given), en::say("0, 1, 2, ..."));

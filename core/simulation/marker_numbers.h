@@ -1,4 +1,4 @@
-// Which dots an effect is about.
+// The dots that an effect acts on.
 #pragma once
 
 #include "core/yaml/yaml_reader.h"
@@ -8,7 +8,7 @@
 
 namespace alltact {
 
-/// For YamlFile::read(): the key `markers`, whole numbers from 0 on, each once.
+/// For YamlFile::read(): the key `markers`, distinct integers from 0.
 [[nodiscard]] std::vector<std::size_t> read_marker_numbers(YamlSection& section);
 
 }  // namespace alltact

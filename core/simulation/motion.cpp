@@ -22,7 +22,7 @@ double halton(int k, int base) {
   return value;
 }
 
-// A base of its own for each degree of freedom; the names decide, not their order in the scene.
+// A separate base for each degree of freedom, chosen by name and not by order in the scene.
 int base_of(const std::string& name) {
   if (name == "q1_mm") return 2;
   if (name == "q2_mm") return 3;
@@ -65,14 +65,14 @@ Motion Motion::read(YamlSection& section) {
 }
 
 double Motion::value(const DegreeOfFreedom& dof, std::uint64_t seed, int frame) const {
-  const std::string who = "motion." + dof.name;
+  const std::string stream = "motion." + dof.name;
   const auto in_range = [&](double unit) { return dof.low + (dof.high - dof.low) * unit; };
   switch (kind_) {
     case Kind::kRandom:
-      return in_range(philox_uniform(seed, who, static_cast<std::uint32_t>(frame), 0));
+      return in_range(philox_uniform(seed, stream, static_cast<std::uint32_t>(frame), 0));
     case Kind::kWander: {
-      const double shift = philox_uniform(seed, who, 0, 0);
-      const auto place = [&](int k) {
+      const double shift = philox_uniform(seed, stream, 0, 0);
+      const auto waypoint = [&](int k) {
         if (k == 0) return std::clamp(0.0, dof.low, dof.high);
         const double unit = halton(k + 1, base_of(dof.name)) + shift;
         return in_range(unit - std::floor(unit));
@@ -80,7 +80,7 @@ double Motion::value(const DegreeOfFreedom& dof, std::uint64_t seed, int frame) 
       const double move = frame / frames_per_move_;
       const int k = static_cast<int>(move);
       const double ease = 0.5 - 0.5 * std::cos(std::numbers::pi * (move - k));
-      return place(k) + (place(k + 1) - place(k)) * ease;
+      return waypoint(k) + (waypoint(k + 1) - waypoint(k)) * ease;
     }
     case Kind::kPath: {
       const auto found = path_.find(dof.name);
@@ -94,10 +94,10 @@ double Motion::value(const DegreeOfFreedom& dof, std::uint64_t seed, int frame) 
   return found == pose.end() ? 0.0 : found->second;
 }
 
-Status Motion::fits(const std::vector<DegreeOfFreedom>& dofs,
-                    const std::string& name,
-                    double least,
-                    double greatest) const {
+Status Motion::validate(const std::vector<DegreeOfFreedom>& dofs,
+                        const std::string& name,
+                        double min_value,
+                        double max_value) const {
   const auto dof = std::find_if(
       dofs.begin(), dofs.end(), [&](const DegreeOfFreedom& one) { return one.name == name; });
   if (dof == dofs.end()) {
@@ -108,7 +108,7 @@ Status Motion::fits(const std::vector<DegreeOfFreedom>& dofs,
         where_,
         names.empty() ? en::say("name `bend` or `sway` among the effects") : one_of(names, name)};
   }
-  for (const double value : {least, greatest})
+  for (const double value : {min_value, max_value})
     if (value < dof->low || value > dof->high)
       return Error{en::say("{} = {:g} is outside the effect's range", name, value),
                    where_,
@@ -116,12 +116,12 @@ Status Motion::fits(const std::vector<DegreeOfFreedom>& dofs,
   return {};
 }
 
-Status Motion::fits(const std::vector<DegreeOfFreedom>& dofs) const {
+Status Motion::validate(const std::vector<DegreeOfFreedom>& dofs) const {
   for (const Pose& pose : poses_)
     for (const auto& [name, value] : pose)
-      if (const Status status = fits(dofs, name, value, value); !status) return status;
+      if (const Status status = validate(dofs, name, value, value); !status) return status;
   for (const auto& [name, values] : path_)
-    if (const Status status = fits(dofs, name, values.least(), values.greatest()); !status)
+    if (const Status status = validate(dofs, name, values.min_value(), values.max_value()); !status)
       return status;
   const bool moves_all = kind_ == Kind::kRandom || kind_ == Kind::kWander;
   if (moves_all && dofs.empty())

@@ -1,4 +1,4 @@
-// How a simulated finger moves from frame to frame.
+// The motion of a simulated finger from frame to frame.
 #pragma once
 
 #include "core/result.h"
@@ -11,31 +11,31 @@
 
 namespace alltact {
 
-/// A pure function of (seed, frame): any frame can be asked for at any time.
-///   hold:   the same pose in every frame, `pose: {q1_mm: 3}`; what is not named is 0.
-///   path:   each degree of freedom that is named follows its key frames (varying.h), so that a
-///           finger bends for a while and then holds still; what is not named is 0.
+/// A pure function of (seed, frame): frames may be evaluated in any order.
+///   hold:   the same pose in every frame, `pose: {q1_mm: 3}`; unnamed degrees of freedom are 0.
+///   path:   each named degree of freedom follows its key frames (varying.h), so that a finger
+///           bends for a while and then holds still; unnamed ones are 0.
 ///   poses:  `poses: [{q1_mm: 3}, ...]`, frame i takes pose i modulo their number.
-///   random: every frame draws each degree of freedom evenly from its range, on its own.
-///   wander: from rest (all 0) to one place of the ranges and on to the next in `frames_per_move`
-///           frames each, starting and arriving softly; the places fill the ranges evenly (Halton
-///           sequence, shifted by seed).
+///   random: every frame draws each degree of freedom evenly and independently from its range.
+///   wander: from rest (all 0) from one point of the ranges to the next in `frames_per_move` frames
+///           each, with soft starts and stops; the points fill the ranges evenly (Halton sequence,
+///           shifted by seed).
 class Motion {
  public:
-  /// The motion of a scene that names none: hold, everything 0.
+  /// The default motion of a scene: hold, everything 0.
   Motion() = default;
   static Motion read(YamlSection& section);
 
   [[nodiscard]] double value(const DegreeOfFreedom& dof, std::uint64_t seed, int frame) const;
-  /// Error: a pose names something that nothing moves, or puts it outside its range.
-  [[nodiscard]] Status fits(const std::vector<DegreeOfFreedom>& dofs) const;
+  /// Error: a pose names a degree of freedom that no effect moves, or exceeds its range.
+  [[nodiscard]] Status validate(const std::vector<DegreeOfFreedom>& dofs) const;
 
  private:
   enum class Kind { kPath = 1, kPoses, kRandom, kWander };
-  [[nodiscard]] Status fits(const std::vector<DegreeOfFreedom>& dofs,
-                            const std::string& name,
-                            double least,
-                            double greatest) const;
+  [[nodiscard]] Status validate(const std::vector<DegreeOfFreedom>& dofs,
+                                const std::string& name,
+                                double min_value,
+                                double max_value) const;
   using Pose = std::map<std::string, double>;
 
   Kind kind_ = Kind::kPoses;

@@ -14,7 +14,7 @@ namespace alltact {
 namespace {
 
 constexpr int kQuantiles = 1 << 16;
-constexpr int kLanes = 32;            // counters worked on side by side
+constexpr int kLanes = 32;            // counters processed in parallel
 constexpr int kPixelsPerCounter = 8;  // 128 bits make eight 16-bit indices
 
 // The middle quantile of each of 64 Ki equally likely slices, scaled to unit variance.
@@ -47,7 +47,7 @@ const float* quantiles() {
   return kTable.data();
 }
 
-// Philox for kLanes counters that differ in their first word. The same as philox(), word by word.
+// Philox for kLanes counters that differ in their first word. Bitwise equal to philox().
 ALLTACT_WIDE void philox_lanes(std::uint32_t first,
                                std::uint32_t c1,
                                std::uint32_t c2,
@@ -84,7 +84,7 @@ ALLTACT_WIDE void philox_lanes(std::uint32_t first,
 
 }  // namespace
 
-RowNoise::RowNoise(std::string_view who) : who_(fnv1a(who)) {
+RowNoise::RowNoise(std::string_view stream) : stream_(fnv1a(stream)) {
   quantiles();
 }
 
@@ -97,7 +97,7 @@ void RowNoise::normals(std::uint64_t seed, int frame, int row, int n, float* out
                  static_cast<std::uint32_t>(frame),
                  static_cast<std::uint32_t>(seed >> 32),
                  static_cast<std::uint32_t>(seed),
-                 who_,
+                 stream_,
                  bits.data());
     const int count = std::min(kLanes * kPixelsPerCounter, n - at);
     for (int i = 0; i < count; ++i) {

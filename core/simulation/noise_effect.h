@@ -1,4 +1,4 @@
-// Noise of one strength, drawn for every pixel on its own: what shot and read noise share.
+// Noise of one strength, drawn independently for every pixel: common to shot and read noise.
 #pragma once
 
 #include "core/simulation/effect.h"
@@ -10,14 +10,14 @@ namespace alltact {
 
 class NoiseEffect final : public SensorEffect {
  public:
-  /// Adds to the values of a row what n normal numbers make of them.
+  /// Adds noise made of n normal numbers to the values of a row.
   using Add = void (*)(int n, float strength, const float* normal, float* value);
 
-  /// Draws under `who`.
-  NoiseEffect(std::string_view who, double strength, Add add, Message sentence)
+  /// Draws from this stream.
+  NoiseEffect(std::string_view stream, double strength, Add add, Message sentence)
       : strength_(static_cast<float>(strength)),
         add_(add),
-        noise_(who),
+        noise_(stream),
         sentence_(std::move(sentence)) {}
 
   Message sentence() const override { return sentence_; }

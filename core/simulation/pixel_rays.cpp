@@ -5,7 +5,7 @@ namespace alltact {
 namespace {
 
 Ray ray_of(const Camera& camera, double u, double v) {
-  // Camera::create refuses distortions that leave pixels of the picture without a ray.
+  // Camera::create refuses distortions that leave pixels of the image without a ray.
   return camera.unproject({u, v}).value_or(Ray{});
 }
 

@@ -1,4 +1,4 @@
-// The rays of a camera's pixels in the form that rows of a picture want them.
+// The rays of a camera's pixels, arranged for image rows.
 #pragma once
 
 #include "core/camera/camera.h"
@@ -19,7 +19,7 @@ struct RayRow {
   const float* step_y = nullptr;  ///< d(direction_y)/dv
 };
 
-/// Made once per plan. A ray is origin + z * direction, of which only x and y are kept.
+/// Built once per plan. A ray is origin + z * direction, of which only x and y are stored.
 class PixelRays {
  public:
   explicit PixelRays(const Camera& camera);
@@ -27,11 +27,11 @@ class PixelRays {
   [[nodiscard]] const Camera& camera() const { return camera_; }
 
   /// True: all rays of a perspective camera start at its centre, or those of an orthographic one
-  /// run along z; not so behind a window.
+  /// run along z. False behind a window.
   [[nodiscard]] bool are_simple() const { return origins_.empty(); }
   [[nodiscard]] Ray ray(int u, int v) const;
-  /// The ray of the next pixel to the right, or below; at the picture's edge of the one before.
-  [[nodiscard]] Ray beside(int u, int v) const {
+  /// The ray of the next pixel to the right, or below; at the image's edge, of the previous one.
+  [[nodiscard]] Ray right_of(int u, int v) const {
     return ray(u + 1 < camera_.size().width ? u + 1 : u - 1, v);
   }
   [[nodiscard]] Ray below(int u, int v) const {
@@ -40,7 +40,7 @@ class PixelRays {
 
   /// True: the ray's x depends on the column only, its y on the row only.
   [[nodiscard]] bool linear() const { return map_.empty(); }
-  // Of a linear camera:
+  // For a linear camera:
   [[nodiscard]] float origin_x(int u) const { return origin_x_[static_cast<std::size_t>(u)]; }
   [[nodiscard]] float direction_x(int u) const { return direction_x_[static_cast<std::size_t>(u)]; }
   struct RowRay {
@@ -48,9 +48,9 @@ class PixelRays {
   };
   [[nodiscard]] RowRay row_ray(int v) const { return rows_[static_cast<std::size_t>(v)]; }
 
-  // Of a perspective camera:
+  // For a perspective camera:
   [[nodiscard]] RayRow row(int v, RowScratch& scratch) const;
-  /// Least and greatest direction_x in the picture, of a camera with distortion.
+  /// Minimum and maximum direction_x in the image, for a camera with distortion.
   [[nodiscard]] std::pair<float, float> direction_x_range() const;
 
  private:

@@ -1,7 +1,7 @@
 #include "core/simulation/plan.h"
 
 #include "core/numerics/dispatch.h"
-#include "core/numerics/parts.h"
+#include "core/numerics/parallel.h"
 #include "core/numerics/philox.h"
 #include "core/simulation/frame_plan.h"
 #include "core/simulation/plan_truth.h"
@@ -37,15 +37,15 @@ ALLTACT_WIDE void add_light(int first,
   for (int u = first; u < last; ++u) value[u] += coverage[u] * light[u];
 }
 
-// Where no light was added up.
+// Fills the columns without light.
 void darken_rest(const RowView& row) {
   std::fill(row.value, row.value + row.lit_first, 0.0F);
   std::fill(row.value + row.lit_last, row.value + row.width, 0.0F);
 }
 
-// What reaches the sensor, in the columns that row.lit_first and row.lit_last tell: every surface's
-// light by the part of the pixel that it covers. Where row.value is not given it becomes a row of
-// scratch: that of the light, if there is one surface only.
+// Sums every surface's light times its coverage into row.value, and sets row.lit_first and
+// row.lit_last. If row.value is null it becomes a scratch row: that of the light, if there is one
+// surface only.
 void add_up_light(RowView& row) {
   const Surface& face = row.surfaces.front();
   row.lit_first = face.first;
@@ -82,11 +82,11 @@ struct Plan::State {
   const Scene::Content& content;
   std::uint64_t seed;
   PixelRays rays;
-  std::vector<const Scene::Content::Named*> built;  // for some frame, in the order they run
+  std::vector<const Scene::Content::Named*> built;  // for some frame, in running order
   struct Frames {
     int first, last;
   };
-  std::optional<Frames> without_bytes;  // the first ones that are not of whole grey levels
+  std::optional<Frames> without_bytes;  // the first ones without integer grey levels
 
   [[nodiscard]] FramePlan compiled(int frame) const { return {content, seed, frame}; }
   [[nodiscard]] Status check();
@@ -97,44 +97,44 @@ struct Plan::State {
                    const RadianceRows& light,
                    int first,
                    int last,
-                   cv::Mat& picture) const;
+                   cv::Mat& image) const;
   [[nodiscard]] cv::Mat light_before_sensor(const FramePlan& plan,
                                             const FrameGeometry& geometry,
                                             TruthMaps& maps) const;
   void render_light(FramePlan plan, int first, int last, cv::Mat_<float>& grey) const;
-  [[nodiscard]] cv::Mat render_in_passes(const FramePlan& plan,
-                                         const FrameGeometry& geometry,
-                                         int threads) const;
+  [[nodiscard]] cv::Mat render_multi_pass(const FramePlan& plan,
+                                          const FrameGeometry& geometry,
+                                          int threads) const;
 };
 
-// Stretch by stretch of frames that hold the same effects.
+// Checks each run of frames with the same effects.
 Status Plan::State::check() {
   std::set<int> starts{0, content.time.frames};
   for (const auto& named : content.effects) {
     starts.insert(named.presence.first);
     starts.insert(named.presence.end);
   }
-  std::set<const Scene::Content::Named*> seen;
+  std::set<const Scene::Content::Named*> present;
   for (auto start = starts.begin(); *start < content.time.frames; ++start) {
     const FramePlan plan = compiled(*start);
     const Frames frames{*start, *std::next(start) - 1};
     if (const Status status = check(plan, frames); !status) return status;
-    if (!plan.gives_bytes() && !without_bytes) without_bytes = frames;
-    for (const auto* named : plan.effects()) seen.insert(named);
+    if (!plan.outputs_bytes() && !without_bytes) without_bytes = frames;
+    for (const auto* named : plan.effects()) present.insert(named);
   }
   std::vector<DegreeOfFreedom> dofs;
   for (const auto& named : content.effects) {
-    if (!seen.contains(&named)) continue;
+    if (!present.contains(&named)) continue;
     built.push_back(&named);
     for (const DegreeOfFreedom& dof : named.effect->degrees_of_freedom()) dofs.push_back(dof);
   }
-  return content.motion.fits(dofs);
+  return content.motion.validate(dofs);
 }
 
 Status Plan::State::check(const FramePlan& plan, Frames frames) const {
   const FramePlan::Facts facts = plan.facts(content);
   for (const auto* named : plan.effects()) {
-    const Status status = named->effect->fits(facts.scene());
+    const Status status = named->effect->validate(facts.scene());
     if (status) continue;
     const Message& what = status.error().what;
     const bool in_all = frames.first == 0 && frames.last == content.time.frames - 1;
@@ -155,9 +155,9 @@ FrameGeometry Plan::State::geometry_of(const FramePlan& plan) const {
   FrameGeometry result(rays, content.finger.face, std::move(curve));
   for (const auto& step : plan.geometry) {
     const std::size_t known = result.contacts.size(), pressed = result.presses.size();
-    step.effect->place(step.context, result);
+    step.effect->apply(step.context, result);
     for (std::size_t i = pressed; i < result.presses.size(); ++i)
-      std::visit([&](auto& press) { press.place.contact = known; }, result.presses[i]);
+      std::visit([&](auto& press) { press.pose.contact = known; }, result.presses[i]);
     for (std::size_t i = known; i < result.contacts.size(); ++i)
       result.contacts[i].name = step.named->name;
   }
@@ -169,20 +169,20 @@ void Plan::State::render_rows(const FramePlan& plan,
                               const RadianceRows& light,
                               int first,
                               int last,
-                              cv::Mat& picture) const {
-  const bool gives_bytes = plan.gives_bytes();
-  RowScratch scratch(picture.cols);
-  RowView row(picture.cols, scratch);
+                              cv::Mat& image) const {
+  const bool outputs_bytes = plan.outputs_bytes();
+  RowScratch scratch(image.cols);
+  RowView row(image.cols, scratch);
   for (int v = first; v < last; ++v) {
     scratch.rewind();
     row.v = v;
-    row.value = gives_bytes ? nullptr : picture.ptr<float>(v);
-    row.bytes = gives_bytes ? picture.ptr<std::uint8_t>(v) : nullptr;
+    row.value = outputs_bytes ? nullptr : image.ptr<float>(v);
+    row.bytes = outputs_bytes ? image.ptr<std::uint8_t>(v) : nullptr;
     geometry_now.fill(row);
     for (const auto& effect : light) effect->row(row);
     add_up_light(row);
-    // Only counting in grey levels leaves the dark dark.
-    if (plan.sensor.empty() || !plan.sensor.front().effect->gives_bytes()) {
+    // Only quantisation leaves dark columns dark; other effects need the full row.
+    if (plan.sensor.empty() || !plan.sensor.front().effect->outputs_bytes()) {
       darken_rest(row);
       row.lit_first = 0;
       row.lit_last = row.width;
@@ -191,7 +191,7 @@ void Plan::State::render_rows(const FramePlan& plan,
   }
 }
 
-// At the frame's own moment; marks in `maps` what is seen of surfaces beside the face.
+// At the frame's own time. Marks the visible surfaces other than the face in `maps`.
 cv::Mat Plan::State::light_before_sensor(const FramePlan& plan,
                                          const FrameGeometry& geometry_now,
                                          TruthMaps& maps) const {
@@ -209,13 +209,13 @@ cv::Mat Plan::State::light_before_sensor(const FramePlan& plan,
     for (std::size_t i = 1; i < row.surfaces.size(); ++i)
       for (int u = row.surfaces[i].first; u < row.surfaces[i].last; ++u)
         if (row.surfaces[i].coverage[u] >= 0.5F)
-          maps.seen.at<std::uint8_t>(v, u) = static_cast<std::uint8_t>(Seen::kSide);
+          maps.labels.at<std::uint8_t>(v, u) = static_cast<std::uint8_t>(PixelLabel::kSide);
   }
-  mark_dots(geometry_now, maps.seen);
+  mark_dots(geometry_now, maps.labels);
   return grey;
 }
 
-// Adds up the light of every moment of the rows' exposure.
+// Sums the light of every sample of the rows' exposure.
 void Plan::State::render_light(FramePlan plan, int first, int last, cv::Mat_<float>& grey) const {
   RowScratch scratch(grey.cols);
   RowView row(grey.cols, scratch);
@@ -223,7 +223,7 @@ void Plan::State::render_light(FramePlan plan, int first, int last, cv::Mat_<flo
   const int together = exposure.readout == 0 ? grey.rows : exposure.rows_at_once;
   const auto share = 1 / static_cast<float>(exposure.moments);
   for (int top = first; top < last;) {
-    const int band = top / together * together;  // the same with any number of threads
+    const int band = top / together * together;  // independent of the number of threads
     const int end = std::min(band + together, grey.rows), bottom = std::min(end, last);
     for (int i = 0; i < exposure.moments; ++i) {
       plan.move_to(exposure.moment_of((band + end - 1) / 2.0, grey.rows) + exposure.offset_of(i));
@@ -245,19 +245,19 @@ void Plan::State::render_light(FramePlan plan, int first, int last, cv::Mat_<flo
   }
 }
 
-cv::Mat Plan::State::render_in_passes(const FramePlan& plan,
-                                      const FrameGeometry& geometry_now,
-                                      int threads) const {
+cv::Mat Plan::State::render_multi_pass(const FramePlan& plan,
+                                       const FrameGeometry& geometry_now,
+                                       int threads) const {
   const cv::Size size = rays.camera().size();
   cv::Mat_<float> grey = cv::Mat_<float>::zeros(size);
-  over_parts(
+  parallel_for(
       size.height, threads, [&](int first, int last) { render_light(plan, first, last, grey); });
   cv::Mat bytes;
-  if (plan.gives_bytes()) bytes.create(size, CV_8UC1);
+  if (plan.outputs_bytes()) bytes.create(size, CV_8UC1);
   for (auto from = plan.sensor.begin();;) {
-    const auto whole = std::find_if(
-        from, plan.sensor.end(), [](const auto& step) { return step.effect->needs_picture(); });
-    over_parts(size.height, threads, [&](int first, int last) {
+    const auto full_image = std::find_if(
+        from, plan.sensor.end(), [](const auto& step) { return step.effect->needs_full_image(); });
+    parallel_for(size.height, threads, [&](int first, int last) {
       RowScratch scratch(size.width);
       RowView row(size.width, scratch);
       row.lit_last = size.width;
@@ -265,15 +265,16 @@ cv::Mat Plan::State::render_in_passes(const FramePlan& plan,
         scratch.rewind();
         row.v = v;
         row.value = grey[v];
-        row.bytes = plan.gives_bytes() ? bytes.ptr<std::uint8_t>(v) : nullptr;
-        std::for_each(from, whole, [&](const auto& step) { step.effect->row(step.context, row); });
+        row.bytes = plan.outputs_bytes() ? bytes.ptr<std::uint8_t>(v) : nullptr;
+        std::for_each(
+            from, full_image, [&](const auto& step) { step.effect->row(step.context, row); });
       }
     });
-    if (whole == plan.sensor.end()) break;
-    whole->effect->picture(whole->context, geometry_now, grey);
-    from = whole + 1;
+    if (full_image == plan.sensor.end()) break;
+    full_image->effect->process_image(full_image->context, geometry_now, grey);
+    from = full_image + 1;
   }
-  return plan.gives_bytes() ? bytes : grey;
+  return plan.outputs_bytes() ? bytes : grey;
 }
 
 Result<Plan> Plan::compile(const Scene& scene, std::uint64_t seed) {
@@ -283,7 +284,7 @@ Result<Plan> Plan::compile(const Scene& scene, std::uint64_t seed) {
     return Error{camera.error().what,
                  en::say("scene '{}': finger.camera", content.name),
                  camera.error().advice};
-  // The noise of a recording must not be that of the press that is compared with it.
+  // A recording and the press compared with it must not share noise.
   seed ^= std::uint64_t{fnv1a(content.name)} << 32;
   auto state = std::make_shared<State>(scene, seed, *camera);
   if (const Status status = state->check(); !status) return status.error();
@@ -346,22 +347,22 @@ Arrival Plan::arrival(int frame) const {
   return arrival;
 }
 
-SentPicture Plan::send(int frame, int threads) const {
+SentFrame Plan::send(int frame, int threads) const {
   const State& s = *state_;
   const FramePlan plan = s.compiled(frame);
   const FrameGeometry geometry = s.geometry_of(plan);
-  cv::Mat picture;
-  if (plan.in_passes()) {
-    picture = s.render_in_passes(plan, geometry, threads);
+  cv::Mat image;
+  if (plan.is_multi_pass()) {
+    image = s.render_multi_pass(plan, geometry, threads);
   } else {
     const RadianceRows light = light_of(plan, geometry);
-    picture.create(s.rays.camera().size(), plan.gives_bytes() ? CV_8UC1 : CV_32FC1);
-    over_parts(picture.rows, threads, [&](int first, int last) {
-      s.render_rows(plan, geometry, light, first, last, picture);
+    image.create(s.rays.camera().size(), plan.outputs_bytes() ? CV_8UC1 : CV_32FC1);
+    parallel_for(image.rows, threads, [&](int first, int last) {
+      s.render_rows(plan, geometry, light, first, last, image);
     });
   }
-  SentPicture sent{std::move(picture), nullptr};
-  for (const auto& step : plan.transport) step.effect->picture(step.context, sent);
+  SentFrame sent{std::move(image), nullptr};
+  for (const auto& step : plan.transport) step.effect->process_image(step.context, sent);
   return sent;
 }
 
@@ -374,7 +375,7 @@ TruthMaps Plan::truth_maps(int frame) const {
   const FramePlan plan = state_->compiled(frame);
   FrameGeometry geometry = state_->geometry_of(plan);
   TruthMaps maps = truth_maps_of(geometry);
-  // What stands on the face stays; only the presses go.
+  // Objects on the face remain; only the presses are removed.
   geometry.presses.clear();
   maps.untouched_grey = state_->light_before_sensor(plan, geometry, maps);
   return maps;

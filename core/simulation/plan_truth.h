@@ -1,4 +1,4 @@
-// What is known of a frame besides its picture.
+// The truth of a frame.
 #pragma once
 
 #include "core/simulation/frame_plan.h"
@@ -10,10 +10,10 @@ namespace alltact {
                              const FrameGeometry& geometry,
                              TruthDetail detail);
 
-/// What the view face alone tells: all but `untouched_grey`, and `seen` without the sides.
+/// The part given by the view face alone: all but `untouched_grey`, and `seen` without the sides.
 [[nodiscard]] TruthMaps truth_maps_of(const FrameGeometry& geometry);
 
-/// Marks in `seen` (TruthMaps::seen) where dots are, or folds over them, beside the face.
-void mark_dots(const FrameGeometry& geometry, cv::Mat& seen);
+/// Marks dots, and folds over dots, next to the face in `seen` (TruthMaps::seen).
+void mark_dots(const FrameGeometry& geometry, cv::Mat& labels);
 
 }  // namespace alltact

@@ -7,22 +7,22 @@ namespace alltact {
 
 namespace {
 
-// Two presses: the deeper counts; beside a press (0) another one's bulge shows.
+// Combines two presses: the larger depth wins; where one has depth 0, the other's bulge shows.
 float combined(float a, float b) {
   if (a == 0.0F) return b;
   return b == 0.0F ? a : std::max(a, b);
 }
 
-// Depth along z over one LUF point. In the contact it is the ball's own surface above (x, y);
-// around it the profile is met by going down along z, which also moves the point towards the
-// axis or away from it where the face is inclined.
+// Depth along z over one LUF point. Within the contact it is the ball's own surface above (x, y).
+// Around it the profile is intersected along z. On an inclined face this also moves the point
+// towards the axis or away from it.
 double ball_depth(const BallPress& press, const Eigen::Vector3d& luf) {
   const Eigen::Vector3d from_centre = luf - press.centre_mm;
-  const double a = from_centre.dot(press.place.along), y = from_centre.dot(press.place.across);
-  const double tilt = press.place.along.z(), tilt_across = press.place.across.z();
-  const double upright = press.place.normal.z();
-  const double reach = press.reach_mm() + 2 * press.place.depth_mm * std::abs(tilt_across);
-  if (std::abs(y) > reach || std::abs(a) > reach + 2 * press.place.depth_mm) return 0;
+  const double a = from_centre.dot(press.pose.along), y = from_centre.dot(press.pose.across);
+  const double tilt = press.pose.along.z(), tilt_across = press.pose.across.z();
+  const double upright = press.pose.normal.z();
+  const double reach = press.reach_mm() + 2 * press.pose.depth_mm * std::abs(tilt_across);
+  if (std::abs(y) > reach || std::abs(a) > reach + 2 * press.pose.depth_mm) return 0;
 
   const double contact = press.contact_radius_mm;
   if (contact > 0) {
@@ -59,10 +59,10 @@ double body_depth(const BodyPress& press, const Eigen::Vector3d& luf) {
 }
 
 // Column and row of the grid over a point of the face.
-Eigen::Vector2d grid_place(const SampledPress& press, const FaceRow& face, int u) {
+Eigen::Vector2d grid_position(const SampledPress& press, const FaceRow& face, int u) {
   const double c = std::cos(press.rotation_rad), s = std::sin(press.rotation_rad);
-  const double along = double{face.s_mm[u]} - press.place.s_mm;
-  const double across = double{face.y_mm[u]} - face.shift_mm[u] - press.place.y_mm;
+  const double along = double{face.s_mm[u]} - press.pose.s_mm;
+  const double across = double{face.y_mm[u]} - face.shift_mm[u] - press.pose.y_mm;
   return {(c * along + s * across) / press.step_mm + 0.5 * (press.depth_mm.cols - 1),
           (c * across - s * along) / press.step_mm + 0.5 * (press.depth_mm.rows - 1)};
 }
@@ -80,25 +80,25 @@ double BallPress::profile_at(double r_mm) const {
 double BallPress::ball_profile(double r_mm) const {
   // R - sqrt(R^2 - r^2) without its cancellation.
   const double root = std::sqrt(std::max(0.0, radius_mm * radius_mm - r_mm * r_mm));
-  return place.normal_depth_mm() - r_mm * r_mm / (radius_mm + root);
+  return pose.normal_depth_mm() - r_mm * r_mm / (radius_mm + root);
 }
 
-ContactTruth contact_truth(const PressPlace& place) {
+ContactTruth contact_truth(const PressPose& pose) {
   ContactTruth truth;
-  truth.along_mm = place.s_mm;
-  truth.across_mm = place.y_mm;
-  truth.depth_mm = place.depth_mm;
-  truth.point_mm = place.luf_mm;
-  truth.direction = -place.normal;
+  truth.along_mm = pose.s_mm;
+  truth.across_mm = pose.y_mm;
+  truth.depth_mm = pose.depth_mm;
+  truth.point_mm = pose.luf_mm;
+  truth.direction = -pose.normal;
   return truth;
 }
 
-BallPress make_ball_press(const PressPlace& place, double radius_mm) {
+BallPress make_ball_press(const PressPose& pose, double radius_mm) {
   BallPress press;
-  press.place = place;
+  press.pose = pose;
   press.radius_mm = radius_mm;
-  press.centre_mm = place.luf_mm - Eigen::Vector3d(0, 0, place.depth_mm) + radius_mm * place.normal;
-  const double depth = place.normal_depth_mm();
+  press.centre_mm = pose.luf_mm - Eigen::Vector3d(0, 0, pose.depth_mm) + radius_mm * pose.normal;
+  const double depth = pose.normal_depth_mm();
   press.contact_radius_mm = radius_mm;
   press.rim_mm = std::sqrt(depth * (2 * radius_mm - depth));
   return press;
@@ -129,7 +129,7 @@ void press_row(
   const cv::Mat_<float>& grid = press.depth_mm;
   for (int u = first; u < last; ++u) {
     if (face.coverage[u] <= 0) continue;
-    const Eigen::Vector2d at = grid_place(press, face, u);
+    const Eigen::Vector2d at = grid_position(press, face, u);
     if (!(at.x() >= 0 && at.y() >= 0 && at.x() < grid.cols - 1 && at.y() < grid.rows - 1)) continue;
     const int i = static_cast<int>(at.x()), j = static_cast<int>(at.y());
     const double tx = at.x() - i, ty = at.y() - j;
@@ -139,24 +139,24 @@ void press_row(
   }
 }
 
-bool touches(const BallPress& press, const FaceRow& face, int u) {
+bool is_in_contact(const BallPress& press, const FaceRow& face, int u) {
   const Eigen::Vector3d luf = luf_of(face, u);
   const double depth = ball_depth(press, luf);
   const Eigen::Vector3d from_centre = luf - Eigen::Vector3d(0, 0, depth) - press.centre_mm;
   const double from_axis =
-      std::hypot(from_centre.dot(press.place.along), from_centre.dot(press.place.across));
+      std::hypot(from_centre.dot(press.pose.along), from_centre.dot(press.pose.across));
   return depth > 0 && from_axis <= press.rim_mm;
 }
 
-bool touches(const BodyPress& press, const FaceRow& face, int u) {
+bool is_in_contact(const BodyPress& press, const FaceRow& face, int u) {
   return body_depth(press, luf_of(face, u)) > 0;
 }
 
-bool touches(const SampledPress& press, const FaceRow& face, int u) {
-  const Eigen::Vector2d at = grid_place(press, face, u);
+bool is_in_contact(const SampledPress& press, const FaceRow& face, int u) {
+  const Eigen::Vector2d at = grid_position(press, face, u);
   const int i = static_cast<int>(std::lround(at.x())), j = static_cast<int>(std::lround(at.y()));
-  return i >= 0 && j >= 0 && i < press.touched.cols && j < press.touched.rows &&
-         press.touched(j, i) > 0;
+  return i >= 0 && j >= 0 && i < press.in_contact.cols && j < press.in_contact.rows &&
+         press.in_contact(j, i) > 0;
 }
 
 }  // namespace alltact

@@ -1,4 +1,4 @@
-// What presses into the face in one frame, and how deep it goes where.
+// Objects that press into the face in one frame, and their depth over it.
 #pragma once
 
 #include "core/simulation/bodies/body.h"
@@ -14,8 +14,8 @@
 
 namespace alltact {
 
-/// The place of a press: where on the untouched outer side (LUF), and how that lies in space.
-struct PressPlace {
+/// The pose of a press: its position on the undeformed outer side (LUF), and the axes there.
+struct PressPose {
   double s_mm = 0, y_mm = 0;  ///< along the face from its base; across from its middle line
   double depth_mm = 0;        ///< along z, at the deepest point
   Eigen::Vector3d luf_mm;     ///< the LUF point above the deepest point
@@ -23,23 +23,24 @@ struct PressPlace {
   Eigen::Vector3d along;      ///< unit tangent towards the tip
   Eigen::Vector3d across;     ///< normal x along: unit tangent towards +y
   double layer_mm = 0;        ///< thickness along the normal
-  std::size_t contact = 0;    ///< its number in FrameGeometry::contacts
+  std::size_t contact = 0;    ///< index in FrameGeometry::contacts
 
   [[nodiscard]] double normal_depth_mm() const { return depth_mm * normal.z(); }
 };
 
-/// A ball, and around it a surface of revolution about the axis through its centre along the
-/// LUF's normal: how deep the outer side lies below the LUF (along the normal) at distance r.
+/// A ball, surrounded by a surface of revolution about the axis through its centre along the LUF's
+/// normal. The profile is the depth of the outer side below the LUF (along the normal) at distance
+/// r.
 struct BallPress {
-  PressPlace place;
+  PressPose pose;
   double radius_mm = 0;
   Eigen::Vector3d centre_mm;
-  /// Within this distance from the axis the face lies on the ball wherever that reaches it; 0: the
-  /// face lies on the ball nowhere.
+  /// Within this distance from the axis the face follows the ball wherever that reaches it; 0:
+  /// nowhere.
   double contact_radius_mm = 0;
   double rim_mm = 0;  ///< where the contact ends, whatever the face does there
-  /// Normal depth off the ball at r = i * kStep; 0 beyond its end. Negative: bulged. Empty where
-  /// the face leaves the ball as if cut.
+  /// Normal depth off the ball at r = i * kStep_mm; 0 beyond its end. Negative: bulged. Empty where
+  /// the face leaves the ball abruptly.
   std::vector<float> profile_mm;
   static constexpr double kStep_mm = 0.005;
 
@@ -51,10 +52,10 @@ struct BallPress {
   }
 };
 
-/// A rigid body that keeps its shape whatever the face's is: the outer side lies on it wherever it
-/// would be below it, and is untouched beside it.
+/// A rigid body: the outer side follows it wherever it would be below it, and is undeformed
+/// elsewhere.
 struct BodyPress {
-  PressPlace place;
+  PressPose pose;
   std::shared_ptr<const Body> body;
   Eigen::Isometry3d camera_from_object;
   double rotation_rad = 0;  ///< of the object about the normal, from along towards across
@@ -63,35 +64,36 @@ struct BodyPress {
   [[nodiscard]] double reach_mm() const;
 };
 
-/// How the outer side lies where it does not follow the body sharply: depth along z on a grid of
-/// places of the face, about the press's place.
+/// The outer side where it does not follow the body sharply: depth along z on a grid of face
+/// positions, centred on the press.
 struct SampledPress {
-  PressPlace place;
+  PressPose pose;
   double rotation_rad = 0;   ///< of the grid's columns, from along towards across
   cv::Mat_<float> depth_mm;  ///< rows across, columns along, centred
   double step_mm = 0.05;
-  cv::Mat_<std::uint8_t> touched;  ///< 255 where the body itself would press, the grid's size
+  cv::Mat_<std::uint8_t> in_contact;  ///< 255 where the body itself would press, the grid's size
 
   [[nodiscard]] double reach_mm() const;
 };
 
-/// Adds nothing outside its reach; where several things press, the deeper one counts, and bulges
-/// give way. `depth_mm` covers [first, last).
+/// Adds nothing outside the press's reach. Where several presses overlap the larger depth wins, and
+/// depth wins over bulges. `depth_mm` covers [first, last).
 void press_row(const BallPress& press, const FaceRow& face, int first, int last, float* depth_mm);
 void press_row(const BodyPress& press, const FaceRow& face, int first, int last, float* depth_mm);
 void press_row(
     const SampledPress& press, const FaceRow& face, int first, int last, float* depth_mm);
 
-/// True: the face lies on what presses in this point of column `u`, or would if it were not softer
-/// than that.
-[[nodiscard]] bool touches(const BallPress& press, const FaceRow& face, int u);
-[[nodiscard]] bool touches(const BodyPress& press, const FaceRow& face, int u);
-[[nodiscard]] bool touches(const SampledPress& press, const FaceRow& face, int u);
+/// True: at column `u` the face follows the pressing object, or would if it were less stiff.
+[[nodiscard]] bool is_in_contact(const BallPress& press, const FaceRow& face, int u);
+[[nodiscard]] bool is_in_contact(const BodyPress& press, const FaceRow& face, int u);
+[[nodiscard]] bool is_in_contact(const SampledPress& press, const FaceRow& face, int u);
 
-/// What is known of a contact without knowing what presses: its place, depth and direction.
-[[nodiscard]] ContactTruth contact_truth(const PressPlace& place);
+/// The part of a contact's truth that does not depend on the pressing object: position, depth and
+/// direction.
+[[nodiscard]] ContactTruth contact_truth(const PressPose& pose);
 
-/// A ball that cuts the face: on it, or untouched. The rim is where it cuts the LUF.
-[[nodiscard]] BallPress make_ball_press(const PressPlace& place, double radius_mm);
+/// A ball that cuts the face: the face follows it or is undeformed. The rim is where it cuts the
+/// LUF.
+[[nodiscard]] BallPress make_ball_press(const PressPose& pose, double radius_mm);
 
 }  // namespace alltact

@@ -1,18 +1,18 @@
-// Rigid presses as grids, for what the layer does about them.
+// Rigid presses as grids, for effects of the layer.
 #pragma once
 
 #include "core/simulation/frame_geometry.h"
 
 namespace alltact {
 
-/// The press's depth over a grid of places of the face, 0.05 mm apart or as coarse as 600 steps
-/// over the body make it.
-[[nodiscard]] SampledPress sampled(const BodyPress& press, const FrameGeometry& geometry);
+/// Samples the press's depth on a grid of face positions, 0.05 mm apart, or coarser so that the
+/// body spans at most 600 steps.
+[[nodiscard]] SampledPress sample_press(const BodyPress& press, const FrameGeometry& geometry);
 
 /// All rigid presses of a frame.
 void sample_bodies(FrameGeometry& geometry);
 
-/// The grid with `steps` more on every side, where nothing presses.
-void widen(SampledPress& press, int steps);
+/// Adds `steps` without a press on every side of the grid.
+void pad_grid(SampledPress& press, int steps);
 
 }  // namespace alltact

@@ -20,24 +20,24 @@ RigidPress::RigidPress(YamlSection& section)
       rotation_deg_(Varying::read_or(section, "rotation_deg", 0, {-360, 360})),
       tilt_deg_(Varying::read_or(section, "tilt_deg", 0, {-45, 45})),
       roll_deg_(Varying::read_or(section, "roll_deg", 0, {-45, 45})),
-      give_(section) {}
+      tip_deflection_(section) {}
 
-Status RigidPress::fits(const SceneFacts& scene) const {
-  if (const Status status = press_fits(scene, depth_, s_, y_); !status) return status;
-  return give_.fits(scene);
+Status RigidPress::validate(const SceneFacts& scene) const {
+  if (const Status status = check_press(scene, depth_, s_, y_); !status) return status;
+  return tip_deflection_.validate(scene);
 }
 
 void RigidPress::shape(const FrameContext& frame, FaceCurve& curve) const {
-  give_.shape(frame, s_, curve);
+  tip_deflection_.shape(frame, s_, curve);
 }
 
-void RigidPress::place(const FrameContext& frame, FrameGeometry& geometry) const {
+void RigidPress::apply(const FrameContext& frame, FrameGeometry& geometry) const {
   assert(body_);
   BodyPress press;
-  press.place = geometry.press_place(frame(s_), frame(y_), frame(depth_));
+  press.pose = geometry.press_pose(frame(s_), frame(y_), frame(depth_));
   press.body = body_;
   press.rotation_rad = radians(frame(rotation_deg_));
-  const PressPlace& at = press.place;
+  const PressPose& at = press.pose;
   Eigen::Matrix3d camera_from_face;
   camera_from_face << at.along, at.across, at.normal;
   const Eigen::Matrix3d turned =
@@ -47,7 +47,7 @@ void RigidPress::place(const FrameContext& frame, FrameGeometry& geometry) const
           .toRotationMatrix();
   press.camera_from_object = Eigen::Isometry3d::Identity();
   press.camera_from_object.linear() = camera_from_face * turned;
-  const double lowest = body_->least_along_mm(turned.row(2).transpose());
+  const double lowest = body_->min_along_mm(turned.row(2).transpose());
   press.camera_from_object.translation() =
       at.luf_mm - Eigen::Vector3d(0, 0, at.depth_mm) - lowest * at.normal;
   press.posed = body_->posed(press.camera_from_object);

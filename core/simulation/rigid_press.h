@@ -1,36 +1,36 @@
-// What all rigid bodies that are pressed into the face have in common.
+// Common base of all rigid bodies that press into the face.
 #pragma once
 
 #include "core/simulation/bodies/body.h"
 #include "core/simulation/effect.h"
-#include "core/simulation/give.h"
+#include "core/simulation/tip_deflection.h"
 
 #include <memory>
 
 namespace alltact {
 
-/// A body that keeps its shape. Parameters: `s_mm`, `y_mm` the place over which its origin lies;
-/// `depth_mm`: its point nearest to the finger lies so far along z below the plane that touches the
-/// untouched outer side there; how it is turned, one after another: `roll_deg` about the finger's
-/// length, `tilt_deg` about its width (the end towards the tip goes away from the finger) and
-/// `rotation_deg` about the face's normal, from the finger's length towards +y; `give_mm`.
+/// A rigid body. Parameters: `s_mm`, `y_mm`: the position below its origin. `depth_mm`: its point
+/// nearest to the finger lies so far along z below the tangent plane of the undeformed outer side
+/// there. Rotations in order: `roll_deg` about the finger's length, `tilt_deg` about its width (the
+/// end towards the tip moves away from the finger), `rotation_deg` about the face's normal, from
+/// the finger's length towards +y. `give_mm`: see Give.
 class RigidPress : public GeometryEffect {
  public:
   explicit RigidPress(YamlSection& section);
 
-  bool may_be_several() const override { return true; }
+  bool is_repeatable() const override { return true; }
   std::optional<PressKind> presses() const override { return PressKind::kBody; }
-  Status fits(const SceneFacts& scene) const override;
+  Status validate(const SceneFacts& scene) const override;
   void shape(const FrameContext& frame, FaceCurve& curve) const override;
-  void place(const FrameContext& frame, FrameGeometry& geometry) const override;
+  void apply(const FrameContext& frame, FrameGeometry& geometry) const override;
 
  protected:
-  /// To be called once, by the constructor of what knows the body.
+  /// Call once, from the derived constructor.
   void set_body(std::shared_ptr<const Body> body) { body_ = std::move(body); }
 
  private:
   Varying depth_, s_, y_, rotation_deg_, tilt_deg_, roll_deg_;
-  Give give_;
+  TipDeflection tip_deflection_;
   std::shared_ptr<const Body> body_;
 };
 

@@ -1,4 +1,4 @@
-// One row of a picture in the making.
+// One row of an image during rendering.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@ struct CacheLineAllocator {
 };
 using AlignedFloats = std::vector<float, CacheLineAllocator<float>>;
 
-/// Rows of floats for one thread, handed out anew for every picture row.
+/// Rows of floats for one thread, handed out anew for every image row.
 class RowScratch {
  public:
   explicit RowScratch(int width) : width_(static_cast<std::size_t>(width)) {}
@@ -40,12 +40,12 @@ class RowScratch {
   std::vector<AlignedFloats> rows_;
 };
 
-/// Where rays do not meet the face; before its base by more than anything is long.
-inline constexpr float kNotMet_mm = -1e6F;
+/// Value where rays miss the face; before its base by more than any length.
+inline constexpr float kNoHit_mm = -1e6F;
 
-/// So many pixels within its edges a face fills a pixel, and so many beyond them nothing of it is
-/// seen, however slanted it is.
-inline constexpr double kSurePixels = 50;
+/// Margin for coverage: so many pixels within its edges a face covers a pixel fully, and so many
+/// beyond them not at all, at any slant.
+inline constexpr double kEdgeMargin_px = 50;
 
 /// The view face along one row, for the columns [first, last). All arrays are indexed by column;
 /// off the face they hold finite numbers and coverage is 0.
@@ -55,12 +55,12 @@ struct FaceRow {
   const float *sin_incline = nullptr, *cos_incline = nullptr;
   const float* luf_mm = nullptr;    ///< layer's thickness along z, t0: LUF is z_mm + luf_mm
   const float* shift_mm = nullptr;  ///< y of the face's middle line
-  const float* s_mm = nullptr;      ///< arc length from the base; kNotMet_mm
-  const float* coverage = nullptr;  ///< part of the pixel that the face covers, 0..1
+  const float* s_mm = nullptr;      ///< arc length from the base; kNoHit_mm
+  const float* coverage = nullptr;  ///< fraction of the pixel that the face covers, 0..1
 };
 
-/// Something that shines in this row: points, normals on the side that is seen, and the light
-/// that leaves it, which starts as 1.
+/// A light-emitting surface in this row: points, normals on the visible side, and the light that
+/// leaves it, which starts as 1.
 struct Surface {
   int first = 0, last = 0;
   const float *x_mm = nullptr, *y_mm = nullptr, *z_mm = nullptr;
@@ -79,13 +79,12 @@ struct RowView {
   /// Press depth along z in columns [press_first, press_last); 0 outside.
   int press_first = 0, press_last = 0;
   const float* press_depth_mm = nullptr;
-  /// What of the layer's thickness along its normal is hollow, in the face's columns; null:
-  /// nothing.
+  /// Hollow part of the layer's thickness along its normal, in the face's columns; null: none.
   float* hollow_mm = nullptr;
   std::vector<Surface> surfaces;    ///< the first is the view face
-  float* value = nullptr;           ///< grey levels, when the light is done
-  int lit_first = 0, lit_last = 0;  ///< columns in which `value` is set; it is dark beside them
-  std::uint8_t* bytes = nullptr;    ///< what the sensor gives, if it gives bytes
+  float* value = nullptr;           ///< grey levels, once the light is summed
+  int lit_first = 0, lit_last = 0;  ///< columns in which `value` is set; it is dark outside
+  std::uint8_t* bytes = nullptr;    ///< output of the sensor, if it outputs bytes
 };
 
 }  // namespace alltact

@@ -24,7 +24,7 @@ RuledSurface::Ruling RuledSurface::ruling_at(double s_mm) const {
   const double c = std::cos(n.twist), s = std::sin(n.twist);
   const Eigen::Vector3d along(n.x_s, 0, n.z_s);
   const Eigen::Vector3d across(-s * n.z_s, c, s * n.x_s), normal(-c * n.z_s, -s, c * n.x_s);
-  // The frame turns by theta' about y and by twist' about the curve.
+  // The frame rotates by theta' about y and by twist' about the curve.
   const Eigen::Vector3d across_s = n.twist_s * normal - s * n.theta_s * along;
   const Eigen::Vector3d normal_s = -n.twist_s * across - c * n.theta_s * along;
   Ruling ruling;
@@ -36,7 +36,8 @@ RuledSurface::Ruling RuledSurface::ruling_at(double s_mm) const {
   return ruling;
 }
 
-std::optional<RuledSurface::Meeting> RuledSurface::meet(const Ray& ray, double near_s_mm) const {
+std::optional<RuledSurface::Intersection> RuledSurface::intersect(const Ray& ray,
+                                                                  double near_s_mm) const {
   const Eigen::Vector3d& d = ray.direction;
   double s = near_s_mm;
   for (int i = 0; i < 20; ++i) {
@@ -48,24 +49,24 @@ std::optional<RuledSurface::Meeting> RuledSurface::meet(const Ray& ray, double n
     s += step;
     if (!(std::abs(s) < kFarthestMeeting_mm)) return std::nullopt;
     if (std::abs(step) > kLastStep_mm) continue;
-    // p - o = z d - r g at the step's end, to first order; what is left goes with its square.
+    // p - o = z d - r g at the step's end, to first order; the remainder is of second order.
     const Eigen::Vector3d g = ruling.g + step * ruling.g_s, end_g_d = g.cross(d);
     const Eigen::Vector3d end = from_ray + step * ruling.p_s;
-    Meeting meeting;
-    meeting.s_mm = s;
-    meeting.r_mm = d.cross(end).dot(end_g_d) / end_g_d.squaredNorm();
-    meeting.z_mm = g.cross(end).dot(end_g_d) / end_g_d.squaredNorm();
-    meeting.s_way = ruling.p_s + meeting.r_mm * ruling.g_s;
-    meeting.r_way = ruling.g;
-    meeting.normal = meeting.s_way.cross(ruling.g).normalized();
-    const bool grazes = std::abs(meeting.normal.dot(d)) <= kLeastSlant * d.norm();
-    if (meeting.z_mm <= 0 || grazes) return std::nullopt;
-    return meeting;
+    Intersection intersection;
+    intersection.s_mm = s;
+    intersection.r_mm = d.cross(end).dot(end_g_d) / end_g_d.squaredNorm();
+    intersection.z_mm = g.cross(end).dot(end_g_d) / end_g_d.squaredNorm();
+    intersection.point_s = ruling.p_s + intersection.r_mm * ruling.g_s;
+    intersection.point_r = ruling.g;
+    intersection.normal = intersection.point_s.cross(ruling.g).normalized();
+    const bool grazes = std::abs(intersection.normal.dot(d)) <= kMinSlant * d.norm();
+    if (intersection.z_mm <= 0 || grazes) return std::nullopt;
+    return intersection;
   }
   return std::nullopt;
 }
 
-std::optional<RuledSurface::Meeting> RuledSurface::meet(const Ray& ray) const {
+std::optional<RuledSurface::Intersection> RuledSurface::intersect(const Ray& ray) const {
   const auto volume = [&](double s) {
     const Ruling ruling = ruling_at(s);
     return (ruling.p - ray.origin_mm).dot(ruling.g.cross(ray.direction));
@@ -77,7 +78,7 @@ std::optional<RuledSurface::Meeting> RuledSurface::meet(const Ray& ray) const {
     const double here = volume(from + i * part);
     if ((before < 0) != (here < 0)) {
       const double start = from + part * (i - 1 + before / (before - here));
-      if (auto meeting = meet(ray, start)) return meeting;
+      if (auto intersection = intersect(ray, start)) return intersection;
     }
     before = here;
   }

@@ -1,5 +1,5 @@
-// Rays that meet a surface swept by a straight line: the view face and the side faces of a finger
-// that twists, or that is seen through a window.
+// Intersections of rays with a surface swept by a straight line: the view face and the side faces
+// of a finger that twists, or that lies behind a window.
 #pragma once
 
 #include "core/camera/ray.h"
@@ -16,44 +16,45 @@ namespace alltact {
 class RuledSurface {
  public:
   static constexpr double kLastStep_mm = 1e-4;  ///< of Newton's method
-  static constexpr double kLeastSlant = 0.02;   ///< of a ray to the surface that it meets
+  static constexpr double kMinSlant = 0.02;     ///< of a ray to the surface at their intersection
 
-  /// The line across the view face: r is the place across it.
+  /// The line across the view face: r is the position across it.
   [[nodiscard]] static RuledSurface view_face(const FaceCurve& curve);
-  /// A side face; `side` is -1 (small v) or 1. r is how far behind the face's edge it is, towards
-  /// the camera.
+  /// A side face; `side` is -1 (small v) or 1. r is the depth behind the face's edge, towards the
+  /// camera.
   [[nodiscard]] static RuledSurface side_face(const FaceCurve& curve, int side, double width_mm);
 
-  struct Meeting {
+  struct Intersection {
     double s_mm, r_mm, z_mm;
-    Eigen::Vector3d s_way, r_way;  ///< derivatives of the point by s and by r
-    Eigen::Vector3d normal;        ///< unit, s_way x r_way: of the view face away from the camera
+    Eigen::Vector3d point_s, point_r;  ///< derivatives of the point by s and by r
+    Eigen::Vector3d normal;  ///< unit, point_s x point_r: of the view face away from the camera
 
-    /// How s and r change from the ray that meets it here to one beside it.
-    [[nodiscard]] double s_by(const Ray& ray, const Ray& beside) const {
-      const Eigen::Vector3d turn = r_way.cross(ray.direction);
-      return (beside.point_at(z_mm) - ray.point_at(z_mm)).dot(turn) / s_way.dot(turn);
+    /// Change of s and r from this ray to a neighbouring one.
+    [[nodiscard]] double s_by(const Ray& ray, const Ray& neighbour) const {
+      const Eigen::Vector3d turn = point_r.cross(ray.direction);
+      return (neighbour.point_at(z_mm) - ray.point_at(z_mm)).dot(turn) / point_s.dot(turn);
     }
-    [[nodiscard]] double r_by(const Ray& ray, const Ray& beside) const {
-      const Eigen::Vector3d turn = s_way.cross(ray.direction);
-      return (beside.point_at(z_mm) - ray.point_at(z_mm)).dot(turn) / r_way.dot(turn);
+    [[nodiscard]] double r_by(const Ray& ray, const Ray& neighbour) const {
+      const Eigen::Vector3d turn = point_s.cross(ray.direction);
+      return (neighbour.point_at(z_mm) - ray.point_at(z_mm)).dot(turn) / point_r.dot(turn);
     }
   };
-  /// Where the ray meets it, by Newton's method on the volume ((p - o) x g) . d that the ray and
-  /// the line span, from `near_s_mm` on. nullopt: nowhere before the camera, or where it grazes it.
-  [[nodiscard]] std::optional<Meeting> meet(const Ray& ray, double near_s_mm) const;
-  /// The same without knowing where: the first of the curve's parts in which the volume changes its
-  /// sign is taken.
-  [[nodiscard]] std::optional<Meeting> meet(const Ray& ray) const;
+  /// Intersects the ray by Newton's method on the volume ((p - o) x g) . d that the ray and the
+  /// line span, starting at `near_s_mm`. nullopt: no intersection before the camera, or a grazing
+  /// one.
+  [[nodiscard]] std::optional<Intersection> intersect(const Ray& ray, double near_s_mm) const;
+  /// The same without a start: uses the first part of the curve in which the volume changes its
+  /// sign.
+  [[nodiscard]] std::optional<Intersection> intersect(const Ray& ray) const;
 
-  /// Of rays side by side, as the pixels of a row: the same meetings within 1e-7 mm, many at a
+  /// Intersections of neighbouring rays, as the pixels of a row: equal within 1e-7 mm, many at a
   /// time.
-  class MeetingRow {
+  class IntersectionRow {
    public:
-    explicit MeetingRow(std::size_t n);
-    [[nodiscard]] bool met(std::size_t i) const { return met_[i] != 0; }
-    /// Of a ray that met it.
-    [[nodiscard]] Meeting at(std::size_t i) const;
+    explicit IntersectionRow(std::size_t n);
+    [[nodiscard]] bool is_hit(std::size_t i) const { return hit_[i] != 0; }
+    /// Of a ray with an intersection.
+    [[nodiscard]] Intersection at(std::size_t i) const;
 
    private:
     friend class RuledSurface;
@@ -61,22 +62,22 @@ class RuledSurface {
       kS,
       kR,
       kZ,
-      kSWay,
-      kRWay = kSWay + 3,
-      kNormal = kRWay + 3,
+      kPointS,
+      kPointR = kPointS + 3,
+      kNormal = kPointR + 3,
       kNumbers = kNormal + 3
     };
-    void set(std::size_t i, const Meeting& meeting);
-    [[nodiscard]] double* row(int number) { return numbers_.data() + number * met_.size(); }
+    void set(std::size_t i, const Intersection& intersection);
+    [[nodiscard]] double* row(int number) { return numbers_.data() + number * hit_.size(); }
 
     std::vector<double> numbers_;  // by number, then by ray
-    std::vector<char> met_;
+    std::vector<char> hit_;
   };
-  /// wanted: by ray; the others count as not met
-  /// near_s_mm: by ray; none: looked for from the ray before, and where that fails all over
-  [[nodiscard]] MeetingRow meet_row(const std::vector<Ray>& rays,
-                                    const std::vector<char>& wanted,
-                                    const float* near_s_mm = nullptr) const;
+  /// requested: by ray; the others count as misses
+  /// near_s_mm: by ray; null: searched from the previous ray's result, and everywhere if that fails
+  [[nodiscard]] IntersectionRow intersect_row(const std::vector<Ray>& rays,
+                                              const std::vector<char>& requested,
+                                              const float* near_s_mm = nullptr) const;
 
  private:
   enum class Line { kAcross = 1, kBack };

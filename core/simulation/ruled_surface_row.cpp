@@ -1,5 +1,5 @@
-// Rays side by side: some are met one by one, and tell where those between them begin, so that one
-// step of Newton's method, many rays at a time, ends where many steps ray by ray would.
+// Neighbouring rays: some are intersected one by one and give the starts for those between them.
+// One step of Newton's method, many rays at a time, then suffices.
 #include "core/numerics/dispatch.h"
 #include "core/simulation/hermite.h"
 #include "core/simulation/ruled_surface.h"
@@ -12,7 +12,7 @@ namespace alltact {
 namespace {
 
 constexpr std::size_t kKnotsApart = 16;
-constexpr double kUnknown_mm = -1e6;  // where to begin
+constexpr double kUnknown_mm = -1e6;  // no start known
 
 /// The curve and the line that sweeps it.
 struct Swept {
@@ -21,15 +21,15 @@ struct Swept {
   double by_across, by_normal;  ///< of the ruling's direction
 };
 
-/// Rays by column in, meetings by column out.
+/// Rays by column in, intersections by column out.
 struct Arrays {
   const double *origin_x, *origin_y, *direction_x, *direction_y, *start_mm;
   double *s, *r, *z, *s_x, *s_y, *s_z, *r_x, *r_y, *r_z, *n_x, *n_y, *n_z;
-  double* good;  ///< 1: the step was the last one
+  double* good;  ///< 1: the step converged
 };
 
-// RuledSurface::meet() and ruling_at(), one step of it, written out by components.
-ALLTACT_WIDE void meet_stretch(int n, const Swept c, const Arrays a) {
+// RuledSurface::intersect() and ruling_at(), one step of them, written out by components.
+ALLTACT_WIDE void intersect_stretch(int n, const Swept c, const Arrays a) {
   const double* __restrict origin_x = a.origin_x, * __restrict origin_y = a.origin_y;
   const double* __restrict direction_x = a.direction_x, * __restrict direction_y = a.direction_y;
   const double* __restrict start = a.start_mm;
@@ -46,7 +46,7 @@ ALLTACT_WIDE void meet_stretch(int n, const Swept c, const Arrays a) {
     const FaceCurve::Node &p = c.nodes[cell], &q = c.nodes[cell + 1];
     const double h = c.cell_mm, t = on / h - cell;
 
-    // The node at s; beyond the ends all goes on straight.
+    // The node at s; beyond the ends everything continues straight.
     const double theta_by = hermite(p.theta, p.theta_s, q.theta, q.theta_s, h, t) - p.theta;
     const double theta_s = beyond == 0 ? p.theta_s + (q.theta_s - p.theta_s) * t : 0.0;
     const double twist_s = p.twist_s + (q.twist_s - p.twist_s) * t;
@@ -84,7 +84,7 @@ ALLTACT_WIDE void meet_stretch(int n, const Swept c, const Arrays a) {
     const double from_y = shift + c.offset_mm * across_y - origin_y[i];
     const double from_z = z + c.offset_mm * across_z;
 
-    // The volume (p - o) . (g x d), d = (d_x, d_y, 1), and how it changes with s.
+    // The volume (p - o) . (g x d), d = (d_x, d_y, 1), and its derivative by s.
     const double d_x = direction_x[i], d_y = direction_y[i];
     const double g_d_x = g_y - g_z * d_y, g_d_y = g_z * d_x - g_x, g_d_z = g_x * d_y - g_y * d_x;
     const double g_s_d_x = g_s_y - g_s_z * d_y, g_s_d_y = g_s_z * d_x - g_s_x;
@@ -107,24 +107,24 @@ ALLTACT_WIDE void meet_stretch(int n, const Swept c, const Arrays a) {
     const double r = ((d_y * end_z - end_y) * turn_x + (end_x - d_x * end_z) * turn_y +
                       (d_x * end_y - d_y * end_x) * turn_z) *
                      per_turn2;
-    const double way = ((end_g_y * end_z - end_g_z * end_y) * turn_x +
-                        (end_g_z * end_x - end_g_x * end_z) * turn_y +
-                        (end_g_x * end_y - end_g_y * end_x) * turn_z) *
-                       per_turn2;
+    const double hit_z = ((end_g_y * end_z - end_g_z * end_y) * turn_x +
+                          (end_g_z * end_x - end_g_x * end_z) * turn_y +
+                          (end_g_x * end_y - end_g_y * end_x) * turn_z) *
+                         per_turn2;
 
-    const double way_x = p_s_x + r * g_s_x, way_y = p_s_y + r * g_s_y, way_z = p_s_z + r * g_s_z;
-    const double m_x = way_y * g_z - way_z * g_y, m_y = way_z * g_x - way_x * g_z;
-    const double m_z = way_x * g_y - way_y * g_x;
+    const double ds_x = p_s_x + r * g_s_x, ds_y = p_s_y + r * g_s_y, ds_z = p_s_z + r * g_s_z;
+    const double m_x = ds_y * g_z - ds_z * g_y, m_y = ds_z * g_x - ds_x * g_z;
+    const double m_z = ds_x * g_y - ds_y * g_x;
     const double m2 = m_x * m_x + m_y * m_y + m_z * m_z;
     const bool no_normal = m2 < 1e-12;
     const double per_m = 1 / std::sqrt(no_normal ? 1.0 : m2);
     const double slant = std::abs(m_x * d_x + m_y * d_y + m_z) * per_m;
-    const bool grazes = slant <= RuledSurface::kLeastSlant * std::sqrt(d_x * d_x + d_y * d_y + 1);
+    const bool grazes = slant <= RuledSurface::kMinSlant * std::sqrt(d_x * d_x + d_y * d_y + 1);
     const bool is_last =
-        std::abs(step) <= RuledSurface::kLastStep_mm && std::abs(twist) <= kLittleTurn;
-    good[i] = is_last && !flat && !along_ray && !no_normal && !grazes && way > 0 ? 1.0 : 0.0;
-    out_s[i] = s + step, out_r[i] = r, out_z[i] = way;
-    s_x[i] = way_x, s_y[i] = way_y, s_z[i] = way_z;
+        std::abs(step) <= RuledSurface::kLastStep_mm && std::abs(twist) <= kSeriesTurn;
+    good[i] = is_last && !flat && !along_ray && !no_normal && !grazes && hit_z > 0 ? 1.0 : 0.0;
+    out_s[i] = s + step, out_r[i] = r, out_z[i] = hit_z;
+    s_x[i] = ds_x, s_y[i] = ds_y, s_z[i] = ds_z;
     r_x[i] = g_x, r_y[i] = g_y, r_z[i] = g_z;
     n_x[i] = m_x * per_m, n_y[i] = m_y * per_m, n_z[i] = m_z * per_m;
   }
@@ -132,40 +132,41 @@ ALLTACT_WIDE void meet_stretch(int n, const Swept c, const Arrays a) {
 
 }  // namespace
 
-RuledSurface::MeetingRow::MeetingRow(std::size_t n) : numbers_(kNumbers * n), met_(n, 0) {}
+RuledSurface::IntersectionRow::IntersectionRow(std::size_t n)
+    : numbers_(kNumbers * n), hit_(n, 0) {}
 
-RuledSurface::Meeting RuledSurface::MeetingRow::at(std::size_t i) const {
+RuledSurface::Intersection RuledSurface::IntersectionRow::at(std::size_t i) const {
   const auto number = [&](int which) {
-    return numbers_[static_cast<std::size_t>(which) * met_.size() + i];
+    return numbers_[static_cast<std::size_t>(which) * hit_.size() + i];
   };
   const auto vector = [&](int which) {
     return Eigen::Vector3d(number(which), number(which + 1), number(which + 2));
   };
-  return {number(kS), number(kR), number(kZ), vector(kSWay), vector(kRWay), vector(kNormal)};
+  return {number(kS), number(kR), number(kZ), vector(kPointS), vector(kPointR), vector(kNormal)};
 }
 
-void RuledSurface::MeetingRow::set(std::size_t i, const Meeting& meeting) {
-  met_[i] = 1;
-  row(kS)[i] = meeting.s_mm;
-  row(kR)[i] = meeting.r_mm;
-  row(kZ)[i] = meeting.z_mm;
+void RuledSurface::IntersectionRow::set(std::size_t i, const Intersection& intersection) {
+  hit_[i] = 1;
+  row(kS)[i] = intersection.s_mm;
+  row(kR)[i] = intersection.r_mm;
+  row(kZ)[i] = intersection.z_mm;
   for (int axis = 0; axis < 3; ++axis) {
-    row(kSWay + axis)[i] = meeting.s_way[axis];
-    row(kRWay + axis)[i] = meeting.r_way[axis];
-    row(kNormal + axis)[i] = meeting.normal[axis];
+    row(kPointS + axis)[i] = intersection.point_s[axis];
+    row(kPointR + axis)[i] = intersection.point_r[axis];
+    row(kNormal + axis)[i] = intersection.normal[axis];
   }
 }
 
-/// Fills a MeetingRow, run by run of the rays that are wanted.
+/// Fills a IntersectionRow, run by run of the requested rays.
 class RuledSurface::RowSearch {
  public:
   RowSearch(const RuledSurface& surface,
             const std::vector<Ray>& rays,
             const float* near_s_mm,
-            MeetingRow& found)
+            IntersectionRow& found)
       : surface_(surface), rays_(rays), near_s_mm_(near_s_mm), found_(found) {
     const FaceCurve& curve = *surface.curve_;
-    in_stretches_ = !curve.nodes().empty() && curve.turns_little();
+    in_stretches_ = !curve.nodes().empty() && curve.has_small_turns();
     if (!in_stretches_) return;
     for (auto* numbers : {&origin_x_, &origin_y_, &direction_x_, &direction_y_, &start_mm_, &good_})
       numbers->resize(rays.size());
@@ -184,26 +185,29 @@ class RuledSurface::RowSearch {
     }
     std::optional<double> before;
     for (std::size_t i = first; i < last; ++i) {
-      const bool is_met = in_stretches_ && good_[i] != 0;
-      if (is_met)
-        found_.met_[i] = 1;
+      const bool is_found = in_stretches_ && good_[i] != 0;
+      if (is_found)
+        found_.hit_[i] = 1;
       else if (const auto here = find(i, before))
         found_.set(i, *here);
       before.reset();
-      if (found_.met(i)) before = found_.row(MeetingRow::kS)[i];
+      if (found_.is_hit(i)) before = found_.row(IntersectionRow::kS)[i];
     }
   }
 
  private:
-  // Meets one ray by itself.
-  [[nodiscard]] std::optional<Meeting> find(std::size_t i, std::optional<double> before) const {
-    if (near_s_mm_ != nullptr) return surface_.meet(rays_[i], static_cast<double>(near_s_mm_[i]));
+  // Intersects one ray by itself.
+  [[nodiscard]] std::optional<Intersection> find(std::size_t i,
+                                                 std::optional<double> before) const {
+    if (near_s_mm_ != nullptr)
+      return surface_.intersect(rays_[i], static_cast<double>(near_s_mm_[i]));
     if (before)
-      if (auto here = surface_.meet(rays_[i], *before)) return here;
-    return surface_.meet(rays_[i]);
+      if (auto here = surface_.intersect(rays_[i], *before)) return here;
+    return surface_.intersect(rays_[i]);
   }
 
-  // Where to begin, between knots that are met one by one; beside one that is not nothing is known.
+  // Sets the starts between knots that are intersected one by one; next to a failed knot the start
+  // is unknown.
   void begin(std::size_t first, std::size_t last) {
     std::size_t knot = first;
     auto here = find(knot, std::nullopt);
@@ -219,9 +223,9 @@ class RuledSurface::RowSearch {
   }
 
   void begin_between(std::size_t from,
-                     const std::optional<Meeting>& a,
+                     const std::optional<Intersection>& a,
                      std::size_t to,
-                     const std::optional<Meeting>& b) {
+                     const std::optional<Intersection>& b) {
     if (!a || !b) {
       std::fill(start_mm_.begin() + static_cast<std::ptrdiff_t>(from) + 1,
                 start_mm_.begin() + static_cast<std::ptrdiff_t>(to),
@@ -239,31 +243,31 @@ class RuledSurface::RowSearch {
     const auto out = [&](int number) { return found_.row(number) + first; };
     const FaceCurve& curve = *surface_.curve_;
     const bool is_across = surface_.line_ == Line::kAcross;
-    meet_stretch(static_cast<int>(last - first),
-                 {curve.nodes().data(),
-                  curve.s_mm(1),
-                  curve.length_mm(),
-                  surface_.offset_mm_,
-                  is_across ? 1.0 : 0.0,
-                  is_across ? 0.0 : -1.0},
-                 {origin_x_.data() + first,
-                  origin_y_.data() + first,
-                  direction_x_.data() + first,
-                  direction_y_.data() + first,
-                  start_mm_.data() + first,
-                  out(MeetingRow::kS),
-                  out(MeetingRow::kR),
-                  out(MeetingRow::kZ),
-                  out(MeetingRow::kSWay),
-                  out(MeetingRow::kSWay + 1),
-                  out(MeetingRow::kSWay + 2),
-                  out(MeetingRow::kRWay),
-                  out(MeetingRow::kRWay + 1),
-                  out(MeetingRow::kRWay + 2),
-                  out(MeetingRow::kNormal),
-                  out(MeetingRow::kNormal + 1),
-                  out(MeetingRow::kNormal + 2),
-                  good_.data() + first});
+    intersect_stretch(static_cast<int>(last - first),
+                      {curve.nodes().data(),
+                       curve.s_mm(1),
+                       curve.length_mm(),
+                       surface_.offset_mm_,
+                       is_across ? 1.0 : 0.0,
+                       is_across ? 0.0 : -1.0},
+                      {origin_x_.data() + first,
+                       origin_y_.data() + first,
+                       direction_x_.data() + first,
+                       direction_y_.data() + first,
+                       start_mm_.data() + first,
+                       out(IntersectionRow::kS),
+                       out(IntersectionRow::kR),
+                       out(IntersectionRow::kZ),
+                       out(IntersectionRow::kPointS),
+                       out(IntersectionRow::kPointS + 1),
+                       out(IntersectionRow::kPointS + 2),
+                       out(IntersectionRow::kPointR),
+                       out(IntersectionRow::kPointR + 1),
+                       out(IntersectionRow::kPointR + 2),
+                       out(IntersectionRow::kNormal),
+                       out(IntersectionRow::kNormal + 1),
+                       out(IntersectionRow::kNormal + 2),
+                       good_.data() + first});
     for (std::size_t i = first; i < last; ++i)
       if (start_mm_[i] == kUnknown_mm) good_[i] = 0;
   }
@@ -271,19 +275,19 @@ class RuledSurface::RowSearch {
   const RuledSurface& surface_;
   const std::vector<Ray>& rays_;
   const float* near_s_mm_;
-  MeetingRow& found_;
+  IntersectionRow& found_;
   bool in_stretches_ = false;
   std::vector<double> origin_x_, origin_y_, direction_x_, direction_y_, start_mm_, good_;
 };
 
-RuledSurface::MeetingRow RuledSurface::meet_row(const std::vector<Ray>& rays,
-                                                const std::vector<char>& wanted,
-                                                const float* near_s_mm) const {
-  MeetingRow found(rays.size());
+RuledSurface::IntersectionRow RuledSurface::intersect_row(const std::vector<Ray>& rays,
+                                                          const std::vector<char>& requested,
+                                                          const float* near_s_mm) const {
+  IntersectionRow found(rays.size());
   RowSearch search(*this, rays, near_s_mm, found);
   for (std::size_t first = 0; first < rays.size();) {
     std::size_t last = first;
-    while (last < rays.size() && wanted[last] != 0) ++last;
+    while (last < rays.size() && requested[last] != 0) ++last;
     if (last > first) search.run(first, last);
     first = last + 1;
   }

@@ -54,7 +54,7 @@ Face read_face(YamlSection section) {
 
 MarkerRows read_markers(YamlSection section) {
   MarkerRows rows;
-  rows.per_row = section.whole_number("per_row", 2, 64);
+  rows.per_row = section.integer("per_row", 2, 64);
   rows.polarity =
       section.choice("polarity", {"bright", "dark"}) == 1 ? Polarity::kDark : Polarity::kBright;
   return rows;
@@ -80,11 +80,11 @@ const EffectKind* read_kind(YamlSection& section) {
   section.refuse("use", en::say("there is no effect '{}'", printable(use)), one_of(names, use));
 }
 
-// Two of what there can be only one of at a time.
-void check_alone(const YamlSection& section,
-                 const Scene::Content::Named& named,
-                 const Scene::Content& content) {
-  if (named.effect->may_be_several()) return;
+// Refuses two effects of a kind that may occur only once at a time.
+void check_single(const YamlSection& section,
+                  const Scene::Content::Named& named,
+                  const Scene::Content& content) {
+  if (named.effect->is_repeatable()) return;
   const std::string& use = named.kind->name;
   for (const auto& other : content.effects) {
     if (other.kind != named.kind || !named.presence.overlaps(other.presence)) continue;
@@ -100,7 +100,7 @@ void check_alone(const YamlSection& section,
   }
 }
 
-// Draws of its own for the second of a kind and on; the first draws as if it were alone.
+// A separate stream from the second effect of a kind on; the first one draws as if it were alone.
 std::uint64_t stream_of(const std::string& name, int number) {
   if (number == 1) return 0;
   const PhiloxCounter bits =
@@ -120,7 +120,7 @@ void read_effects(YamlSection& scene, Scene::Content& content) {
                                       stream_of(kind->name, number),
                                       kind->make(section),
                                       section.where("")};
-    check_alone(section, named, content);
+    check_single(section, named, content);
     if (named.effect->changes_lens()) {
       if (named.presence.first > 0 || named.presence.end < content.time.frames)
         section.refuse("use",

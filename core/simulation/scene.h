@@ -10,9 +10,9 @@
 
 namespace alltact {
 
-/// A scene that was read and checked for form: a finger and a list of effects with parameters.
-/// Presence is the only switch: what is not named is not built. Unknown effects and keys are
-/// errors with file, line and key.
+/// A scene after reading and format checks: a finger and a list of effects with parameters.
+/// Presence is the only switch: effects that are not listed are not built. Unknown effects and keys
+/// are errors with file, line and key.
 class Scene {
  public:
   static Result<Scene> load(const std::filesystem::path& file);
@@ -20,7 +20,7 @@ class Scene {
   static Result<Scene> parse(std::string_view yaml, const std::string& origin);
 
   [[nodiscard]] const std::string& name() const;
-  [[nodiscard]] const std::string& why() const;  ///< why it names what it names
+  [[nodiscard]] const std::string& why() const;  ///< purpose of its effects
 
   struct Content;
   [[nodiscard]] const Content& content() const { return *content_; }

@@ -1,4 +1,4 @@
-// What a Scene holds; for the simulation's own files.
+// Content of a Scene; for the simulation's own files.
 #pragma once
 
 #include "core/finger/finger.h"
@@ -20,7 +20,7 @@ struct Scene::Content {
   Finger finger;  // camera, face, markers; nothing calibrated
   SceneTime time;
 
-  // Of the untouched finger, Fin Ray only: the view face's middle line starts at `base_mm`, makes
+  // Of the undeformed finger, Fin Ray only: the view face's middle line starts at `base_mm`, forms
   // `incline_rad` with x and is `length_mm` long.
   Eigen::Vector3d base_mm = Eigen::Vector3d::Zero();
   double incline_rad = 0;
@@ -31,11 +31,11 @@ struct Scene::Content {
     const EffectKind* kind;
     std::string name;  // the kind's; the second of a kind is "ball#2", and so on
     Presence presence;
-    std::uint64_t stream;  // makes the seed of its draws of the scene's; 0 for the first of a kind
+    std::uint64_t stream;  // changes the scene's seed for its draws; 0 for the first of a kind
     std::shared_ptr<const Effect> effect;
     std::string where;  // in the file, for errors
   };
-  std::vector<Named> effects;  // in the order they run
+  std::vector<Named> effects;  // in running order
 };
 
 }  // namespace alltact

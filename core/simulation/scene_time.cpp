@@ -11,7 +11,7 @@ namespace alltact {
 namespace {
 
 constexpr double kLatest = 1e9;      // frames or seconds
-constexpr double kSameFrame = 1e-6;  // what rounding makes of a frame's time
+constexpr double kSameFrame = 1e-6;  // rounding tolerance of a frame's time
 
 // The first frame at or after a point in time.
 int frame_from(double point, const SceneTime& time) {
@@ -22,7 +22,7 @@ int frame_from(double point, const SceneTime& time) {
 
 SceneTime SceneTime::of(const YamlSection& part) {
   YamlSection scene = part.top();
-  return {scene.whole_number_or("frames", 1, 1, 1000000),
+  return {scene.integer_or("frames", 1, 1, 1000000),
           scene.number_or("frames_per_s", 30, {0.1, 10000})};
 }
 

@@ -1,4 +1,4 @@
-// What a push on a side face does to the surface around it, dots and all.
+// Displacement of a side face, with its dots, under a push.
 #pragma once
 
 #include "core/simulation/mechanics/half_space_contact.h"
@@ -10,11 +10,11 @@ namespace alltact {
 
 struct SideDrag {
   int side = -1;         ///< -1: upper (small v), +1: lower
-  SurfaceFrame surface;  ///< of the contact's middle
+  SurfaceFrame surface;  ///< at the contact's centre
   HalfSpaceContact contact;
 };
 
-/// By how much a point of a side face moves under all that pushes there; camera frame, mm.
+/// Displacement of a side face's point under all pushes on that face; camera frame, mm.
 [[nodiscard]] inline Eigen::Vector3d side_displacement_mm(const std::vector<SideDrag>& drags,
                                                           int side,
                                                           const Eigen::Vector3d& point_mm) {

@@ -21,7 +21,7 @@ Varying Varying::read(YamlSection& section, const std::string& key, Limits limit
     const DegreeOfFreedom range = DegreeOfFreedom::read(section, key, limits);
     varying.values_ = {range.low, range.high};
     varying.kind_ = Kind::kRange;
-    varying.who_ = section.name().empty() ? key : section.name() + "." + key;
+    varying.stream_ = section.name().empty() ? key : section.name() + "." + key;
   } else {
     varying.values_ = {section.number(key, limits)};
   }
@@ -37,26 +37,28 @@ void Varying::read_key_frames(YamlSection& section, const std::string& key, Limi
     const double at = time.point(given, "at");
     values_.push_back(given.number("is", limits));
     const bool is_smooth = given.has("by") && given.choice("by", {"straight", "smooth"}) == 1;
-    if (!ways_.empty() && at == ways_.back().at)
+    if (!key_frames_.empty() && at == key_frames_.back().at)
       given.refuse("at",
                    en::say("the key frame before it stands there too"),
                    en::say("a later time, or leave one of the two out"));
-    if (!ways_.empty() && at < ways_.back().at)
+    if (!key_frames_.empty() && at < key_frames_.back().at)
       given.refuse("at",
                    en::say("the key frame before it is a later one"),
                    en::say("key frames in the order of their times"));
-    ways_.push_back({at, is_smooth});
+    key_frames_.push_back({at, is_smooth});
   }
 }
 
 double Varying::between_key_frames(double frame) const {
   const auto next = std::upper_bound(
-      ways_.begin(), ways_.end(), frame, [](double f, const Way& way) { return f < way.at; });
-  const auto i = static_cast<std::size_t>(next - ways_.begin());
+      key_frames_.begin(), key_frames_.end(), frame, [](double f, const KeyFrame& key_frame) {
+        return f < key_frame.at;
+      });
+  const auto i = static_cast<std::size_t>(next - key_frames_.begin());
   if (i == 0) return values_.front();
-  if (i == ways_.size()) return values_.back();
-  const double t = (frame - ways_[i - 1].at) / (ways_[i].at - ways_[i - 1].at);
-  const double share = ways_[i].is_smooth ? 0.5 - 0.5 * std::cos(std::numbers::pi * t) : t;
+  if (i == key_frames_.size()) return values_.back();
+  const double t = (frame - key_frames_[i - 1].at) / (key_frames_[i].at - key_frames_[i - 1].at);
+  const double share = key_frames_[i].is_smooth ? 0.5 - 0.5 * std::cos(std::numbers::pi * t) : t;
   return values_[i - 1] + (values_[i] - values_[i - 1]) * share;
 }
 
@@ -71,13 +73,13 @@ double Varying::at(std::uint64_t seed, int frame) const {
   if (kind_ == Kind::kList) return values_[static_cast<std::size_t>(frame) % values_.size()];
   if (kind_ == Kind::kKeyFrames) return between_key_frames(frame % frames_);
   return values_[0] + (values_[1] - values_[0]) *
-                          philox_uniform(seed, who_, static_cast<std::uint32_t>(frame), 0);
+                          philox_uniform(seed, stream_, static_cast<std::uint32_t>(frame), 0);
 }
 
-double Varying::least() const {
+double Varying::min_value() const {
   return *std::min_element(values_.begin(), values_.end());
 }
-double Varying::greatest() const {
+double Varying::max_value() const {
   return *std::max_element(values_.begin(), values_.end());
 }
 

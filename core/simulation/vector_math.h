@@ -1,5 +1,5 @@
-// Functions of one number for loops over a row: no branch and no table, so that the compiler makes
-// vector code of them, which it does not of those of <cmath>. The same bytes on every processor.
+// Functions of one number for loops over a row. Without branches and tables the compiler vectorises
+// them, unlike those of <cmath>. The bytes are the same on every processor.
 #pragma once
 
 #include <algorithm>
@@ -8,13 +8,13 @@
 
 namespace alltact {
 
-/// exp(x), within 2e-7 of it relatively; x below -87 or above 88 counts as that. After Cephes' expf
-/// (S. L. Moshier, netlib).
+/// exp(x), within 2e-7 of it relatively; x is clamped to -87 .. 88. After Cephes' expf (S. L.
+/// Moshier, netlib).
 [[nodiscard]] inline float vector_exp(float x) {
   x = std::min(std::max(x, -87.0F), 88.0F);
   const int n = static_cast<int>(x * 1.44269504F + 128.5F) - 128;  // nearest power of 2
-  const auto whole = static_cast<float>(n);
-  const float r = x - whole * 0.693359375F + whole * 2.12194440e-4F;
+  const auto rounded = static_cast<float>(n);
+  const float r = x - rounded * 0.693359375F + rounded * 2.12194440e-4F;
   float p = 1.9875691500e-4F;
   p = p * r + 1.3981999507e-3F;
   p = p * r + 8.3334519073e-3F;
@@ -49,7 +49,7 @@ namespace alltact {
   return x > 1e-30F ? result : 0.0F;
 }
 
-/// cos of so many turns, |turns| < 1e4; within 1e-6 of it, plus what float makes of `turns`.
+/// cos of so many turns, |turns| < 1e4; within 1e-6 of it, plus the rounding of `turns`.
 [[nodiscard]] inline float vector_cos_turns(float turns) {
   const float t = turns - static_cast<float>(static_cast<int>(turns + 16384.5F) - 16384);
   // cos(2 pi t) = sin(2 pi (1/4 - |t|)), with the sine's series about 0 up to a quarter turn.

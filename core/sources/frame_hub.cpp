@@ -10,15 +10,15 @@ struct FrameHubState {
   bool is_closed = false;
   std::vector<FrameQueue*> queues;
 
-  void tell_queues(const Result<FramePtr>& item) {
+  void enqueue_all(const Result<FramePtr>& item) {
     for (FrameQueue* queue : queues) queue->put(item);
   }
 };
 
-FramePtr LatestFrameReader::next(std::chrono::milliseconds patience) {
+FramePtr LatestFrameReader::next(std::chrono::milliseconds timeout) {
   std::unique_lock lock(state_->mutex);
   state_->changed.wait_for(
-      lock, patience, [&] { return state_->published > seen_ || state_->is_closed; });
+      lock, timeout, [&] { return state_->published > seen_ || state_->is_closed; });
   if (state_->published == seen_) return nullptr;
   missed_ += state_->published - seen_ - 1;
   seen_ = state_->published;
@@ -30,9 +30,9 @@ FrameQueue::~FrameQueue() {
   std::erase(state_->queues, this);
 }
 
-std::optional<Result<FramePtr>> FrameQueue::next(std::chrono::milliseconds patience) {
+std::optional<Result<FramePtr>> FrameQueue::next(std::chrono::milliseconds timeout) {
   std::unique_lock lock(state_->mutex);
-  state_->changed.wait_for(lock, patience, [&] { return !items_.empty() || state_->is_closed; });
+  state_->changed.wait_for(lock, timeout, [&] { return !items_.empty() || state_->is_closed; });
   if (items_.empty()) {
     if (state_->is_closed) return Result<FramePtr>(FramePtr());
     return std::nullopt;
@@ -56,7 +56,7 @@ void FrameQueue::put(const Result<FramePtr>& item) {
     }
     ++frames_;
   } else if (!items_.empty() && !items_.back().ok()) {
-    items_.pop_back();  // the last fault says enough, and faults alone must not pile up either
+    items_.pop_back();  // one fault is enough: repeated faults must not fill the queue
   }
   items_.push_back(item);
 }
@@ -68,10 +68,10 @@ FrameHub::~FrameHub() {
 }
 
 void FrameHub::publish(FramePtr frame) {
-  FramePtr before;  // given back outside the lock: the last owner frees a whole picture
+  FramePtr before;  // released outside the lock: the last owner frees the image
   {
     const std::lock_guard lock(state_->mutex);
-    state_->tell_queues(frame);
+    state_->enqueue_all(frame);
     before = std::exchange(state_->latest, std::move(frame));
     ++state_->published;
   }
@@ -81,7 +81,7 @@ void FrameHub::publish(FramePtr frame) {
 void FrameHub::fault(const Error& error) {
   {
     const std::lock_guard lock(state_->mutex);
-    state_->tell_queues(error);
+    state_->enqueue_all(error);
   }
   state_->changed.notify_all();
 }

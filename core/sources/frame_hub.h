@@ -1,4 +1,4 @@
-// One writer, many readers: whoever looks gets the latest frame, whoever records gets every frame.
+// One writer, many readers: viewers get the latest frame, recorders get every frame.
 #pragma once
 
 #include "core/frame.h"
@@ -15,17 +15,17 @@
 
 namespace alltact {
 
-/// What a FrameHub and its readers share.
+/// State shared by a FrameHub and its readers.
 struct FrameHubState;
 
-/// Sees the latest frame only. A slow reader misses frames, counted here, and is never shown an old
-/// one. Used by one thread; may outlive the hub.
+/// Reads the latest frame only. A slow reader misses frames, which it counts, and never gets an old
+/// one. One thread; may outlive the hub.
 class LatestFrameReader {
  public:
-  /// The latest frame, as soon as there is one that this reader has not seen; nullptr when none
-  /// came within `patience` or the hub has closed.
-  [[nodiscard]] FramePtr next(std::chrono::milliseconds patience);
-  /// Frames published since this reader was made that it was never shown.
+  /// Waits for a frame that this reader has not returned yet. nullptr: none came within `timeout`,
+  /// or the hub has closed.
+  [[nodiscard]] FramePtr next(std::chrono::milliseconds timeout);
+  /// Frames published since this reader was made that it never returned.
   [[nodiscard]] std::uint64_t missed() const { return missed_; }
 
  private:
@@ -33,22 +33,22 @@ class LatestFrameReader {
   LatestFrameReader(std::shared_ptr<FrameHubState> state, std::uint64_t seen)
       : state_(std::move(state)), seen_(seen) {}
   std::shared_ptr<FrameHubState> state_;
-  std::uint64_t seen_;  // how many had been published when it last looked
+  std::uint64_t seen_;  // frames published at the last call of next()
   std::uint64_t missed_ = 0;
 };
 
-/// Gets every frame in order, and every fault between them. Holds at most `capacity` frames: those
-/// that come while it is full are dropped and counted. Any thread may call.
+/// Returns every frame in order, and every fault between them. Holds at most `capacity` frames;
+/// when full it drops and counts new ones. Any thread may call.
 class FrameQueue {
  public:
   ~FrameQueue();
   FrameQueue(const FrameQueue&) = delete;
   FrameQueue& operator=(const FrameQueue&) = delete;
 
-  /// The next frame or fault; empty when none came within `patience`; a null frame once the hub has
-  /// closed and everything was taken.
-  [[nodiscard]] std::optional<Result<FramePtr>> next(std::chrono::milliseconds patience);
-  /// Frames that found the queue full.
+  /// The next frame or fault. Empty: none came within `timeout`. A null frame: the hub has closed
+  /// and the queue is empty.
+  [[nodiscard]] std::optional<Result<FramePtr>> next(std::chrono::milliseconds timeout);
+  /// Frames that were dropped because the queue was full.
   [[nodiscard]] std::uint64_t dropped() const;
 
  private:
@@ -60,13 +60,13 @@ class FrameQueue {
 
   std::shared_ptr<FrameHubState> state_;
   std::size_t capacity_;
-  std::size_t frames_ = 0;  // of items_, those that are frames
+  std::size_t frames_ = 0;  // number of frames among items_
   std::uint64_t dropped_ = 0;
   std::deque<Result<FramePtr>> items_;
 };
 
-/// The writer's side. Frames are shared, never copied. publish(), fault() and close() belong to one
-/// thread; readers may be made from any.
+/// The writer's side. Frames are shared, never copied. One thread calls publish(), fault() and
+/// close(); any thread may make readers.
 class FrameHub {
  public:
   FrameHub();
@@ -75,14 +75,14 @@ class FrameHub {
   FrameHub& operator=(const FrameHub&) = delete;
 
   void publish(FramePtr frame);
-  /// Tells the queues that the stream has a fault here; frames may go on behind it.
+  /// Reports a fault of the stream to the queues; frames may follow.
   void fault(const Error& error);
-  /// Nothing will come any more; wakes all who wait.
+  /// Ends the stream and wakes all waiting readers.
   void close();
 
   /// Null before the first frame.
   [[nodiscard]] FramePtr latest() const;
-  /// A reader of what is published from now on.
+  /// A reader of frames published from now on.
   [[nodiscard]] LatestFrameReader reader() const;
   [[nodiscard]] std::unique_ptr<FrameQueue> subscribe(std::size_t capacity) const;
 

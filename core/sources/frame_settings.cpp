@@ -26,7 +26,7 @@ std::map<std::string_view, std::string_view> entries_of(std::string_view setting
   return entries;
 }
 
-/// Controls are named by their camera; of these the name is ours.
+/// Controls are named by their camera; only these names are the program's.
 Message name_of(std::string_view name) {
   if (name == "Camera") return en::say("Camera");
   if (name == "Serial number") return en::say("Serial number");
@@ -54,7 +54,7 @@ Message differences(std::string_view before, std::string_view now) {
   return en::list(changes);
 }
 
-void SettingsSeen::add(const Frame& frame) {
+void SettingsMonitor::add(const Frame& frame) {
   if (frame.controls == nullptr || frame.controls == last_) return;
   last_ = frame.controls;
   if (first_.empty()) first_ = *frame.controls;

@@ -1,7 +1,7 @@
-// What camera and light were set to, as every frame carries it in words:
+// Settings of camera and light as text, which every frame carries:
 //   Camera=usb-Maker_Model_SERIAL-video-index0; Format=1920x1080 MJPG at 30 frames per second;
 //   Gain=3
-// The same text goes from the camera through the journal or the picture into finger.yaml.
+// The same text goes from the camera through the journal or the image file into finger.yaml.
 #pragma once
 
 #include "core/frame.h"
@@ -12,20 +12,21 @@
 
 namespace alltact {
 
-/// Appends one entry. What would be taken for the end of a name or an entry becomes a blank.
+/// Appends one entry. Separators inside a name or value become blanks.
 void add_setting(std::string& settings, std::string_view name, std::string_view value);
 
-/// "Gain was 3 and is 5, Focus was 200 and is 0": of the entries that both have, those that differ;
-/// empty where none does.
+/// Returns "Gain was 3 and is 5, Focus was 200 and is 0" for entries that both texts have and that
+/// differ; empty where none does.
 [[nodiscard]] Message differences(std::string_view before, std::string_view now);
 
 /// The settings of a recording, whose frames should all have the same.
-class SettingsSeen {
+class SettingsMonitor {
  public:
   void add(const Frame& frame);
-  /// Of the first frame that told any; empty where none did.
+  /// Settings of the first frame that has any; empty where none has.
   [[nodiscard]] const std::string& first() const { return first_; }
-  /// The first change on the way, as differences() tells it; empty where nothing changed.
+  /// The first change during the recording, in the words of differences(); empty where nothing
+  /// changed.
   [[nodiscard]] const Message& change() const { return change_; }
 
  private:

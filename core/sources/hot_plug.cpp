@@ -9,7 +9,7 @@ namespace alltact {
 std::unique_ptr<HotPlug> HotPlug::watch() {
   udev* context = udev_new();
   if (context == nullptr) return nullptr;
-  // "udev", not "kernel": told when links and access rights are in place.
+  // "udev", not "kernel": its events come when links and access rights exist.
   udev_monitor* monitor = udev_monitor_new_from_netlink(context, "udev");
   if (monitor == nullptr) {
     udev_unref(context);
@@ -31,16 +31,16 @@ int HotPlug::descriptor() const {
   return udev_monitor_get_fd(monitor_);
 }
 
-std::vector<HotPlug::News> HotPlug::read() {
-  std::vector<News> news;
+std::vector<HotPlug::Event> HotPlug::read() {
+  std::vector<Event> events;
   while (udev_device* device = udev_monitor_receive_device(monitor_)) {
     const char* action = udev_device_get_action(device);
     const char* node = udev_device_get_devnode(device);
     if (action != nullptr && node != nullptr)
-      news.push_back({std::string_view(action) == "add", node});
+      events.push_back({std::string_view(action) == "add", node});
     udev_device_unref(device);
   }
-  return news;
+  return events;
 }
 
 }  // namespace alltact

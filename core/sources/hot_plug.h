@@ -1,4 +1,4 @@
-// News of devices that come and go.
+// Events of devices that are plugged in and removed.
 #pragma once
 
 #include <memory>
@@ -19,14 +19,14 @@ class HotPlug {
   HotPlug(const HotPlug&) = delete;
   HotPlug& operator=(const HotPlug&) = delete;
 
-  struct News {
+  struct Event {
     bool is_added = false;  ///< else removed or changed
     std::string node;       ///< /dev/video0
   };
-  /// Readable when there is news.
+  /// Readable when there are events.
   [[nodiscard]] int descriptor() const;
-  /// All news that is there; does not wait.
-  [[nodiscard]] std::vector<News> read();
+  /// All pending events; does not wait.
+  [[nodiscard]] std::vector<Event> read();
 
  private:
   HotPlug(udev* context, udev_monitor* monitor) : context_(context), monitor_(monitor) {}

@@ -11,14 +11,14 @@ namespace alltact {
 
 namespace {
 
-constexpr std::size_t kMostErrors = 100;  // told late, they help nobody
+constexpr std::size_t kMaxErrors = 100;  // late errors have no use
 
 }  // namespace
 
 struct NewestSource::State {
   std::unique_ptr<Source> source;
   mutable std::mutex mutex;
-  std::condition_variable news;
+  std::condition_variable changed;
   std::deque<Error> errors;
   FramePtr newest;
   std::uint64_t skipped = 0;
@@ -31,7 +31,7 @@ struct NewestSource::State {
       const bool is_untimed = frame && *frame && (*frame)->time_ns == 0 && !source->is_live();
       if (take(std::move(frame))) return;
       if (is_untimed)
-        wait_between_pictures(source->frames_per_s(), [&] { return stop.stop_requested(); });
+        wait_frame_period(source->frames_per_s(), [&] { return stop.stop_requested(); });
     }
   }
 
@@ -39,13 +39,13 @@ struct NewestSource::State {
   bool take(Result<FramePtr> frame) {
     const std::lock_guard lock(mutex);
     if (!frame) {
-      if (errors.size() < kMostErrors) errors.push_back(frame.error());
+      if (errors.size() < kMaxErrors) errors.push_back(frame.error());
     } else {
       skipped += newest && *frame ? 1 : 0;
       is_over = *frame == nullptr;
       if (!is_over) newest = std::move(*frame);
     }
-    news.notify_all();
+    changed.notify_all();
     return is_over;
   }
 };
@@ -60,7 +60,7 @@ NewestSource::~NewestSource() = default;
 Result<FramePtr> NewestSource::next() {
   State& s = *state_;
   std::unique_lock lock(s.mutex);
-  s.news.wait(lock, [&] { return s.newest || !s.errors.empty() || s.is_over; });
+  s.changed.wait(lock, [&] { return s.newest || !s.errors.empty() || s.is_over; });
   if (!s.errors.empty()) {
     Error error = std::move(s.errors.front());
     s.errors.pop_front();

@@ -1,4 +1,4 @@
-// The newest frame wins: for work that must not fall behind a live source.
+// A source without backlog, for work that must not fall behind a live source.
 #pragma once
 
 #include "core/sources/source.h"
@@ -7,10 +7,9 @@
 
 namespace alltact {
 
-/// Another source, read on a thread of its own so that next() always gives the newest frame that
-/// came, and never the same twice. Frames that came in between are missing from the sequence.
-/// Pictures, which have no times, come as often as a camera's would.
-/// Errors come in their turn. Ended by its destructor, which waits for the source's next frame.
+/// Reads another source on a thread of its own. next() returns the newest frame, and never the same
+/// one twice. Replaced frames are missing from the sequence. Images, which have no times, come at a
+/// camera's rate. Errors come in their order. The destructor waits for the source's next frame.
 class NewestSource : public Source {
  public:
   explicit NewestSource(std::unique_ptr<Source> source);

@@ -1,4 +1,4 @@
-// Letting frames come as they came when they were taken.
+// Delays frames to their recorded pace.
 #pragma once
 
 #include "core/sources/source.h"
@@ -9,14 +9,14 @@
 
 namespace alltact {
 
-/// Waits until a frame is due. The first one is due at once and begins the count; whoever comes
-/// late is not made to wait, and the frames behind it keep their times. With Pace::kAsked nothing
-/// waits. Used by one thread.
+/// Waits until a frame is due. The first frame is due at once and starts the clock. A late caller
+/// does not wait, and the frames behind it retain their times. With Pace::kOnDemand nothing waits.
+/// One thread.
 class Pacer {
  public:
   explicit Pacer(const SourceOptions& options) : pace_(options.pace), job_(options.job) {}
 
-  /// time_ns: of the frame, on any clock. False: the job was stopped while it waited.
+  /// time_ns: time of the frame, on any clock. False: the job was stopped during the wait.
   [[nodiscard]] bool wait_for(std::int64_t time_ns);
 
  private:
@@ -28,7 +28,7 @@ class Pacer {
   std::int64_t first_ns_ = 0;
 };
 
-/// Pictures have no times: they come as often as a camera's would.
-void wait_between_pictures(double frames_per_s, const std::function<bool()>& is_stopped);
+/// Waits one frame period, at most, for images, which have no times.
+void wait_frame_period(double frames_per_s, const std::function<bool()>& is_stopped);
 
 }  // namespace alltact

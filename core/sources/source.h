@@ -1,4 +1,4 @@
-// Where frames come from: cameras, videos, pictures and simulated fingers, all alike.
+// Sources of frames: cameras, videos, images and simulated fingers.
 #pragma once
 
 #include "core/frame.h"
@@ -11,29 +11,28 @@
 
 namespace alltact {
 
-/// Gives frames one after the other.
+/// Returns frames one after the other.
 class Source {
  public:
   virtual ~Source() = default;
 
-  /// The next frame; nullptr after the last one; an error names the picture that could not be
-  /// read. After an error the next call goes on with the picture behind it, where there is one.
+  /// The next frame; nullptr after the last one. An error names the image that could not be read;
+  /// the next call continues with the following image, where there is one.
   [[nodiscard]] virtual Result<FramePtr> next() = 0;
 
-  /// How many frames there will be, where that is known.
+  /// Number of frames, where it is known.
   [[nodiscard]] virtual std::optional<std::size_t> count() const = 0;
 
-  /// True when frames follow each other in time, so that what was seen in one helps in the next.
+  /// True when frames follow each other in time, so that a tracker may use the frame before.
   [[nodiscard]] virtual bool is_continuous() const = 0;
 
-  /// True when frames come when they come, not when they are asked for: whoever is too slow misses
-  /// them.
+  /// True when frames come at their own times: a slow reader misses some.
   [[nodiscard]] virtual bool is_live() const { return false; }
 
-  /// About how often frames come or came.
+  /// Approximate rate of the frames, 1/s.
   [[nodiscard]] virtual double frames_per_s() const { return 30.0; }
 
-  /// Passes over frames without giving them, as far as there are so many.
+  /// Skips frames, no more than there are.
   virtual void skip(std::size_t count) {
     for (; count > 0; --count)
       if (const auto frame = next(); frame && !*frame) return;
@@ -41,16 +40,16 @@ class Source {
 };
 
 enum class Pace {
-  kAsked = 1,  ///< as fast as they are asked for
-  kRecorded,   ///< as they were recorded, or as a camera gives them
+  kOnDemand = 1,  ///< as fast as they are requested
+  kRecorded,      ///< at the recorded pace, or at a camera's
 };
 
 struct SourceOptions {
-  Pace pace = Pace::kAsked;
-  std::uint64_t seed = 1;  ///< of a simulated finger
-  int threads = 1;         ///< that render it; the pictures are the same for any number
-  /// Told of long opening (mending a recording); ends waits at the recorded pace. May be null; else
-  /// it outlives the source.
+  Pace pace = Pace::kOnDemand;
+  std::uint64_t seed = 1;  ///< seed of a simulated finger
+  int threads = 1;         ///< rendering threads; the images are the same for any number
+  /// Receives the progress of long opening (repair of a recording); stopping it ends waits at the
+  /// recorded pace. May be null; else it outlives the source.
   const Job* job = nullptr;
 };
 

@@ -19,7 +19,7 @@ std::size_t padding_of(const cv::Mat& part) {
   return (kStreamAlignment - size_of(part) % kStreamAlignment) % kStreamAlignment;
 }
 
-/// What of a message is still to be sent.
+/// The unsent rest of a message.
 std::vector<iovec> rest_of(const StreamBytes& bytes, std::size_t sent) {
   std::vector<iovec> rest;
   const auto add = [&](const void* data, std::size_t size) {
@@ -46,12 +46,12 @@ bool StreamClient::is_over(Clock::time_point now) const {
 }
 
 std::optional<StreamClient::Clock::time_point> StreamClient::deadline() const {
-  return wanted_ && !is_leaving_ ? std::nullopt : std::optional(leave_by_);
+  return requested_ && !is_leaving_ ? std::nullopt : std::optional(leave_by_);
 }
 
 void StreamClient::leave(Clock::time_point now) {
   is_leaving_ = true;
-  leave_by_ = now + kToLeave;
+  leave_by_ = now + kLeaveTimeout;
 }
 
 void StreamClient::refuse(const Error& why, Clock::time_point now) {
@@ -74,16 +74,16 @@ void StreamClient::read(Clock::time_point now) {
     return;
   }
   has_closed_input_ = count == 0;
-  if (is_leaving_) return;  // read, so that it is told why
+  if (is_leaving_) return;  // reads on, so that the client receives the reason
   if (count == 0) {
-    if (!wanted_)
+    if (!requested_)
       refuse({en::say("the connection's line was not whole"),
               "",
               en::say("ending it with a line break")},
              now);
     return;
   }
-  if (wanted_)
+  if (requested_)
     return refuse({en::say("something came after the line"), "", en::say("connecting again")}, now);
   line_.append(bytes.data(), static_cast<std::size_t>(count));
   take_line(now);
@@ -97,15 +97,16 @@ void StreamClient::take_line(Clock::time_point now) {
                   now);
   if (end + 1 != line_.size())
     return refuse({en::say("something came after the line"), "", en::say("connecting again")}, now);
-  const auto wanted = stream_request(std::string_view(line_).substr(0, end));
-  if (!wanted) return refuse(wanted.error(), now);
-  wanted_ = *wanted;
+  const auto requested = stream_request(std::string_view(line_).substr(0, end));
+  if (!requested) return refuse(requested.error(), now);
+  requested_ = *requested;
 }
 
 void StreamClient::offer(const StreamMessagePtr& message, Clock::time_point now) {
-  if (!has_asked()) return;
-  // Under way when this client came: the next has what it asked for.
-  if (message->type == StreamType::kFrame && (wanted() & ~message->sought).any()) return;
+  if (!has_request()) return;
+  // A frame made before this client came lacks the parts it requested: the next one has them.
+  if (message->type == StreamType::kFrame && (requested() & ~message->requested_parts).any())
+    return;
   const bool replaces_frame =
       message->type == StreamType::kFrame || message->type == StreamType::kFinger;
   if (replaces_frame && newest_) {
@@ -132,7 +133,7 @@ bool StreamClient::begin_next() {
   }
   if (!next) return false;
   sending_ = Sending();
-  sending_->bytes = stream_bytes(*next, wanted(), lost_);
+  sending_->bytes = stream_bytes(*next, requested(), lost_);
   sending_->size = sending_->bytes.head.size();
   for (const cv::Mat& part : sending_->bytes.parts)
     sending_->size += size_of(part) + padding_of(part);

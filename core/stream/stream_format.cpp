@@ -36,7 +36,7 @@ void put(std::string& bytes, const T& value) {
   bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
-Error no_request(Message what) {
+Error bad_request(Message what) {
   return {std::move(what), "", en::say("one line such as alltact-stream/1 picture depth16")};
 }
 
@@ -90,12 +90,14 @@ std::string_view to_string(StreamType type) {
   return kWords.at(static_cast<std::size_t>(type) - 1);
 }
 
-StreamBytes stream_bytes(const StreamMessage& message, StreamPartSet wanted, std::uint64_t lost) {
+StreamBytes stream_bytes(const StreamMessage& message,
+                         StreamPartSet requested,
+                         std::uint64_t lost) {
   StreamBytes bytes;
   std::vector<StreamPartEntry> table;
   for (std::size_t k = 0; k < kStreamParts.size(); ++k) {
     const cv::Mat& part = message.parts[k];
-    if (!wanted[k] || part.empty()) continue;
+    if (!requested[k] || part.empty()) continue;
     assert(part.channels() == kStreamParts[k].channels);
     bytes.parts.push_back(part.isContinuous() ? part : part.clone());
     table.push_back({padded<16>(kStreamParts[k].name),
@@ -129,10 +131,10 @@ Result<StreamPartSet> stream_request(std::string_view line) {
   if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
   if (!line.starts_with(kStreamFormat) ||
       (line.size() > kStreamFormat.size() && line[kStreamFormat.size()] != ' '))
-    return no_request(en::say(
+    return bad_request(en::say(
         "'{}' does not ask for {}", printable(line.substr(0, 60)), std::string(kStreamFormat)));
   line.remove_prefix(kStreamFormat.size());
-  StreamPartSet wanted;
+  StreamPartSet requested;
   while (!line.empty()) {
     const std::string_view word = line.substr(0, line.find(' '));
     line.remove_prefix(std::min(line.size(), word.size() + 1));
@@ -142,12 +144,12 @@ Result<StreamPartSet> stream_request(std::string_view line) {
           return part.name == word;
         });
     if (kind == kStreamParts.end())
-      return no_request(en::say("there is no part '{}', but {}",
-                                printable(word.substr(0, 60)),
-                                one_of(part_names(), word)));
-    wanted.set(static_cast<std::size_t>(kind - kStreamParts.begin()));
+      return bad_request(en::say("there is no part '{}', but {}",
+                                 printable(word.substr(0, 60)),
+                                 one_of(part_names(), word)));
+    requested.set(static_cast<std::size_t>(kind - kStreamParts.begin()));
   }
-  return wanted;
+  return requested;
 }
 
 }  // namespace alltact

@@ -1,11 +1,11 @@
-// How frames go to other programs on this computer: the layout of a message.
+// Binary format of a message to other programs on this computer.
 //
 // Numbers are little-endian. A message is
 //   header   48 bytes (StreamHeader)
 //   table    48 bytes for each part (StreamPartEntry)
-//   JSON     one object, UTF-8, with blanks behind it up to the next multiple of 16 bytes
+//   JSON     one object, UTF-8, padded with blanks to the next multiple of 16 bytes
 //   parts    rows of pixels, each part at a multiple of 16 bytes
-// Offsets count from the header's end. What a client sends is one line (stream_request()).
+// Offsets count from the header's end. A client sends one line (stream_request()).
 #pragma once
 
 #include "core/result.h"
@@ -26,11 +26,11 @@ inline constexpr std::string_view kStreamFormat = "alltact-stream/1";
 inline constexpr std::size_t kStreamAlignment = 16;  ///< bytes
 
 enum class StreamType : std::uint16_t {
-  kFinger = 1,  ///< what the finger is: the first message, and again whenever that changes
-  kFrame,       ///< what one frame tells
+  kFinger = 1,  ///< description of the finger: the first message, and again after each change
+  kFrame,       ///< results of one frame
   kProblem,     ///< why there is no frame now; others may follow
-  kEnd,         ///< the last message, and why it is
-  kRefused,     ///< what was wrong with the client; the connection ends
+  kEnd,         ///< the last message, with the reason
+  kRefused,     ///< the client's error; the connection ends
 };
 
 struct StreamHeader {
@@ -42,7 +42,7 @@ struct StreamHeader {
   std::uint64_t bytes = 0;       ///< of all that follows the header
   std::uint64_t sequence = 0;    ///< Frame::sequence
   std::int64_t time_ns = 0;      ///< Frame::time_ns
-  std::uint64_t lost = 0;        ///< frames that this client was too slow for, so far
+  std::uint64_t lost = 0;        ///< number of frames for which this client was too slow
 };
 static_assert(sizeof(StreamHeader) == 48);
 
@@ -54,7 +54,7 @@ struct StreamPartEntry {
 };
 static_assert(sizeof(StreamPartEntry) == 48);
 
-/// What a client can ask for. In the order of this table they stand in a message.
+/// A part that a client can request. A message has them in the order of this table.
 struct StreamPartKind {
   std::string_view name, dtype;
   int channels;
@@ -72,10 +72,10 @@ inline constexpr std::array kStreamParts = {
                    "5 beyond the layer, 6 not in the recording, 7 end hidden"},
     StreamPartKind{"points", "<f4", 3, "x, y, z of the pressed face, mm, camera frame; NaN: none"},
 };
-enum StreamPart : std::size_t { kPicture = 0, kDepth16, kDepth, kFlags, kPoints };
+enum StreamPart : std::size_t { kImage = 0, kDepth16, kDepth, kFlags, kPoints };
 using StreamPartSet = std::bitset<kStreamParts.size()>;
 
-/// Rows of the tables above, for whoever is told of the format.
+/// A field of the header or table, for the description of the format.
 struct StreamField {
   std::string_view name, type;
   std::size_t offset;
@@ -85,30 +85,30 @@ struct StreamField {
 [[nodiscard]] const std::vector<StreamField>& stream_part_fields();
 [[nodiscard]] std::string_view to_string(StreamType type);
 
-/// A message before it is known who gets it.
+/// A message for all clients.
 struct StreamMessage {
   StreamType type = StreamType::kFrame;
   std::uint64_t sequence = 0;
   std::int64_t time_ns = 0;
   std::string json;  ///< one object
-  /// By StreamPart; empty: there is none. Not written to from now on.
+  /// By StreamPart; empty: there is none. Read-only from now on.
   std::array<cv::Mat, kStreamParts.size()> parts;
-  /// Which were to be made: the others are missing because nobody wanted them.
-  StreamPartSet sought = StreamPartSet().set();
+  /// The parts that were requested; the others were not made.
+  StreamPartSet requested_parts = StreamPartSet().set();
 };
 
-/// The same as one client gets it: `head` (header, table, JSON), then each part with zeros behind
-/// it up to the next multiple of 16 bytes.
+/// A message for one client: `head` (header, table, JSON), then each part, padded with zeros to the
+/// next multiple of 16 bytes.
 struct StreamBytes {
   std::string head;
   std::vector<cv::Mat> parts;  ///< continuous
 };
 [[nodiscard]] StreamBytes stream_bytes(const StreamMessage& message,
-                                       StreamPartSet wanted,
+                                       StreamPartSet requested,
                                        std::uint64_t lost);
 
-/// What a client's line, without its end, asks for: "alltact-stream/1 picture depth16"; none: only
-/// what stands in the JSON. Errors: it does not begin so; no such part.
+/// Parses a client's line, without its end: "alltact-stream/1 depth16 flags". Without parts the
+/// client gets the JSON only. Errors: another beginning; no such part.
 [[nodiscard]] Result<StreamPartSet> stream_request(std::string_view line);
 inline constexpr std::size_t kLongestStreamRequest = 256;
 

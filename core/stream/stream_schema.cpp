@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kWidth = 100;
 
-/// Words in lines of at most kWidth letters, each but the first behind so many blanks.
+/// Wraps words at kWidth letters; each line but the first has an indent.
 std::string wrapped(std::string_view text, std::size_t indent) {
   std::string lines;
   std::size_t column = indent;

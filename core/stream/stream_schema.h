@@ -1,4 +1,4 @@
-// What other programs have to know to be served: printed by `alltact serve --schema`.
+// Documentation of the format for other programs, printed by `alltact serve --schema`.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ struct StreamKey {
   std::string_view path;
   std::string_view what;  ///< with its unit
 };
-/// Of everything that is sent, in its order there. Whatever could not be had is absent, never zero.
+/// All keys, in the order in which they are sent. Unknown values are absent, never zero.
 [[nodiscard]] const std::vector<StreamKey>& stream_keys();
 
 /// For people: request, layout, parts and keys.

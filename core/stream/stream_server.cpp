@@ -19,7 +19,7 @@ namespace alltact {
 namespace {
 
 using Clock = StreamClient::Clock;
-constexpr std::chrono::milliseconds kAfterFullTable{100};  // no descriptor was free
+constexpr std::chrono::milliseconds kAcceptPause{100};  // pause when no descriptor was free
 
 int milliseconds_until(Clock::time_point then, Clock::time_point now) {
   const auto left = std::chrono::ceil<std::chrono::milliseconds>(then - now).count();
@@ -34,9 +34,9 @@ struct StreamServer::State {
 
   ListeningSocket listening;
   Descriptor woken;  // an eventfd
-  std::atomic<unsigned long> wanted{0};
+  std::atomic<unsigned long> requested{0};
 
-  mutable std::mutex mutex;  // over:
+  mutable std::mutex mutex;  // protects:
   std::vector<StreamMessagePtr> inbox;
   StreamCounts counts;
   bool is_ending = false;
@@ -44,8 +44,8 @@ struct StreamServer::State {
   // Of the thread:
   std::list<StreamClient> clients;
   StreamMessagePtr finger;
-  std::uint64_t lost_by_gone = 0;
-  std::optional<Clock::time_point> deaf_until;  // no connection could be taken
+  std::uint64_t lost_by_dropped = 0;
+  std::optional<Clock::time_point> accept_after;  // pause after a failed accept()
 
   std::jthread thread;  // last: it ends first
 
@@ -59,18 +59,18 @@ struct StreamServer::State {
       wait();
       const auto now = Clock::now();
       const bool is_last = deliver(now);
-      drop_those_who_left(now);
+      drop_gone_clients(now);
       if (is_last && clients.empty()) return;
     }
   }
 
-  /// Until there is something to do; does what the descriptors ask for.
+  /// Waits until there is something to do, and serves the ready descriptors.
   void wait() {
     auto now = Clock::now();
-    if (deaf_until && now >= *deaf_until) deaf_until.reset();
+    if (accept_after && now >= *accept_after) accept_after.reset();
     std::vector<pollfd> all = {{woken.number(), POLLIN, 0},
-                               {deaf_until ? -1 : listening.descriptor(), POLLIN, 0}};
-    std::optional<Clock::time_point> next = deaf_until;
+                               {accept_after ? -1 : listening.descriptor(), POLLIN, 0}};
+    std::optional<Clock::time_point> next = accept_after;
     for (const StreamClient& client : clients) {
       const int events =
           (client.wants_to_read() ? POLLIN : 0) | (client.wants_to_write() ? POLLOUT : 0);
@@ -83,41 +83,41 @@ struct StreamServer::State {
     if (all[0].revents != 0) (void)!::read(woken.number(), &ignored, sizeof ignored);
     std::size_t at = 2;
     for (StreamClient& client : clients) serve(client, all[at++].revents, now);
-    if (all[1].revents != 0) let_in(now);
+    if (all[1].revents != 0) accept_clients(now);
   }
 
   void serve(StreamClient& client, int events, Clock::time_point now) {
-    const bool had_asked = client.has_asked();
+    const bool had_request = client.has_request();
     if ((events & POLLIN) != 0) client.read(now);
     if ((events & POLLOUT) != 0) client.write();
     if ((events & (POLLHUP | POLLERR | POLLNVAL)) != 0 && (events & POLLIN) == 0) client.hang_up();
-    if (!had_asked && client.has_asked()) {
+    if (!had_request && client.has_request()) {
       const std::lock_guard lock(mutex);
       ++counts.served;
       if (finger) client.offer(finger, now);
     }
   }
 
-  void let_in(Clock::time_point now) {
+  void accept_clients(Clock::time_point now) {
     while (true) {
       Descriptor connection = listening.accept();
       if (!connection.is_open()) {
         if (errno != EAGAIN && errno != EINTR && errno != ECONNABORTED)
-          deaf_until = now + kAfterFullTable;
+          accept_after = now + kAcceptPause;
         return;
       }
       StreamClient& client = clients.emplace_back(std::move(connection), now);
       if (!is_own_peer(client.descriptor()))
         client.refuse({en::say("another user's programs are not let in"), "", ""}, now);
-      else if (clients.size() > kMostClients)
-        client.refuse({en::say("{} programs are served already", kMostClients),
+      else if (clients.size() > kMaxClients)
+        client.refuse({en::say("{} programs are served already", kMaxClients),
                        "",
                        en::say("ending one of them")},
                       now);
     }
   }
 
-  /// True once the end was told.
+  /// True once the last message was sent.
   bool deliver(Clock::time_point now) {
     std::vector<StreamMessagePtr> messages;
     bool is_last = false;
@@ -133,21 +133,24 @@ struct StreamServer::State {
     }
     if (is_last)
       for (StreamClient& client : clients)
-        if (client.deadline() && !client.wants_to_write()) client.hang_up();  // never asked
+        if (client.deadline() && !client.wants_to_write())
+          client.hang_up();  // never requested
+                             // anything
     return is_last;
   }
 
-  void drop_those_who_left(Clock::time_point now) {
+  void drop_gone_clients(Clock::time_point now) {
     for (StreamClient& client : clients)
       if (const auto end = client.deadline(); end && now >= *end && !client.is_over(now))
-        client.refuse({en::say("no line came within {} seconds", StreamClient::kToAsk.count()),
-                       "",
-                       en::say("one line such as alltact-stream/1 picture depth16")},
-                      now);
+        client.refuse(
+            {en::say("no line came within {} seconds", StreamClient::kRequestTimeout.count()),
+             "",
+             en::say("one line such as alltact-stream/1 picture depth16")},
+            now);
     std::uint64_t refused = 0;
     std::erase_if(clients, [&](const StreamClient& client) {
       if (!client.is_over(now)) return false;
-      lost_by_gone += client.lost();
+      lost_by_dropped += client.lost();
       refused += client.is_refused() ? 1 : 0;
       return true;
     });
@@ -157,14 +160,14 @@ struct StreamServer::State {
   void count(std::uint64_t refused) {
     StreamPartSet all;
     std::size_t served = 0;
-    std::uint64_t lost = lost_by_gone;
+    std::uint64_t lost = lost_by_dropped;
     for (const StreamClient& client : clients) {
       lost += client.lost();
-      if (!client.has_asked()) continue;
+      if (!client.has_request()) continue;
       ++served;
-      all |= client.wanted();
+      all |= client.requested();
     }
-    wanted = all.to_ulong();
+    requested = all.to_ulong();
     const std::lock_guard lock(mutex);
     counts.refused += refused;
     counts.clients = served;
@@ -203,8 +206,8 @@ void StreamServer::publish(StreamMessage message) {
   state_->wake();
 }
 
-StreamPartSet StreamServer::wanted() const {
-  return StreamPartSet(state_->wanted.load());
+StreamPartSet StreamServer::requested() const {
+  return StreamPartSet(state_->requested.load());
 }
 
 StreamCounts StreamServer::counts() const {

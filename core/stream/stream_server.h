@@ -1,4 +1,4 @@
-// Sends what is measured to other programs of this user on this computer.
+// Sends results to other programs of this user on this computer.
 #pragma once
 
 #include "core/result.h"
@@ -12,21 +12,21 @@
 namespace alltact {
 
 struct StreamCounts {
-  std::size_t clients = 0;    ///< that are served now
-  std::uint64_t served = 0;   ///< and were ever
-  std::uint64_t refused = 0;  ///< of other users, too many, or not understood
-  std::uint64_t lost = 0;     ///< frames that clients were too slow for, summed over all of them
+  std::size_t clients = 0;    ///< currently connected
+  std::uint64_t served = 0;   ///< in total
+  std::uint64_t refused = 0;  ///< of other users, too many, or with an invalid request
+  std::uint64_t lost = 0;     ///< frames for which clients were too slow, summed over all of them
 };
 
-/// A socket (ListeningSocket) and the programs that have connected to it, on a thread of its own.
-/// Each gets the description, then what is published from then on. One that is slow loses frames,
-/// which its header counts: the newest is sent next. Nobody is ever waited for. Any thread may call
-/// any function.
+/// A socket (ListeningSocket) and its clients, on a thread of its own. Each client gets the
+/// description, then every later message. A slow client loses frames, which its header counts, and
+/// gets the newest one next. The server never waits for a client. Any thread may call any function.
 class StreamServer {
  public:
-  static constexpr std::size_t kMostClients = 16;
+  static constexpr std::size_t kMaxClients = 16;
 
-  /// Errors: those of ListeningSocket::listen. `doing`: who this is, for another server.
+  /// Errors: those of ListeningSocket::listen. `doing`: this program's activity, for another
+  /// server's message.
   [[nodiscard]] static Result<std::unique_ptr<StreamServer>> start(
       const std::filesystem::path& socket, const std::string& doing);
   ~StreamServer();
@@ -34,14 +34,14 @@ class StreamServer {
   StreamServer& operator=(const StreamServer&) = delete;
 
   [[nodiscard]] const std::filesystem::path& path() const;
-  /// Puts a message on its way and returns. One of type kFinger is also the first that whoever
-  /// connects later gets; until there was one, nobody gets anything.
+  /// Sends a message without waiting. The last one of type kFinger is also the first message for
+  /// later clients; before it, nobody gets anything.
   void publish(StreamMessage message);
-  /// What any of the clients asked for: the rest need not be made.
-  [[nodiscard]] StreamPartSet wanted() const;
+  /// Parts that any client requested; the others need not be made.
+  [[nodiscard]] StreamPartSet requested() const;
   [[nodiscard]] StreamCounts counts() const;
-  /// Tells the clients why, waits until they have heard it, at most a second, and lets nobody in
-  /// any more. `json`: of the kEnd message.
+  /// Sends the reason to the clients, waits at most a second until they have it, and accepts no
+  /// more connections. `json`: of the kEnd message.
   void end(std::string json);
 
  private:

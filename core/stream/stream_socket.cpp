@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kWaiting = 16;  // connections that nobody has taken yet
+constexpr int kBacklog = 16;  // length of the queue of new connections
 
 fs::path lock_of(const fs::path& socket) {
   return socket.string() + ".lock";
@@ -46,7 +46,7 @@ Descriptor new_socket() {
   return Descriptor(socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
 }
 
-/// Nobody but this user can put anything in its place.
+/// Only this user may replace files in the folder.
 Status make_private_folder(const fs::path& folder) {
   std::error_code failed;
   if (folder.has_parent_path()) fs::create_directories(folder.parent_path(), failed);
@@ -65,7 +65,7 @@ Status make_private_folder(const fs::path& folder) {
   return {};
 }
 
-Status must_be_free(const fs::path& path, const sockaddr_un& address) {
+Status check_free(const fs::path& path, const sockaddr_un& address) {
   struct stat of {};
   if (lstat(path.c_str(), &of) != 0) return errno == ENOENT ? Status() : cannot_listen(path, errno);
   if (!S_ISSOCK(of.st_mode))
@@ -89,7 +89,7 @@ Descriptor::~Descriptor() {
   if (number_ >= 0) close(number_);
 }
 
-fs::path usual_socket(const std::string& finger_name) {
+fs::path default_socket(const std::string& finger_name) {
   std::string name = finger_name + ".sock";
   std::replace(name.begin(), name.end(), '/', '_');
   std::error_code failed;
@@ -105,11 +105,11 @@ Result<ListeningSocket> ListeningSocket::listen(const fs::path& given, const std
   const auto address = address_of(path);
   if (!address) return address.error();
   if (Status made = make_private_folder(path.parent_path()); !made) return made.error();
-  if (Status free = must_be_free(path, *address); !free) return free.error();
-  auto held = HeldFile::hold(lock_of(path), this_process(doing), std::chrono::milliseconds(0));
+  if (Status free = check_free(path, *address); !free) return free.error();
+  auto held = LockFile::hold(lock_of(path), this_process(doing), std::chrono::milliseconds(0));
   if (!held) return held.error();
-  // Nobody else comes here from now on: what lies there is what was left behind.
-  if (Status free = must_be_free(path, *address); !free) return free.error();
+  // The lock excludes other servers: an existing file is a rest.
+  if (Status free = check_free(path, *address); !free) return free.error();
   unlink(path.c_str());
   ListeningSocket made(path, std::move(*held), new_socket());
   if (bind(made.descriptor(), reinterpret_cast<const sockaddr*>(&*address), sizeof *address) != 0)
@@ -117,7 +117,7 @@ Result<ListeningSocket> ListeningSocket::listen(const fs::path& given, const std
   struct stat of {};
   if (stat(path.c_str(), &of) == 0) made.inode_ = of.st_ino;
   // Before anybody can connect.
-  if (chmod(path.c_str(), S_IRUSR | S_IWUSR) != 0 || ::listen(made.descriptor(), kWaiting) != 0)
+  if (chmod(path.c_str(), S_IRUSR | S_IWUSR) != 0 || ::listen(made.descriptor(), kBacklog) != 0)
     return cannot_listen(path, errno);
   return made;
 }

@@ -1,7 +1,7 @@
-// A place for programs of one user on this computer to connect to, and for nobody else.
+// A Unix socket for programs of one user on this computer only.
 #pragma once
 
-#include "core/io/held_file.h"
+#include "core/io/lock_file.h"
 #include "core/result.h"
 
 #include <filesystem>
@@ -30,19 +30,17 @@ class Descriptor {
   int number_;
 };
 
-/// Where a finger is served unless told otherwise: alltact/NAME.sock in $XDG_RUNTIME_DIR, which
-/// belongs to the user alone; where there is none, in alltact-UID in the folder for temporary
-/// files.
-[[nodiscard]] std::filesystem::path usual_socket(const std::string& finger_name);
+/// Default socket of a finger: alltact/NAME.sock in $XDG_RUNTIME_DIR, which belongs to the user
+/// alone. Without that variable: in alltact-UID in the folder for temporary files.
+[[nodiscard]] std::filesystem::path default_socket(const std::string& finger_name);
 
-/// A Unix socket (SOCK_STREAM) that listens at a path, which is gone with it. Connecting goes
-/// through the file, so nothing can from another computer; the file's mode is 0600.
+/// A Unix socket (SOCK_STREAM) that listens at a path, which is removed with it. Clients connect
+/// through the file, so none on another computer can; the file's mode is 0600.
 class ListeningSocket {
  public:
-  /// Makes the folder (mode 0700) where it is not there. What a server that was killed left behind
-  /// is replaced. Errors: another server listens there, who is named as it said (`doing`); somebody
-  /// else may write in the folder, or owns it; something that is no socket lies at the path; the
-  /// path is too long for a socket (107 bytes).
+  /// Makes the folder (mode 0700) where it is missing, and replaces the socket of a killed server.
+  /// Errors: another server listens there, with its `doing`; others may write in the folder, or own
+  /// it; something else than a socket at the path; the path is too long for a socket (107 bytes).
   [[nodiscard]] static Result<ListeningSocket> listen(const std::filesystem::path& path,
                                                       const std::string& doing);
   ListeningSocket(ListeningSocket&&) noexcept = default;
@@ -51,20 +49,21 @@ class ListeningSocket {
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   [[nodiscard]] int descriptor() const { return socket_.number(); }
-  /// Whoever connected, not blocking; not open: nobody waits, or (`errno`) it could not be taken.
+  /// The next connection, without blocking. Not open: nobody is waiting, or accept() failed
+  /// (`errno`).
   [[nodiscard]] Descriptor accept() const;
 
  private:
-  ListeningSocket(std::filesystem::path path, HeldFile held, Descriptor socket)
+  ListeningSocket(std::filesystem::path path, LockFile held, Descriptor socket)
       : path_(std::move(path)), held_(std::move(held)), socket_(std::move(socket)) {}
 
   std::filesystem::path path_;
-  std::optional<HeldFile> held_;
+  std::optional<LockFile> held_;
   Descriptor socket_;
-  ino_t inode_ = 0;  // of the file, which is removed only while it is this one's
+  ino_t inode_ = 0;  // of the file, which is removed only while it is this socket's
 };
 
-/// The other end of a connection is a program of this program's user.
+/// True when the other end of a connection is a program of this program's user.
 [[nodiscard]] bool is_own_peer(int connection);
 
 }  // namespace alltact

@@ -13,10 +13,10 @@ namespace {
 
 enum class Format { kText, kLittleEndian, kBigEndian };
 enum class Number { kInt8, kUint8, kInt16, kUint16, kInt32, kUint32, kFloat, kDouble };
-enum class Role { kPassed, kX, kY, kZ, kDepth, kCorners };
+enum class Role { kIgnored, kX, kY, kZ, kDepth, kCorners };
 
 struct Property {
-  Role role = Role::kPassed;
+  Role role = Role::kIgnored;
   Number number = Number::kFloat;
   std::optional<Number> length = std::nullopt;  // of a list
 };
@@ -36,7 +36,7 @@ struct Header {
   std::vector<Element> elements;
 };
 
-constexpr std::size_t kMostCorners = 1 << 20;  // of one polygon
+constexpr std::size_t kMaxCorners = 1 << 20;  // of one polygon
 constexpr std::string_view kBlank = " \t\r\n\v\f";
 
 std::vector<std::string_view> words_of(std::string_view line) {
@@ -70,13 +70,13 @@ std::optional<Number> number_named(std::string_view type) {
 Role role_of(std::string_view element, std::string_view property, bool is_list) {
   if (is_list) {
     const bool is_corners = property == "vertex_indices" || property == "vertex_index";
-    return element == "face" && is_corners ? Role::kCorners : Role::kPassed;
+    return element == "face" && is_corners ? Role::kCorners : Role::kIgnored;
   }
-  if (element != "vertex") return Role::kPassed;
+  if (element != "vertex") return Role::kIgnored;
   if (property == "x") return Role::kX;
   if (property == "y") return Role::kY;
   if (property == "z") return Role::kZ;
-  return property == "depth_mm" ? Role::kDepth : Role::kPassed;
+  return property == "depth_mm" ? Role::kDepth : Role::kIgnored;
 }
 
 bool add_format(const std::vector<std::string_view>& words, Header& header) {
@@ -116,7 +116,7 @@ bool add_property(const std::vector<std::string_view>& words, Header& header) {
   return true;
 }
 
-/// Takes the header off the front of `rest`.
+/// Parses the header and removes it from the front of `rest`.
 std::optional<Header> take_header(std::string_view& rest) {
   Header header;
   for (bool is_first = true;; is_first = false) {
@@ -137,13 +137,13 @@ std::optional<Header> take_header(std::string_view& rest) {
   return header.format ? std::optional(std::move(header)) : std::nullopt;
 }
 
-/// The numbers behind a header, one after the other.
+/// The numbers behind a header, in order.
 class Numbers {
  public:
   Numbers(std::string_view rest, Format format) : rest_(rest), format_(format) {}
   [[nodiscard]] std::size_t bytes_left() const { return rest_.size(); }
 
-  /// nullopt: the data are at their end, or hold something else.
+  /// nullopt: the data end, or hold something else.
   std::optional<double> next(Number number) {
     if (format_ == Format::kText) return next_word();
     switch (number) {
@@ -192,7 +192,7 @@ class Numbers {
   Format format_;
 };
 
-/// What one row of an element holds that is wanted.
+/// The used content of one row of an element.
 struct Row {
   std::array<double, 5> of_role{};
   std::vector<std::int32_t> corners;
@@ -207,7 +207,7 @@ bool read_list(const Property& list, Numbers& numbers, Row& row) {
     if (!number) return false;
     if (list.role != Role::kCorners) continue;
     if (!(*number >= 0) || *number > std::numeric_limits<std::int32_t>::max() ||
-        row.corners.size() == kMostCorners)
+        row.corners.size() == kMaxCorners)
       return false;
     row.corners.push_back(static_cast<std::int32_t>(*number));
   }
@@ -237,13 +237,13 @@ void add_point(const Element& element, const Row& row, Triangles& triangles) {
 }
 
 void add_face(const Row& row, Triangles& triangles) {
-  for (std::size_t k = 2; k < row.corners.size(); ++k)  // points and lines have none
+  for (std::size_t k = 2; k < row.corners.size(); ++k)  // none for points and lines
     triangles.corners.push_back({row.corners[0], row.corners[k - 1], row.corners[k]});
 }
 
 }  // namespace
 
-std::optional<Triangles> read_ply(std::string_view bytes, std::size_t most_triangles) {
+std::optional<Triangles> read_ply(std::string_view bytes, std::size_t max_triangles) {
   const auto header = take_header(bytes);
   if (!header) return std::nullopt;
   Numbers numbers(bytes, *header->format);
@@ -253,13 +253,13 @@ std::optional<Triangles> read_ply(std::string_view bytes, std::size_t most_trian
     const bool is_point = element.name == "vertex";
     if (element.properties.empty() || element.count > numbers.bytes_left()) return std::nullopt;
     if (is_point && (!element.has(Role::kX) || !element.has(Role::kY) || !element.has(Role::kZ) ||
-                     element.count > 3 * most_triangles))
+                     element.count > 3 * max_triangles))
       return std::nullopt;
     for (std::size_t i = 0; i < element.count; ++i) {
       if (!read_row(element, numbers, row)) return std::nullopt;
       if (is_point) add_point(element, row, triangles);
       add_face(row, triangles);
-      if (triangles.corners.size() > most_triangles) return triangles;
+      if (triangles.corners.size() > max_triangles) return triangles;
     }
   }
   return triangles;

@@ -24,10 +24,10 @@ namespace alltact {
 namespace {
 
 constexpr std::size_t kLargestFile = std::size_t{512} << 20;
-constexpr std::size_t kMostTriangles = 4'000'000;
+constexpr std::size_t kMaxTriangles = 4'000'000;
 using Json = nlohmann::json;
 
-/// `count` values as they lie in a file, little end first; nullopt beyond its end.
+/// `count` values of a file, little-endian; nullopt beyond its end.
 template <class T>
 std::optional<std::vector<T>> values_at(std::string_view bytes, std::size_t at, std::size_t count) {
   if (at > bytes.size() || count > (bytes.size() - at) / sizeof(T)) return std::nullopt;
@@ -37,7 +37,7 @@ std::optional<std::vector<T>> values_at(std::string_view bytes, std::size_t at, 
   return values;
 }
 
-/// The number behind `key`, up to the next letter that is no digit.
+/// The number behind `key`, up to the next character that is no digit.
 std::optional<std::size_t> number_behind(std::string_view text, std::string_view key) {
   const std::size_t at = text.find(key);
   if (at == std::string_view::npos) return std::nullopt;
@@ -47,7 +47,7 @@ std::optional<std::size_t> number_behind(std::string_view text, std::string_view
   return status == std::errc{} && end != begin ? std::optional(number) : std::nullopt;
 }
 
-/// The array of this name among those appended raw, each behind its size.
+/// The array of this name in the raw appended data, each behind its size.
 template <class T>
 std::optional<std::vector<T>> vtp_array(std::string_view bytes, std::string_view name) {
   constexpr std::string_view kData = "<AppendedData encoding=\"raw\">\n_";
@@ -67,7 +67,7 @@ std::optional<std::vector<T>> vtp_array(std::string_view bytes, std::string_view
 std::optional<Triangles> from_vtp(std::string_view bytes) {
   if (bytes.find("type=\"PolyData\"") == std::string_view::npos ||
       bytes.find("header_type=\"UInt64\"") == std::string_view::npos ||
-      bytes.rfind("</AppendedData>") == std::string_view::npos)  // cut
+      bytes.rfind("</AppendedData>") == std::string_view::npos)  // truncated
     return std::nullopt;
   auto points = vtp_array<cv::Vec3f>(bytes, "points_mm");
   auto depth = vtp_array<float>(bytes, "depth_mm");
@@ -110,18 +110,19 @@ std::optional<Triangles> from_glb(std::string_view bytes) {
       triangles.corners.push_back({(*flat)[i], (*flat)[i + 1], (*flat)[i + 2]});
     return triangles;
   } catch (const Json::exception&) {
-    return std::nullopt;  // of another program: assimp's to read
+    return std::nullopt;  // of another program: assimp reads it
   }
 }
 
-/// The first part lies within the file: assimp makes room for whatever size is told.
+/// Checks that the first chunk lies within the file: assimp allocates whatever size the file
+/// states.
 bool is_glb(std::string_view bytes) {
-  constexpr std::size_t kSizesAt = 8;  // of the file, and of its first part
+  constexpr std::size_t kSizesAt = 8;  // of the file, and of its first chunk
   const auto sizes = values_at<std::uint32_t>(bytes, kSizesAt, 2);
   return sizes && sizes->front() <= bytes.size() && sizes->back() <= bytes.size();
 }
 
-/// Validated, since its steps follow corners that are not there.
+/// Validated, since its steps follow corners that are out of range.
 std::optional<Triangles> by_assimp(const std::string& bytes, const std::string& kind) {
   Assimp::Importer importer;
   importer.ReadFileFromMemory(
@@ -177,7 +178,7 @@ Result<Triangles> read_triangles(const std::filesystem::path& file) {
                  en::say("a file that ends in .ply, .vtp, .glb, .stl or .obj")};
   const auto bytes = read_file(file, kLargestFile);
   if (!bytes) return bytes.error();
-  auto triangles = kind == ".ply"   ? read_ply(*bytes, kMostTriangles)
+  auto triangles = kind == ".ply"   ? read_ply(*bytes, kMaxTriangles)
                    : kind == ".vtp" ? from_vtp(*bytes)
                    : kind == ".glb" ? from_glb(*bytes)
                                     : std::nullopt;
@@ -185,8 +186,8 @@ Result<Triangles> read_triangles(const std::filesystem::path& file) {
   if (!triangles && is_for_assimp) triangles = by_assimp(*bytes, kind.substr(1));
   if (!triangles) return refuse(en::say("the mesh cannot be read"));
   if (triangles->corners.empty()) return refuse(en::say("the mesh has no triangles"));
-  if (triangles->corners.size() > kMostTriangles)
-    return refuse(en::say("the mesh has more than {} triangles", kMostTriangles));
+  if (triangles->corners.size() > kMaxTriangles)
+    return refuse(en::say("the mesh has more than {} triangles", kMaxTriangles));
   if (!is_sound(*triangles)) return refuse(en::say("a point of the mesh is no number"));
   return std::move(*triangles);
 }

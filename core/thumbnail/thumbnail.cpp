@@ -2,7 +2,7 @@
 
 #include "core/io/colour_map.h"
 #include "core/io/depth_file.h"
-#include "core/io/picture.h"
+#include "core/io/image_file.h"
 #include "core/thumbnail/read_triangles.h"
 
 #include <algorithm>
@@ -17,28 +17,28 @@
 namespace alltact {
 namespace {
 
-constexpr double kShallowest_mm = 0.1;
-constexpr int kFiner = 3;                        // each pixel is the mean of so many a side
-const Eigen::Vector3d kPlain(0.62, 0.66, 0.72);  // red, green, blue of a mesh without depth
+constexpr double kMinDepth_mm = 0.1;
+constexpr int kSupersample = 3;                        // each pixel is the mean of so many a side
+const Eigen::Vector3d kPlainColour(0.62, 0.66, 0.72);  // red, green, blue of a mesh without depth
 
 double deepest(double deepest_mm, float depth_mm) {
   return std::isfinite(depth_mm) ? std::max<double>(deepest_mm, depth_mm) : deepest_mm;
 }
 
-/// Colours times opacity, so that what is clear has no part in a mean.
-cv::Mat smaller(const cv::Mat& premultiplied, cv::Size size) {
-  cv::Mat mean, picture(size, CV_8UC4);
+/// Averages colours times opacity, so that transparent pixels do not count.
+cv::Mat downsample(const cv::Mat& premultiplied, cv::Size size) {
+  cv::Mat mean, image(size, CV_8UC4);
   cv::resize(premultiplied, mean, size, 0, 0, cv::INTER_AREA);
   for (int v = 0; v < size.height; ++v) {
     for (int u = 0; u < size.width; ++u) {
       const auto& from = mean.at<cv::Vec4f>(v, u);
       const float share = from[3] > 0 ? 1 / from[3] : 0;
       for (int c = 0; c < 3; ++c)
-        picture.at<cv::Vec4b>(v, u)[c] = cv::saturate_cast<std::uint8_t>(255 * share * from[c]);
-      picture.at<cv::Vec4b>(v, u)[3] = cv::saturate_cast<std::uint8_t>(255 * from[3]);
+        image.at<cv::Vec4b>(v, u)[c] = cv::saturate_cast<std::uint8_t>(255 * share * from[c]);
+      image.at<cv::Vec4b>(v, u)[3] = cv::saturate_cast<std::uint8_t>(255 * from[3]);
     }
   }
-  return picture;
+  return image;
 }
 
 Eigen::Vector3d colour_of(double part) {
@@ -46,14 +46,14 @@ Eigen::Vector3d colour_of(double part) {
   return Eigen::Vector3d(colour.red, colour.green, colour.blue) / 255;
 }
 
-/// Points as seen: x to the right, y downwards, z away, in pixels.
-struct Seen {
+/// Projected points: x to the right, y downwards, z away, in pixels.
+struct ProjectedMesh {
   std::vector<Eigen::Vector3d> points;
   std::vector<Eigen::Vector3d> colours;
 };
 
-/// x along the longest direction, z along the flattest, seen from the side that most of the faces
-/// turn to.
+/// x along the longest direction, z along the flattest, viewed from the side that most faces point
+/// to.
 Eigen::Matrix3d look_at(const Triangles& triangles, const Eigen::Vector3d& middle) {
   const auto point = [&](std::int32_t corner) {
     const cv::Vec3f& p = triangles.points_mm[static_cast<std::size_t>(corner)];
@@ -72,41 +72,41 @@ Eigen::Matrix3d look_at(const Triangles& triangles, const Eigen::Vector3d& middl
   if (away.dot(facing) > 0 || (away.dot(facing) == 0 && away.sum() < 0)) away = -away;
   if (along.sum() < 0) along = -along;
   const Eigen::Vector3d down = away.cross(along);
-  Eigen::Matrix3d seen;
-  seen << along.transpose(), down.transpose(), away.transpose();
+  Eigen::Matrix3d view_axes;
+  view_axes << along.transpose(), down.transpose(), away.transpose();
   constexpr double kTilt_rad = 40 * M_PI / 180, kTurn_rad = 20 * M_PI / 180;
   return Eigen::AngleAxisd(-kTilt_rad, Eigen::Vector3d::UnitX()).toRotationMatrix() *
-         Eigen::AngleAxisd(kTurn_rad, Eigen::Vector3d::UnitZ()).toRotationMatrix() * seen;
+         Eigen::AngleAxisd(kTurn_rad, Eigen::Vector3d::UnitZ()).toRotationMatrix() * view_axes;
 }
 
-Seen seen_in(const Triangles& triangles, int size_px) {
+ProjectedMesh project_mesh(const Triangles& triangles, int size_px) {
   Eigen::AlignedBox3d box;
   for (const cv::Vec3f& p : triangles.points_mm) box.extend(Eigen::Vector3d(p[0], p[1], p[2]));
   const Eigen::Vector3d middle = box.center();
-  const Eigen::Matrix3d look = look_at(triangles, middle);
-  Seen seen;
+  const Eigen::Matrix3d view = look_at(triangles, middle);
+  ProjectedMesh projected;
   Eigen::AlignedBox3d shown;
   for (const cv::Vec3f& p : triangles.points_mm) {
-    seen.points.emplace_back(look * (Eigen::Vector3d(p[0], p[1], p[2]) - middle));
-    shown.extend(seen.points.back());
+    projected.points.emplace_back(view * (Eigen::Vector3d(p[0], p[1], p[2]) - middle));
+    shown.extend(projected.points.back());
   }
   const double larger = std::max({shown.sizes().x(), shown.sizes().y(), 1e-12});
   constexpr double kFilled = 0.94;
   const double scale = kFilled * size_px / larger;
-  for (Eigen::Vector3d& p : seen.points)
+  for (Eigen::Vector3d& p : projected.points)
     p = scale * (p - shown.center()) + Eigen::Vector3d(0.5, 0.5, 0) * size_px;
-  double top_mm = kShallowest_mm;
+  double top_mm = kMinDepth_mm;
   for (const float depth : triangles.depth_mm) top_mm = deepest(top_mm, depth);
   for (const float depth : triangles.depth_mm)
-    seen.colours.push_back(std::isfinite(depth) ? colour_of(depth / top_mm) : kPlain);
-  return seen;
+    projected.colours.push_back(std::isfinite(depth) ? colour_of(depth / top_mm) : kPlainColour);
+  return projected;
 }
 
-/// Covers the pixels of one triangle that nothing nearer covers.
+/// Rasterises triangles with a depth buffer.
 class Painter {
  public:
   explicit Painter(int size_px)
-      : picture_(size_px, size_px, CV_32FC4, cv::Scalar::all(0)),
+      : image_(size_px, size_px, CV_32FC4, cv::Scalar::all(0)),
         nearest_(size_px, size_px, std::numeric_limits<double>::max()) {}
 
   void paint(const std::array<Eigen::Vector3d, 3>& at, const Eigen::Vector3d& colour) {
@@ -119,24 +119,24 @@ class Painter {
     const Eigen::Vector3d shade = colour * (0.35 + 0.65 * lit);
     const auto range = [&](int axis) {
       const auto [low, high] = std::minmax({at[0][axis], at[1][axis], at[2][axis]});
-      const int last = picture_.rows - 1;
+      const int last = image_.rows - 1;
       return std::pair(std::clamp(static_cast<int>(std::floor(low)), 0, last),
                        std::clamp(static_cast<int>(std::ceil(high)), 0, last));
     };
     const auto [left, right] = range(0);
     const auto [top, bottom] = range(1);
     for (int v = top; v <= bottom; ++v)
-      for (int u = left; u <= right; ++u) touch(at, area, {u + 0.5, v + 0.5}, shade, u, v);
+      for (int u = left; u <= right; ++u) draw_pixel(at, area, {u + 0.5, v + 0.5}, shade, u, v);
   }
-  [[nodiscard]] const cv::Mat& picture() const { return picture_; }
+  [[nodiscard]] const cv::Mat& image() const { return image_; }
 
  private:
-  void touch(const std::array<Eigen::Vector3d, 3>& at,
-             double area,
-             const Eigen::Vector2d& pixel,
-             const Eigen::Vector3d& shade,
-             int u,
-             int v) {
+  void draw_pixel(const std::array<Eigen::Vector3d, 3>& at,
+                  double area,
+                  const Eigen::Vector2d& pixel,
+                  const Eigen::Vector3d& shade,
+                  int u,
+                  int v) {
     double z = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       const Eigen::Vector2d from = at[(k + 1) % 3].head<2>() - pixel,
@@ -147,13 +147,13 @@ class Painter {
     }
     if (!(z < nearest_(v, u))) return;
     nearest_(v, u) = z;
-    picture_.at<cv::Vec4f>(v, u) = cv::Vec4f(static_cast<float>(shade.z()),
-                                             static_cast<float>(shade.y()),
-                                             static_cast<float>(shade.x()),
-                                             1.0F);
+    image_.at<cv::Vec4f>(v, u) = cv::Vec4f(static_cast<float>(shade.z()),
+                                           static_cast<float>(shade.y()),
+                                           static_cast<float>(shade.x()),
+                                           1.0F);
   }
 
-  cv::Mat picture_;
+  cv::Mat image_;
   cv::Mat_<double> nearest_;
 };
 
@@ -161,7 +161,7 @@ class Painter {
 
 cv::Mat depth_thumbnail(const cv::Mat& depth_mm, int size_px) {
   CV_Assert(depth_mm.type() == CV_32FC1 && !depth_mm.empty() && size_px > 0);
-  double top_mm = kShallowest_mm;
+  double top_mm = kMinDepth_mm;
   for (int v = 0; v < depth_mm.rows; ++v)
     for (int u = 0; u < depth_mm.cols; ++u) top_mm = deepest(top_mm, depth_mm.at<float>(v, u));
   cv::Mat colours(depth_mm.size(), CV_32FC4, cv::Scalar::all(0));
@@ -177,30 +177,30 @@ cv::Mat depth_thumbnail(const cv::Mat& depth_mm, int size_px) {
   const auto side = [&](int length) {
     return std::max(1, static_cast<int>(std::lround(scale * length)));
   };
-  return smaller(colours, {side(depth_mm.cols), side(depth_mm.rows)});
+  return downsample(colours, {side(depth_mm.cols), side(depth_mm.rows)});
 }
 
 cv::Mat mesh_thumbnail(const Triangles& triangles, int size_px) {
   CV_Assert(!triangles.corners.empty() && size_px > 0);
-  const Seen seen = seen_in(triangles, kFiner * size_px);
-  Painter painter(kFiner * size_px);
+  const ProjectedMesh projected = project_mesh(triangles, kSupersample * size_px);
+  Painter painter(kSupersample * size_px);
   for (const auto& corners : triangles.corners) {
     std::array<Eigen::Vector3d, 3> at;
-    Eigen::Vector3d colour = seen.colours.empty() ? kPlain : Eigen::Vector3d::Zero();
+    Eigen::Vector3d colour = projected.colours.empty() ? kPlainColour : Eigen::Vector3d::Zero();
     for (std::size_t k = 0; k < 3; ++k) {
       const auto corner = static_cast<std::size_t>(corners[k]);
-      at[k] = seen.points[corner];
-      if (!seen.colours.empty()) colour += seen.colours[corner] / 3;
+      at[k] = projected.points[corner];
+      if (!projected.colours.empty()) colour += projected.colours[corner] / 3;
     }
     painter.paint(at, colour);
   }
-  return smaller(painter.picture(), {size_px, size_px});
+  return downsample(painter.image(), {size_px, size_px});
 }
 
 Result<cv::Mat> thumbnail_of(const std::filesystem::path& file, int size_px) {
   const std::string name = file.filename().string();
   if (name.ends_with(".tiff") || name.ends_with(".png")) {
-    auto depth = name.ends_with(".png") ? read_depth_png(file) : read_float_picture(file);
+    auto depth = name.ends_with(".png") ? read_depth_png(file) : read_float_image(file);
     if (depth && depth->type() != CV_32FC1)
       return Error{
           en::say("these are points, no depth"), file.string(), en::say("NAME.depth.tiff")};

@@ -1,4 +1,4 @@
-// Small pictures of depth and of meshes, as a file manager shows them.
+// Thumbnails of depth maps and meshes, as a file manager shows them.
 #pragma once
 
 #include "core/io/triangles.h"
@@ -10,16 +10,16 @@
 
 namespace alltact {
 
-/// Depth in colours (viridis, from 0 to the deepest, 0.1 mm at least), clear where there is none.
+/// Depth in colours (viridis, from 0 to the maximum, 0.1 mm at least), transparent where there is
+/// none.
 ///   depth_mm: CV_32FC1, NaN where there is none
-///   size_px: of the longer side, 1 to 4096; the other keeps the picture's shape
+///   size_px: of the longer side, 1 to 4096; the other follows the aspect ratio
 /// Gives CV_8UC4: blue, green, red, opacity.
 [[nodiscard]] cv::Mat depth_thumbnail(const cv::Mat& depth_mm, int size_px);
 
-/// A mesh, lit from the upper left and seen from 40 degrees beside its flattest direction, its
-/// longest lying across; in the colours of its depth where it has some. Drawn by us, pixel by
-/// pixel: no graphics card, no display and no window's library is needed, and the bytes are the
-/// same everywhere.
+/// A mesh, lit from the upper left and viewed at 40 degrees from its flattest direction, its
+/// longest direction horizontal; in the colours of its depth if it has any. A software renderer: it
+/// needs no graphics card, display or window library, and its bytes are the same everywhere.
 ///   triangles: at least one, all of finite points
 /// Gives CV_8UC4, size_px square.
 [[nodiscard]] cv::Mat mesh_thumbnail(const Triangles& triangles, int size_px);

@@ -14,13 +14,14 @@
 namespace alltact {
 namespace {
 
-constexpr int kMaxDepth = 20;              // of what is unknown
-constexpr std::size_t kMaxKept = 100'000;  // aliases let a short file stand for a huge one
+constexpr int kMaxDepth = 20;                  // of unknown values
+constexpr std::size_t kMaxRetained = 100'000;  // aliases let a short file stand for a huge one
 constexpr std::size_t kMaxRead = 1'000'000;
 
-/// nullopt where it is too deep, too large or has keys that are no plain words.
-std::optional<YamlValue> kept(const YAML::Node& node, int depth, std::size_t& parts) {
-  if (depth > kMaxDepth || ++parts > kMaxKept) return std::nullopt;
+/// Copies an unknown value; nullopt where it is too deep, too large or has keys that are no plain
+/// words.
+std::optional<YamlValue> copied_value(const YAML::Node& node, int depth, std::size_t& parts) {
+  if (depth > kMaxDepth || ++parts > kMaxRetained) return std::nullopt;
   YamlValue value;
   if (node.Tag() != "?" && node.Tag() != "!") value.tag = node.Tag();
   if (node.IsScalar()) {
@@ -30,7 +31,7 @@ std::optional<YamlValue> kept(const YAML::Node& node, int depth, std::size_t& pa
   } else if (node.IsSequence()) {
     value.kind = YamlValue::Kind::kList;
     for (const YAML::Node& item : node) {
-      auto inner = kept(item, depth + 1, parts);
+      auto inner = copied_value(item, depth + 1, parts);
       if (!inner) return std::nullopt;
       value.items.push_back(std::move(*inner));
     }
@@ -39,7 +40,7 @@ std::optional<YamlValue> kept(const YAML::Node& node, int depth, std::size_t& pa
     for (const auto& entry : node) {
       if (!entry.first.IsScalar() || entry.first.Scalar().size() > kLongestYamlKey)
         return std::nullopt;
-      auto inner = kept(entry.second, depth + 1, parts);
+      auto inner = copied_value(entry.second, depth + 1, parts);
       if (!inner) return std::nullopt;
       value.entries.emplace_back(entry.first.Scalar(), std::move(*inner));
     }
@@ -47,7 +48,7 @@ std::optional<YamlValue> kept(const YAML::Node& node, int depth, std::size_t& pa
   return value;
 }
 
-/// Notes where a document begins.
+/// Stores the position of a document's begin.
 class DocumentStart : public YAML::EventHandler {
  public:
   std::optional<YAML::Mark> mark;
@@ -83,8 +84,8 @@ class DocumentStart : public YAML::EventHandler {
   }
 };
 
-/// Where a second document begins; nullopt: there is none. No further than that: of a stray comma
-/// yaml-cpp makes documents without end.
+/// The begin of a second document; nullopt: there is none. It reads no further, because yaml-cpp
+/// makes endless documents of a stray comma.
 std::optional<YAML::Mark> second_document(const std::string& content) {
   std::istringstream stream(content);
   YAML::Parser parser(stream);
@@ -99,9 +100,9 @@ YamlFile::YamlFile(std::filesystem::path path, Unknown policy)
     : path_(std::move(path)), policy_(policy) {}
 
 Error YamlFile::error(Message what, int line, std::string_view key, Message advice) const {
-  const std::string place = fmt::format("{}:{}", path_.string(), line);
+  const std::string location = fmt::format("{}:{}", path_.string(), line);
   return {std::move(what),
-          key.empty() ? place : fmt::format("{}: {}", place, printable(key)),
+          key.empty() ? location : fmt::format("{}: {}", location, printable(key)),
           std::move(advice)};
 }
 
@@ -120,7 +121,7 @@ Status YamlFile::read(const std::string& content, const std::function<void(YamlS
                    en::say("leave out the lines '---'"));
     YamlSection top(*this, YAML::Load(content), "", 1);
     reader(top);
-    look_at_the_rest();
+    check_unread_keys();
     return {};
   } catch (const RefusedYaml& refused) {
     return refused.error;
@@ -129,13 +130,13 @@ Status YamlFile::read(const std::string& content, const std::function<void(YamlS
                  line_of_mark(problem.mark),
                  "",
                  en::say("look at the brackets, quotes and the space before each key"));
-  } catch (const std::exception& problem) {  // of a library that the reader asked
+  } catch (const std::exception& problem) {  // of a library that the reader called
     return Error{Message::typed(problem.what()), path_, ""};
   }
 }
 
 Error YamlFile::located(const Error& error) const {
-  // A key that is absent where another one asks for it: the nearest block above it.
+  // For an absent key that another one requires: the nearest block above it.
   std::string key = error.where.english();
   while (!key.empty() && !lines_.contains(key)) {
     const std::size_t dot = key.rfind('.');
@@ -152,7 +153,7 @@ void YamlFile::count(std::size_t parts) {
         {en::say("is too large to be read"), path_, en::say("a file of fewer entries")}};
 }
 
-void YamlFile::look_at_the_rest() {
+void YamlFile::check_unread_keys() {
   struct Rest {
     const Section* section;
     const YamlSection::Entry* entry;
@@ -169,13 +170,14 @@ void YamlFile::look_at_the_rest() {
     const std::string& key = entry->key;
     const std::string name = section->name.empty() ? key : section->name + "." + key;
     if (policy_ == Unknown::kRefused)
-      throw RefusedYaml{error(en::say("unknown key '{}'", printable(key)),
-                              entry->line,
-                              name,
-                              section->asked.empty()
-                                  ? Message()
-                                  : one_of(section->asked, nearest_word(key, section->absent())))};
-    auto value = kept(entry->value, 0, parts);
+      throw RefusedYaml{
+          error(en::say("unknown key '{}'", printable(key)),
+                entry->line,
+                name,
+                section->requested.empty()
+                    ? Message()
+                    : one_of(section->requested, nearest_word(key, section->absent())))};
+    auto value = copied_value(entry->value, 0, parts);
     if (!value)
       throw RefusedYaml{error(en::say("is not known, and too large or too odd to be kept"),
                               entry->line,

@@ -1,4 +1,4 @@
-// What the reader's own files share.
+// Definitions shared by the .cpp files of the reader.
 #pragma once
 
 #include "core/yaml/yaml_reader.h"
@@ -36,11 +36,11 @@ struct YamlFile::Section {
   std::string name;
   int line;
   std::vector<YamlSection::Entry> entries;
-  std::vector<std::string> asked;
+  std::vector<std::string> requested;
 
-  /// Keys that were asked for in vain.
+  /// Requested keys that the section does not have.
   [[nodiscard]] std::vector<std::string> absent() const {
-    std::vector<std::string> keys = asked;
+    std::vector<std::string> keys = requested;
     for (const YamlSection::Entry& entry : entries) std::erase(keys, entry.key);
     return keys;
   }

@@ -20,16 +20,16 @@ Message shown(const YAML::Node& node) {
   return en::say("'{}'", printable(node.Scalar()));
 }
 
-/// Finite; nullopt for all that is not a number and nothing else.
+/// Finite; nullopt for anything that is not just a number.
 std::optional<double> parsed(const YAML::Node& node) {
   if (!node.IsScalar() || is_quoted(node)) return std::nullopt;
   const auto value = parse_typed_number(node.Scalar());
   return value ? std::optional(*value) : std::nullopt;
 }
 
-/// Of a number that can be read in two ways, or has marks between its thousands.
-std::optional<Message> doubt_of(const YAML::Node& node) {
-  return node.IsScalar() && !is_quoted(node) ? doubt_of_number(node.Scalar()) : std::nullopt;
+/// The reason why an ambiguous number, or one with thousands marks, is refused.
+std::optional<Message> ambiguity_of(const YAML::Node& node) {
+  return node.IsScalar() && !is_quoted(node) ? number_ambiguity(node.Scalar()) : std::nullopt;
 }
 
 bool is_within(double value, const Limits& l) {
@@ -44,20 +44,20 @@ Message in_words(const Limits& l) {
   return en::say("a number {} {:g} and {} {:g}", from, l.low, to, l.high);
 }
 
-std::string in_small_letters(std::string text) {
+std::string to_lower_case(std::string text) {
   for (char& c : text)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   return text;
 }
 
-/// What was written where `key` was meant: letter for letter but for capitals, without its unit
-/// ('radius' for 'radius_mm') or with one too many; else the nearest that begins alike ('fx' is no
-/// slip for 'fy'). Empty where there is none.
-std::string slip_for(const std::string& key, const std::vector<std::string>& written) {
+/// The written key that was probably meant as `key`: equal but for capitals, without its unit
+/// ('radius' for 'radius_mm') or with an additional one; else the nearest with the same beginning
+/// ('fx' is no error for 'fy'). Empty where there is none.
+std::string misspelling_of(const std::string& key, const std::vector<std::string>& written) {
   const auto without_unit = [](const std::string& k) { return k.substr(0, k.rfind('_')); };
   std::vector<std::string> alike;
   for (const std::string& word : written) {
-    const std::string small = in_small_letters(word);
+    const std::string small = to_lower_case(word);
     if (small == key || small == without_unit(key) || without_unit(small) == key) return word;
     if (small.substr(0, 2) == key.substr(0, 2)) alike.push_back(word);
   }
@@ -75,10 +75,10 @@ Message number_advice() {
 }  // namespace
 
 YamlSection::YamlSection(YamlFile& file, const YAML::Node& node, std::string name, int line)
-    : file_(&file), here_(std::make_shared<YamlFile::Section>()) {
-  here_->name = std::move(name), here_->line = line;
-  file.sections_.push_back(here_);
-  if (node.IsNull()) return;  // the first key that is needed will be missed by its name
+    : file_(&file), section_(std::make_shared<YamlFile::Section>()) {
+  section_->name = std::move(name), section_->line = line;
+  file.sections_.push_back(section_);
+  if (node.IsNull()) return;  // the first required key will be reported as missing
   if (!node.IsMap())
     refuse("",
            en::say("must be a block of 'key: value' lines, not {}", shown(node)),
@@ -91,27 +91,28 @@ YamlSection::YamlSection(YamlFile& file, const YAML::Node& node, std::string nam
     if (!key.IsScalar() || key.Scalar().size() > kLongestYamlKey)
       throw RefusedYaml{file.error(en::say("holds a key that is not a word"),
                                    here,
-                                   here_->name,
+                                   section_->name,
                                    en::say("one word before each colon"))};
-    // In braces and brackets a comma parts entries: {layer_mm: 1,6} has a key '6' without a value.
+    // In braces and brackets a comma separates entries: {layer_mm: 1,6} has a key '6' without a
+    // value.
     if (entry.second.IsNull() && !seen.empty() && is_all_digits(key.Scalar()))
       throw RefusedYaml{file.error(
           en::say("a comma parts the entries here, and '{}' is none", printable(key.Scalar())),
           here,
-          full_name(here_->entries.back().key),
+          full_name(section_->entries.back().key),
           number_advice())};
     if (!seen.insert(key.Scalar()).second)
       throw RefusedYaml{file.error(en::say("is given twice"),
                                    here,
                                    full_name(key.Scalar()),
                                    en::say("leave one of the two"))};
-    here_->entries.push_back({key.Scalar(), entry.second, here});
+    section_->entries.push_back({key.Scalar(), entry.second, here});
     file.lines_[full_name(key.Scalar())] = here;
   }
 }
 
 YamlSection::YamlSection(YamlFile& file, std::shared_ptr<YamlFile::Section> section)
-    : file_(&file), here_(std::move(section)) {}
+    : file_(&file), section_(std::move(section)) {}
 
 YamlSection YamlSection::top() const {
   return {*file_, file_->sections_.front()};
@@ -122,17 +123,17 @@ std::string YamlSection::full_name(const std::string& key) const {
 }
 
 const std::string& YamlSection::name() const {
-  return here_->name;
+  return section_->name;
 }
 
 void YamlSection::rename(std::string name) {
-  here_->name = std::move(name);
+  section_->name = std::move(name);
 }
 
 int YamlSection::line_of(const std::string& key) const {
-  for (const Entry& entry : here_->entries)
+  for (const Entry& entry : section_->entries)
     if (entry.key == key) return entry.line;
-  return here_->line;
+  return section_->line;
 }
 
 std::string YamlSection::where(const std::string& key) const {
@@ -144,9 +145,10 @@ void YamlSection::refuse(const std::string& key, Message what, Message advice) c
 }
 
 const YamlSection::Entry* YamlSection::find(const std::string& key) const {
-  std::vector<std::string>& asked = here_->asked;
-  if (std::find(asked.begin(), asked.end(), key) == asked.end()) asked.push_back(key);
-  for (const Entry& entry : here_->entries)
+  std::vector<std::string>& requested = section_->requested;
+  if (std::find(requested.begin(), requested.end(), key) == requested.end())
+    requested.push_back(key);
+  for (const Entry& entry : section_->entries)
     if (entry.key == key) return &entry;
   return nullptr;
 }
@@ -173,23 +175,23 @@ bool YamlSection::has_sections(const std::string& key) const {
 
 std::vector<std::string> YamlSection::keys() const {
   std::vector<std::string> result;
-  for (const Entry& entry : here_->entries) result.push_back(entry.key);
+  for (const Entry& entry : section_->entries) result.push_back(entry.key);
   return result;
 }
 
 YamlSection::Entry& YamlSection::required(const std::string& key) {
   if (has(key))
-    for (Entry& entry : here_->entries)
+    for (Entry& entry : section_->entries)
       if (entry.key == key) return entry.is_read = true, entry;
   std::vector<std::string> others;
-  for (const Entry& entry : here_->entries)
+  for (const Entry& entry : section_->entries)
     if (!entry.is_read) others.push_back(entry.key);
-  const std::string meant = slip_for(key, others);
+  const std::string meant = misspelling_of(key, others);
   const Message add = name().empty() ? en::say("add '{}: ...'", key)
                                      : en::say("add '{}: ...' under '{}:'", key, printable(name()));
   throw RefusedYaml{
       file_->error(en::say("is missing"),
-                   here_->line,
+                   section_->line,
                    full_name(key),
                    meant.empty() ? add : en::say("write '{}' for '{}'", key, printable(meant)))};
 }
@@ -220,19 +222,19 @@ std::size_t YamlSection::choice(const std::string& key,
                                 const std::vector<std::string_view>& words) {
   const YAML::Node& value = required(key).value;
   const std::string given = value.IsScalar() ? value.Scalar() : "";
-  const auto place = std::find(words.begin(), words.end(), given);
-  if (place == words.end() || !value.IsScalar())
+  const auto found = std::find(words.begin(), words.end(), given);
+  if (found == words.end() || !value.IsScalar())
     refuse(key,
            en::say("{} is not known here", shown(value)),
            one_of({words.begin(), words.end()}, given));
-  return static_cast<std::size_t>(place - words.begin());
+  return static_cast<std::size_t>(found - words.begin());
 }
 
 double YamlSection::number(const std::string& key, const Message& meaning) {
   const Entry& entry = required(key);
   const auto value = parsed(entry.value);
   if (!value)
-    if (const auto doubt = doubt_of(entry.value)) refuse(key, *doubt, number_advice());
+    if (const auto ambiguity = ambiguity_of(entry.value)) refuse(key, *ambiguity, number_advice());
   if (!value)
     refuse(
         key, en::say("must be a number, {}, not {}", meaning, shown(entry.value)), number_advice());
@@ -246,7 +248,7 @@ double YamlSection::checked(const std::string& key,
   const auto value = parsed(node);
   if (value && is_within(*value, limits)) return *value;
   if (!value)
-    if (const auto doubt = doubt_of(node)) refuse(key, *doubt, number_advice());
+    if (const auto ambiguity = ambiguity_of(node)) refuse(key, *ambiguity, number_advice());
   const Message allowed = in_words(limits);
   if (value == 0.0 && limits.zero_is_absence)
     refuse(key,
@@ -266,11 +268,11 @@ double YamlSection::number_or(const std::string& key, double otherwise, Limits l
   return has(key) ? number(key, limits) : otherwise;
 }
 
-int YamlSection::whole_number(const std::string& key, int low, int high) {
+int YamlSection::integer(const std::string& key, int low, int high) {
   const Entry& entry = required(key);
   const auto value = parsed(entry.value);
   if (!value)
-    if (const auto doubt = doubt_of(entry.value)) refuse(key, *doubt, number_advice());
+    if (const auto ambiguity = ambiguity_of(entry.value)) refuse(key, *ambiguity, number_advice());
   if (!value || *value != std::floor(*value) || *value < low || *value > high)
     refuse(key,
            en::say("must be a whole number from {} to {}, not {}", low, high, shown(entry.value)),
@@ -278,8 +280,8 @@ int YamlSection::whole_number(const std::string& key, int low, int high) {
   return static_cast<int>(*value);
 }
 
-int YamlSection::whole_number_or(const std::string& key, int otherwise, int low, int high) {
-  return has(key) ? whole_number(key, low, high) : otherwise;
+int YamlSection::integer_or(const std::string& key, int otherwise, int low, int high) {
+  return has(key) ? integer(key, low, high) : otherwise;
 }
 
 const YAML::Node& YamlSection::list(const std::string& key) {
@@ -303,15 +305,15 @@ std::vector<double> YamlSection::numbers(const std::string& key, Limits limits) 
 }
 
 std::vector<double> YamlSection::numbers(const std::string& key,
-                                         std::size_t least,
-                                         std::size_t most,
+                                         std::size_t min_count,
+                                         std::size_t max_count,
                                          Limits limits) {
   std::vector<double> result = numbers(key, limits);
-  if (result.size() < least || result.size() > most)
+  if (result.size() < min_count || result.size() > max_count)
     refuse(key,
            en::say("this is not a list of the right length"),
-           least == most ? en::say("[{} numbers]", least)
-                         : en::say("[{} to {} numbers]", least, most));
+           min_count == max_count ? en::say("[{} numbers]", min_count)
+                                  : en::say("[{} to {} numbers]", min_count, max_count));
   return result;
 }
 
@@ -338,7 +340,7 @@ std::vector<std::vector<double>> YamlSection::rows(const std::string& key, Limit
 
 std::map<std::string, std::string> YamlSection::all_texts() {
   std::map<std::string, std::string> result;
-  for (Entry& entry : here_->entries) {
+  for (Entry& entry : section_->entries) {
     if (!entry.value.IsScalar()) continue;
     entry.is_read = true;
     result[entry.key] = entry.value.Scalar();

@@ -1,5 +1,5 @@
-// Strict reading of YAML: every value is looked at, every complaint names file, line and key and
-// what would be right. The one reader of all YAML files.
+// Strict reader for all YAML files. It checks every value; each error names file, line, key and the
+// correct form.
 #pragma once
 
 #include "core/yaml/yaml_file.h"
@@ -17,18 +17,18 @@ class Node;
 
 namespace alltact {
 
-/// Limits of a number, inclusive; `low_open` and `high_open` take the ends away.
+/// Limits of a number, inclusive; `low_open` and `high_open` exclude the ends.
 struct Limits {
   double low, high;
   bool low_open = false, high_open = false;
-  bool zero_is_absence = false;  ///< 0 is refused with a sentence saying so
+  bool zero_is_absence = false;  ///< 0 is refused with the sentence that it would mean absence
 };
 inline constexpr Limits kAnyNumber{std::numeric_limits<double>::lowest(),
                                    std::numeric_limits<double>::max()};
 
-/// A block of `key: value` lines, for a reader that YamlFile::read() calls and no longer than that.
-/// What is not as asked for ends that reader there; those with `otherwise` give it when the key is
-/// absent, the others refuse that. Copies are the same section.
+/// A block of `key: value` lines, valid only during YamlFile::read(). An invalid value ends the
+/// reader. Functions with `otherwise` return it for an absent key; the others refuse that. Copies
+/// refer to the same section.
 class YamlSection {
  public:
   [[nodiscard]] bool has(const std::string& key) const;
@@ -43,21 +43,21 @@ class YamlSection {
   /// A list of sections.
   [[nodiscard]] std::vector<YamlSection> sections(const std::string& key);
   [[nodiscard]] std::string text(const std::string& key);
-  /// One of `words`, by its place among them.
+  /// The index of the value in `words`.
   [[nodiscard]] std::size_t choice(const std::string& key,
                                    const std::vector<std::string_view>& words);
-  /// `meaning`: what the number is, for the message ("a length in mm").
+  /// `meaning`: the number's meaning, for the message ("a length in mm").
   [[nodiscard]] double number(const std::string& key, const Message& meaning);
   [[nodiscard]] double number(const std::string& key, Limits limits);
   [[nodiscard]] double number_or(const std::string& key, double otherwise, Limits limits);
   /// From `low` to `high`.
-  [[nodiscard]] int whole_number(const std::string& key, int low, int high);
-  [[nodiscard]] int whole_number_or(const std::string& key, int otherwise, int low, int high);
+  [[nodiscard]] int integer(const std::string& key, int low, int high);
+  [[nodiscard]] int integer_or(const std::string& key, int otherwise, int low, int high);
   [[nodiscard]] std::vector<double> numbers(const std::string& key, Limits limits = kAnyNumber);
-  /// From `least` to `most` of them.
+  /// Returns `least` to `most` numbers.
   [[nodiscard]] std::vector<double> numbers(const std::string& key,
-                                            std::size_t least,
-                                            std::size_t most,
+                                            std::size_t min_count,
+                                            std::size_t max_count,
                                             Limits limits);
   [[nodiscard]] std::vector<std::string> texts(const std::string& key);
   /// A list of lists of numbers.
@@ -66,16 +66,16 @@ class YamlSection {
   /// Every key that has a single value, and that value.
   [[nodiscard]] std::map<std::string, std::string> all_texts();
 
-  /// For what only the reader can see. An empty key: the whole section.
+  /// For problems that only the reader detects. An empty key: the entire section.
   [[noreturn]] void refuse(const std::string& key, Message what, Message advice) const;
-  /// "file:line: section.key", as errors say it; of the whole section where `key` is empty.
+  /// "file:line: section.key" for errors; of the entire section where `key` is empty.
   [[nodiscard]] std::string where(const std::string& key) const;
   [[nodiscard]] const YamlFile& file() const { return *file_; }
-  /// The top of the file, for what a part has to know of the whole.
+  /// The top section of the file, for values that depend on other sections.
   [[nodiscard]] YamlSection top() const;
   /// "camera.port"; empty for the top of the file.
   [[nodiscard]] const std::string& name() const;
-  /// What messages call this section from now on, and the names of those in it.
+  /// Sets the name of this section for messages, also of those in it.
   void rename(std::string name);
 
  private:
@@ -97,7 +97,7 @@ class YamlSection {
   [[nodiscard]] std::string full_name(const std::string& key) const;
 
   YamlFile* file_;
-  std::shared_ptr<YamlFile::Section> here_;
+  std::shared_ptr<YamlFile::Section> section_;
 };
 
 }  // namespace alltact

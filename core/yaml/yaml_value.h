@@ -1,4 +1,4 @@
-// What a YAML file holds that this version does not know.
+// Unknown values of a YAML file.
 #pragma once
 
 #include <map>
@@ -8,10 +8,10 @@
 
 namespace alltact {
 
-/// A part of a file that this version does not know, kept to be written back.
+/// A value that this version does not know, retained to be written back.
 struct YamlValue {
   enum class Kind { kScalar = 1, kNull, kList, kMap };
-  // Not here: clang 14 wants to know its entries before it is whole.
+  // Not here: clang 14 needs its entries before the type is complete.
   YamlValue();
   Kind kind = Kind::kNull;
   std::string tag;   ///< as written in the file, empty when there was none

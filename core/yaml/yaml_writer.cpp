@@ -10,7 +10,7 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-/// No character of it means anything to YAML, in a list or outside.
+/// True when YAML gives no special meaning to any character, also inside a list.
 bool is_harmless(std::string_view text) {
   if (text.empty() || text.front() == ' ' || text.back() == ' ') return false;
   return std::all_of(text.begin(), text.end(), [](char c) {

@@ -1,4 +1,4 @@
-// Writing YAML so that the same value gives the same bytes.
+// Deterministic writing of YAML: the same value gives the same bytes.
 #pragma once
 
 #include "core/yaml/yaml_value.h"
@@ -10,23 +10,23 @@
 
 namespace alltact {
 
-/// Shortest text that reads back as the same double, always with a point: 24.0, 1.0e-07.
+/// The shortest text that reads back as the same double, always with a point: 24.0, 1.0e-07.
 [[nodiscard]] std::string yaml_number(double value);
 /// Without quotes only where every reader takes it for a text.
 [[nodiscard]] std::string yaml_text(std::string_view text);
-/// As yaml_text, but what looks like a number may stay one.
+/// As yaml_text, but a text in the form of a number may stay without quotes.
 [[nodiscard]] std::string yaml_text_or_number(std::string_view text);
-/// [a, b, c] of what is written already.
+/// Returns [a, b, c] from values in YAML.
 [[nodiscard]] std::string yaml_list(const std::vector<std::string>& items);
 [[nodiscard]] std::string yaml_numbers(const std::vector<double>& values);
 
-/// The keys of a section in order, with the unknown ones of the file behind them.
+/// The keys of a section in order, followed by the unknown ones of the file.
 class YamlBlock {
  public:
   explicit YamlBlock(std::string name) : name_(std::move(name)) {}
   /// `value` as the functions above write it.
   void add(std::string key, std::string value);
-  /// Unknown keys that add() has not seen.
+  /// Adds unknown keys that add() has not written.
   void add_unknown(const UnknownKeys& unknown);
   [[nodiscard]] bool is_empty() const { return entries_.empty(); }
 
@@ -34,7 +34,10 @@ class YamlBlock {
   [[nodiscard]] std::string in_braces() const;
   /// "name: {a: 1, b: 2}\n".
   [[nodiscard]] std::string on_one_line() const;
-  /// "name:\n  a: 1\n  b: 2\n"; without the name and not indented when the name is empty.
+  /// "name:
+  ///   a: 1
+  ///   b: 2
+  /// "; without name and indent when the name is empty.
   [[nodiscard]] std::string on_many_lines() const;
 
  private:

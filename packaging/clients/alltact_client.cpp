@@ -1,6 +1,6 @@
-// What `alltact serve` sends, in C++ and POSIX alone: the deepest micrometre of each frame.
+// A client of `alltact serve` in C++ and POSIX alone: prints the deepest micrometre of each frame.
 //   c++ -std=c++17 alltact_client.cpp -o alltact_client && ./alltact_client SOCKET
-// `alltact serve --schema` tells all that is sent.
+// `alltact serve --schema` prints the format of all messages.
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>

@@ -8,7 +8,7 @@ set(alltact_data ${CMAKE_INSTALL_DATADIR}/alltact)
 
 # --- programs and their parts
 install(TARGETS alltact alltact-studio RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(TARGETS alltact_commands alltact_pictures LIBRARY DESTINATION ${ALLTACT_PARTS_FOLDER})
+install(TARGETS alltact_commands alltact_figures LIBRARY DESTINATION ${ALLTACT_PARTS_FOLDER})
 
 # --- libraries, for our programs and for others': find_package(alltact)
 install(TARGETS alltact_core alltact_calibration EXPORT alltact

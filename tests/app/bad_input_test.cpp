@@ -39,8 +39,8 @@ class Ladder {
   }
 
  private:
-  void write(const std::string& name, const cv::Mat& picture) {
-    ASSERT_TRUE(cv::imwrite(path(name), picture));
+  void write(const std::string& name, const cv::Mat& image) {
+    ASSERT_TRUE(cv::imwrite(path(name), image));
   }
   const FlatFinger& flat_;
 };
@@ -140,8 +140,8 @@ TEST(BadInput, APressWithoutABallIsLeftOutWithItsReason) {
   const ProgramRun alone = flat.calibrate({flat.file("nothing.png")});
   EXPECT_EQ(alone.status, 1);
   EXPECT_THAT(alone.errors, HasSubstr("nothing"));
-  const std::string picture = flat.finger() + "/calibration.problem.png";
-  EXPECT_THAT(alone.errors, HasSubstr(picture));
+  const std::string image = flat.finger() + "/calibration.problem.png";
+  EXPECT_THAT(alone.errors, HasSubstr(image));
   auto after = contents_of(flat.finger());
   EXPECT_EQ(std::erase_if(after,
                           [](const auto& file) { return file.first == "calibration.problem.png"; }),
@@ -157,8 +157,8 @@ TEST(BadInput, APressWithoutABallIsLeftOutWithItsReason) {
   const auto report = nlohmann::json::parse(text_of(flat.finger() + "/calibration_report.json"));
   EXPECT_EQ(report.at("presses").size(), 3U);
   EXPECT_EQ(report.at("left_out").size(), 1U);
-  EXPECT_THAT(among.errors, HasSubstr(picture));
-  const cv::Mat shown = cv::imread(picture), one = untouched_picture(77);
+  EXPECT_THAT(among.errors, HasSubstr(image));
+  const cv::Mat shown = cv::imread(image), one = untouched_picture(77);
   ASSERT_FALSE(shown.empty());
   EXPECT_EQ(shown.cols % one.cols, 0);
   EXPECT_LT(shown.rows * one.cols, 2 * shown.cols * one.rows) << "only the one that was left out";
@@ -167,7 +167,7 @@ TEST(BadInput, APressWithoutABallIsLeftOutWithItsReason) {
   const ProgramRun again =
       run_alltact({"calibrate", flat.finger(), "--again", "--exclude", "nothing"});
   EXPECT_EQ(again.status, 0) << again.errors;
-  EXPECT_FALSE(std::filesystem::exists(picture));
+  EXPECT_FALSE(std::filesystem::exists(image));
 }
 
 TEST(BadInput, ARecordingOfNoneOrOneFrameIsRefused) {

@@ -89,9 +89,9 @@ TEST_F(DiskFaults, AFullDiskAtEveryWrite) {
 }
 
 TEST_F(DiskFaults, ADiskThatBecomesReadOnlyOrBreaksAtEveryWrite) {
-  const std::string picture = "picture " + finger() + " " + flat_.presses[3].string();
-  fail_each(picture, EROFS, "read-only");
-  fail_each(picture, EIO, finger());
+  const std::string image = "picture " + finger() + " " + flat_.presses[3].string();
+  fail_each(image, EROFS, "read-only");
+  fail_each(image, EIO, finger());
   fail_each("rename " + finger() + " other", EIO, finger());
   fail_each("rename " + finger() + " other", EMFILE, "too many");
 }

@@ -86,11 +86,11 @@ TEST(Export, PythonMeasuresAFlatSensorAsTheProgramDoes) {
   const FlatFinger flat;
   ASSERT_EQ(flat.make().status, 0);
   ASSERT_EQ(flat.calibrate().status, 0);
-  const fs::path picture = flat.file("new.png");
-  cv::imwrite(picture.string(), pressed_picture(ball_depth_mm(170, 110, 0.45), 99));
-  ASSERT_EQ(flat.reconstruct({picture.string()}, "out", {"--format", "depth"}).status, 0);
+  const fs::path image = flat.file("new.png");
+  cv::imwrite(image.string(), pressed_picture(ball_depth_mm(170, 110, 0.45), 99));
+  ASSERT_EQ(flat.reconstruct({image.string()}, "out", {"--format", "depth"}).status, 0);
   const DepthDifference difference =
-      python_against_program(flat.finger(), {picture}, flat.file("out"));
+      python_against_program(flat.finger(), {image}, flat.file("out"));
   std::printf("%s\n", difference.words().c_str());
   ASSERT_GT(difference.in_contact.size(), 1000U);
   EXPECT_LT(difference.part(difference.all, 0.5), 0.002);

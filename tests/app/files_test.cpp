@@ -1,5 +1,5 @@
 // What lies on disk after a run: everything that was promised, whole, and nothing else.
-#include "core/io/picture.h"
+#include "core/io/image_file.h"
 #include "tests/support/flat_finger.h"
 #include "tests/support/small_disk.h"
 
@@ -48,10 +48,10 @@ TEST(Files, ACalibrationLeavesWhatTheDesignNames) {
 }
 
 /// Puts these words into a picture, as a recorded one has them.
-void take_with(const fs::path& picture, const std::string& settings) {
-  const auto grey = read_grey_picture(picture);
+void take_with(const fs::path& image, const std::string& settings) {
+  const auto grey = read_grey_image(image);
   ASSERT_TRUE(grey.ok());
-  ASSERT_TRUE(write_picture(picture, *grey, settings).ok());
+  ASSERT_TRUE(write_image(image, *grey, settings).ok());
 }
 
 TEST(Files, WhatPressesWereTakenWithIsKeptAndHeldAgainstTheReference) {

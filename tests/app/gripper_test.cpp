@@ -1,7 +1,7 @@
 // `alltact gripper`: an object that is put between two fingers is told from their recordings.
 #include "core/gripper/gripper.h"
 
-#include "core/io/picture.h"
+#include "core/io/image_file.h"
 #include "tests/core/gripper/gripper_files.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
@@ -122,7 +122,7 @@ TEST_F(GripperCommand, TellsTheGapWhereTheFacesWereKept) {
             static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
       }
     const std::string name = finger == 0 ? "left" : "right";
-    ASSERT_TRUE(write_picture(folder_.path() / name / (name + "_0.points.tiff"), points));
+    ASSERT_TRUE(write_image(folder_.path() / name / (name + "_0.points.tiff"), points));
   }
   const ProgramRun run = run_alltact(recorded({"--json"}));
   ASSERT_EQ(run.status, 0) << run.errors;

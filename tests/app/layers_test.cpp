@@ -189,7 +189,7 @@ TEST(Layers, TheTopHoldsOnlyWhatTheDesignNames) {
 TEST(Layers, NoProgramLoadsQt5) {
   const fs::path build = fs::path(ALLTACT_PROGRAM).parent_path().parent_path();
   for (const fs::path& program : {build / "app/liballtact-commands.so",
-                                  build / "app/liballtact-pictures.so",
+                                  build / "app/liballtact-figures.so",
                                   build / "tests/core_tests",
                                   build / "tests/app_tests",
                                   build / "app/studio/alltact-studio",

@@ -109,7 +109,7 @@ TEST_F(PowerCut, WhileAFingerIsCalibratedAgainWithMorePresses) {
 }
 
 /// A finger that bends to and fro, as pictures in a folder.
-void write_bending(const fs::path& finger_folder, const fs::path& pictures, double width_px) {
+void write_bending(const fs::path& finger_folder, const fs::path& images, double width_px) {
   MarkedFinger drawn;
   drawn.width = 480, drawn.height = 270, drawn.focal = 262, drawn.dot_mm = 0.9, drawn.noise = 0.4;
   Finger finger;
@@ -121,12 +121,12 @@ void write_bending(const fs::path& finger_folder, const fs::path& pictures, doub
     fs::create_directory(finger_folder);
     ASSERT_TRUE(finger.save(finger_folder));
   }
-  fs::create_directory(pictures);
+  fs::create_directory(images);
   std::mt19937 random(11);
   for (int i = 0; i < 12; ++i) {
     const double t = 2 * M_PI * i / 12;
     const Bend bend{0.35 * std::sin(t), 0.2 * std::sin(2 * t + 1), width_px * std::cos(3 * t), 0};
-    cv::imwrite(pictures / fmt::format("frame_{:05}.png", i),
+    cv::imwrite(images / fmt::format("frame_{:05}.png", i),
                 drawn.with_noise(drawn.clean(bend), random));
   }
 }

@@ -1,5 +1,5 @@
 // A calibrated finger held against new presses: what changed is told, what did not is not.
-#include "core/io/picture.h"
+#include "core/io/image_file.h"
 #include "tests/support/flat_finger.h"
 
 #include <cmath>
@@ -41,11 +41,11 @@ class PressCheck : public testing::Test {
           const float drop = untouched.at<float>(v, u) - pressed.at<float>(v, u);
           pressed.at<float>(v, u) -= static_cast<float>(layer - 1) * drop;
         }
-      cv::Mat picture;
-      cv::Mat(pressed * light).convertTo(picture, CV_8U);
+      cv::Mat image;
+      cv::Mat(pressed * light).convertTo(image, CV_8U);
       files.push_back(
           flat_.file("check_" + std::to_string(set_) + "_" + std::to_string(i) + ".png"));
-      EXPECT_TRUE(write_picture(files.back(), picture).ok());
+      EXPECT_TRUE(write_image(files.back(), image).ok());
     }
     return files;
   }
@@ -80,7 +80,7 @@ cv::Mat_<float> punch_depth_mm(double step_mm) {
 
 TEST_F(PressCheck, ReadsThePunchOfAKnownStep) {
   const std::string file = flat_.file("punch.png");
-  ASSERT_TRUE(write_picture(file, pressed_picture(punch_depth_mm(0.3), 77)).ok());
+  ASSERT_TRUE(write_image(file, pressed_picture(punch_depth_mm(0.3), 77)).ok());
   const json right = json::parse(check({file}, {"--step", "punch=0.3", "--json"}).output);
   EXPECT_EQ(right.at("verdict"), "too_few") << "one press\n" << right.dump(1);
   EXPECT_LT(right.at("error_mm").get<double>(), 0.012);

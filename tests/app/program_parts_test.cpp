@@ -44,7 +44,7 @@ TEST(ProgramParts, WorkLoadsNoWindow) {
   const TemporaryFolder folder;
   const std::string loaded = loaded_by("check '" + (folder / "no_finger").string() + "'");
   EXPECT_THAT(loaded, HasSubstr("liballtact-commands.so"));
-  for (const char* library : {"libQt6", "libvtk", "liballtact-pictures.so"})
+  for (const char* library : {"libQt6", "libvtk", "liballtact-figures.so"})
     EXPECT_THAT(loaded, Not(HasSubstr(library)));
 }
 

@@ -1,5 +1,5 @@
 // `alltact record` with a foot pedal and a dimmer that are made up.
-#include "core/io/picture.h"
+#include "core/io/image_file.h"
 #include "core/recording/video_file.h"
 #include "tests/rigs/hid_device.h"
 #include "tests/support/program.h"
@@ -68,15 +68,15 @@ class Running {
   Running(const Running&) = delete;
   Running& operator=(const Running&) = delete;
 
-  [[nodiscard]] std::string said() const { return text_of(output_); }
+  [[nodiscard]] std::string press_set() const { return text_of(output_); }
   [[nodiscard]] std::string warned() const { return text_of(errors_); }
   /// Waits until it says or warns so.
   [[nodiscard]] bool tells(const std::string& words) const {
     for (int i = 0; i < 1000; ++i) {
-      if ((said() + warned()).find(words) != std::string::npos) return true;
+      if ((press_set() + warned()).find(words) != std::string::npos) return true;
       std::this_thread::sleep_for(10ms);
     }
-    ADD_FAILURE() << "not told: " << words << "\n" << said() << warned();
+    ADD_FAILURE() << "not told: " << words << "\n" << press_set() << warned();
     return false;
   }
   void interrupt() const { ::kill(child_, SIGINT); }
@@ -148,9 +148,9 @@ TEST_F(RecordByButton, EachPressIsAPicture) {
     EXPECT_FALSE(fs::exists(folder_ / name));
     press(pedal);
     ASSERT_TRUE(run.tells(file(name)));
-    const auto picture = read_grey_picture(folder_ / name);
-    ASSERT_TRUE(picture.ok()) << picture.error().sentence();
-    EXPECT_EQ(picture->size(), cv::Size(160, 120));
+    const auto image = read_grey_image(folder_ / name);
+    ASSERT_TRUE(image.ok()) << image.error().sentence();
+    EXPECT_EQ(image->size(), cv::Size(160, 120));
   }
   EXPECT_EQ(run.end(), 0) << run.warned();
   EXPECT_FALSE(fs::exists(folder_ / "p-004.png"));
@@ -168,9 +168,9 @@ TEST_F(RecordByButton, WhatLearningTellsIsTakenAsItIs) {
     press(pedal);
     ASSERT_TRUE(learn.tells("Use it: "));
     EXPECT_EQ(learn.end(), 0);
-    const std::string said = learn.said();
-    const std::size_t begin = said.find("--button '") + 10;
-    button = said.substr(begin, said.find('\'', begin) - begin);
+    const std::string press_set = learn.press_set();
+    const std::size_t begin = press_set.find("--button '") + 10;
+    button = press_set.substr(begin, press_set.find('\'', begin) - begin);
   }
   EXPECT_EQ(button, kButton);
   auto words = record("p.png", button);

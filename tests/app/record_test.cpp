@@ -88,10 +88,9 @@ TEST(Record, PicturesAndVideosAreRecordedToo) {
   }
   ASSERT_EQ(run_alltact({"simulate", (folder / "s.yaml").string(), "-o", folder / "out"}).status,
             0);
-  const ProgramRun pictures =
-      record(folder / "out", folder / "c.mkv", {"--codec", "ffv1", "--json"});
-  ASSERT_EQ(pictures.status, 0) << pictures.errors;
-  EXPECT_EQ(json::parse(pictures.output).at("codec"), "FFV1");
+  const ProgramRun images = record(folder / "out", folder / "c.mkv", {"--codec", "ffv1", "--json"});
+  ASSERT_EQ(images.status, 0) << images.errors;
+  EXPECT_EQ(json::parse(images.output).at("codec"), "FFV1");
   EXPECT_EQ(VideoFile::open(folder / "c.mkv")->frame_count(), 12U);
 }
 
@@ -161,11 +160,11 @@ TEST(Live, GivesALineForEachFrameUntilCtrlC) {
   const FlatFinger flat;
   ASSERT_EQ(flat.make().status, 0);
   ASSERT_EQ(flat.calibrate().status, 0);
-  const cv::Mat picture = cv::imread(flat.presses[0].string(), cv::IMREAD_GRAYSCALE);
+  const cv::Mat image = cv::imread(flat.presses[0].string(), cv::IMREAD_GRAYSCALE);
   // A camera that looks at a press for as long as the test wants.
   fs::create_directory(flat.folder / "in");
   for (const char* name : {"a", "b", "c", "d"})
-    cv::imwrite(flat.file(std::string("in/") + name + ".png"), picture);
+    cv::imwrite(flat.file(std::string("in/") + name + ".png"), image);
   ASSERT_EQ(record(flat.folder / "in", flat.folder / "v.mkv").status, 0);
   const ProgramRun run = run_alltact({"reconstruct", flat.finger(), flat.file("v.mkv"), "--live"});
   ASSERT_EQ(run.status, 0) << run.errors;

@@ -87,20 +87,20 @@ TEST_F(Repetition, KnowsWhichPressWasMadeWithAnotherBall) {
 }
 
 TEST_F(Repetition, KnowsAMeasuredDepthAndTakesItBack) {
-  const auto pressed_in_mm = [&] {
+  const auto indentation_mm = [&] {
     const auto report = nlohmann::json::parse(kept("calibration_report.json"));
     for (const auto& press : report.at("presses"))
       if (press.at("press") == "press_2") return press.at("pressed_in_mm").get<double>();
     return 0.0;
   };
-  const double by_pictures_mm = pressed_in_mm();
+  const double by_pictures_mm = indentation_mm();
   const ProgramRun measured =
       again({"--depth", fmt::format("press_2={}+-0.001", by_pictures_mm + 0.01)});
   ASSERT_EQ(measured.status, 0) << measured.errors;
   EXPECT_THAT(kept("calibration_inputs.yaml"),
               testing::AllOf(HasSubstr("depths: [press_2]"), HasSubstr("0.001]]")));
   EXPECT_THAT(measured.output, HasSubstr("press_2: measured"));
-  EXPECT_NEAR(pressed_in_mm(), by_pictures_mm + 0.01, 0.003);
+  EXPECT_NEAR(indentation_mm(), by_pictures_mm + 0.01, 0.003);
   const std::string yaml = kept("finger.yaml");
   ASSERT_EQ(again().status, 0);
   EXPECT_EQ(kept("finger.yaml"), yaml) << "the measured depth was not kept";
@@ -110,7 +110,7 @@ TEST_F(Repetition, KnowsAMeasuredDepthAndTakesItBack) {
   ASSERT_EQ(wrong.status, 0) << wrong.errors;
   EXPECT_THAT(wrong.errors, HasSubstr("Left out: press_2: its measured depth of"));
   ASSERT_EQ(again({"--depth", "press_2=none"}).status, 0);
-  EXPECT_EQ(pressed_in_mm(), by_pictures_mm);
+  EXPECT_EQ(indentation_mm(), by_pictures_mm);
   for (const char* impossible : {"press_2", "press_2=-1", "press_2=1+-0", "press_2=deep"})
     EXPECT_EQ(again({"--depth", impossible}).status, 2) << impossible;
   EXPECT_THAT(again({"--depth", "press_9=1"}).errors, HasSubstr("no press is called 'press_9'"));
@@ -229,9 +229,9 @@ TEST_F(Repetition, ChangesWhatItIsToldTo) {
 
 TEST_F(Repetition, RefusesPicturesThatAreNotTheSame) {
   const fs::path press = fs::path(flat_.finger()) / "presses/press_1.png";
-  cv::Mat picture = cv::imread(press.string(), cv::IMREAD_GRAYSCALE);
-  picture.at<std::uint8_t>(5, 5) ^= 1;
-  cv::imwrite(press.string(), picture);
+  cv::Mat image = cv::imread(press.string(), cv::IMREAD_GRAYSCALE);
+  image.at<std::uint8_t>(5, 5) ^= 1;
+  cv::imwrite(press.string(), image);
   const auto before = contents_of(flat_.finger());
   const ProgramRun changed = again();
   EXPECT_EQ(changed.status, 1);

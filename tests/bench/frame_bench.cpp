@@ -149,7 +149,7 @@ std::shared_ptr<const ForceModel> force_model_of(const Rig& rig) {
   table.layouts.resize(kForceRows, 2 * table.marker_count);
   table.seen = Eigen::MatrixXd::Ones(kForceRows, table.marker_count);
   table.force_N.resize(kForceRows, table.axes);
-  table.place_mm.resize(kForceRows, 2);
+  table.position_mm.resize(kForceRows, 2);
   for (Eigen::Index row = 0; row < kForceRows; ++row) {
     const Truth& truth = rig.truths[static_cast<std::size_t>(row)];
     for (Eigen::Index m = 0; m < table.marker_count; ++m) {
@@ -160,7 +160,7 @@ std::shared_ptr<const ForceModel> force_model_of(const Rig& rig) {
       table.force_N(row, axis) =
           0.01 * table.layouts(row, Eigen::seqN(axis, table.marker_count, 2)).sum();
     const ContactTruth& contact = truth.contacts.at(0);
-    table.place_mm.row(row) << contact.along_mm, contact.across_mm;
+    table.position_mm.row(row) << contact.along_mm, contact.across_mm;
     table.block.push_back(fmt::format("part {}", row / 20));
   }
   ForceTraining training;

@@ -51,7 +51,7 @@ double processor_ms() {
 
 /// Bytes that a step must read and write at the least.
 Costs bytes_of(const FrameResult& result, int neighbours) {
-  const auto picture = static_cast<double>(result.grey.total());
+  const auto image = static_cast<double>(result.grey.total());
   double face = 0, pressed = 0, dots = 0;
   const cv::Mat& flags = result.depth->flags;
   for (int v = 0; v < flags.rows; ++v)
@@ -62,13 +62,13 @@ Costs bytes_of(const FrameResult& result, int neighbours) {
   constexpr double kDotPx = 20 * 20;
   if (result.markers) dots = kDotPx * static_cast<double>(result.markers->size());
   const double columns = static_cast<double>(result.grey.cols) * sizeof(FaceColumn);
-  Costs bytes{2.0 * picture,  // and the last one, which it is compared with
-              picture,
+  Costs bytes{2.0 * image,  // and the last one, which it is compared with
+              image,
               columns,
               dots,
               face * (neighbours + 2.0),       // recorded faces in, 16-bit levels out
               face * (1.0 + 2.0 + 4.0 + 1.0),  // picture and reference in, depth and flags out
-              picture / 16.0 * 4.0 + pressed * 4.0,
+              image / 16.0 * 4.0 + pressed * 4.0,
               0.0};
   for (std::size_t k = 0; k + 1 < bytes.size(); ++k) bytes.back() += bytes[k];
   return bytes;
@@ -93,7 +93,7 @@ double copy_ms(double bytes) {
   return least;
 }
 
-int run(const std::filesystem::path& folder, const std::filesystem::path& pictures, int repeats) {
+int run(const std::filesystem::path& folder, const std::filesystem::path& images, int repeats) {
   const auto fail = [](const std::string& why) {
     std::fprintf(stderr, "%s\n", why.c_str());
     return 1;
@@ -105,7 +105,7 @@ int run(const std::filesystem::path& folder, const std::filesystem::path& pictur
   auto pipeline = Pipeline::create(**finger, settings, Job());
   if (!pipeline) return fail(pipeline.error().sentence());
   std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(pictures))
+  for (const auto& entry : std::filesystem::directory_iterator(images))
     if (entry.path().extension() == ".png") files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   std::vector<FramePtr> frames;
@@ -136,7 +136,7 @@ int run(const std::filesystem::path& folder, const std::filesystem::path& pictur
     for (std::size_t s = 0; s < least.size(); ++s)
       all_ms[s].push_back(least[s]), all_bytes[s].push_back(bytes[s]);
   }
-  if (frames.empty()) return fail("no picture in " + pictures.string());
+  if (frames.empty()) return fail("no picture in " + images.string());
   nlohmann::ordered_json told;
   told["frames"] = frames.size();
   told["size"] = {frames.front()->grey.cols, frames.front()->grey.rows};

@@ -14,10 +14,10 @@ void BM_FindChessboard(benchmark::State& state) {
   const Camera camera = Camera::create(made::board_lens()).value();
   std::mt19937 random(1);
   const auto scene = made::board_scene(camera, board, 1, 30, 0, random);
-  const cv::Mat picture = made::BoardPainter(camera).paint(
+  const cv::Mat image = made::BoardPainter(camera).paint(
       scene.poses[0], [&](double x, double y) { return made::chessboard_ink(board, x, y); }, 1);
   for ([[maybe_unused]] const auto _ : state) {
-    if (!find_board(picture, board)) state.SkipWithError("no board found");
+    if (!find_board(image, board)) state.SkipWithError("no board found");
   }
 }
 BENCHMARK(BM_FindChessboard)->Unit(benchmark::kMillisecond);

@@ -75,8 +75,8 @@ bool is_exact(const fs::path& file,
               bool is_jpeg) {
   auto video = VideoFile::open(file);
   if (!video || video->frame_count() != count) return false;
-  std::vector<cv::Mat> pictures;
-  for (const auto& packet : packets) pictures.push_back(cv::imdecode(packet, cv::IMREAD_GRAYSCALE));
+  std::vector<cv::Mat> images;
+  for (const auto& packet : packets) images.push_back(cv::imdecode(packet, cv::IMREAD_GRAYSCALE));
   std::uint64_t first = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const auto frame = video->frame(i);
@@ -85,7 +85,7 @@ bool is_exact(const fs::path& file,
     if (i == 0) first = sequence;
     const std::size_t which = sequence % packets.size();
     if (sequence != first + i || (is_jpeg && *(*frame)->jpeg != packets[which]) ||
-        cv::norm((*frame)->grey, pictures[which], cv::NORM_INF) != 0)
+        cv::norm((*frame)->grey, images[which], cv::NORM_INF) != 0)
       return false;
   }
   return true;

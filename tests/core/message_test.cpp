@@ -38,7 +38,7 @@ std::string any_text(Random& random) {
 }
 
 Message number(std::string words) {
-  return Message::put_together(Message::Kind::kNumber, std::move(words), {}, -1, {});
+  return Message::compose(Message::Kind::kNumber, std::move(words), {}, -1, {});
 }
 
 Message any_message(Random& random, int depth) {
@@ -48,16 +48,16 @@ Message any_message(Random& random, int depth) {
   std::vector<Message> parts;
   for (int left = up_to(random, 3); left > 0; --left)
     parts.push_back(any_message(random, depth - 1));
-  return kind == 2 ? Message::put_together(Message::Kind::kSaid,
-                                           any_text(random),
-                                           up_to(random, 1) == 0 ? "" : any_text(random),
-                                           -1,
-                                           std::move(parts))
-                   : Message::put_together(Message::Kind::kCounted,
-                                           any_text(random),
-                                           any_text(random),
-                                           up_to(random, 4) - 1,
-                                           std::move(parts));
+  return kind == 2 ? Message::compose(Message::Kind::kTemplate,
+                                      any_text(random),
+                                      up_to(random, 1) == 0 ? "" : any_text(random),
+                                      -1,
+                                      std::move(parts))
+                   : Message::compose(Message::Kind::kCounted,
+                                      any_text(random),
+                                      any_text(random),
+                                      up_to(random, 4) - 1,
+                                      std::move(parts));
 }
 
 /// A template and what it must give, made side by side.
@@ -89,7 +89,7 @@ Made any_template(Random& random) {
       if (part < parts.size()) english += parts[part].words();
     }
   }
-  return {Message::put_together(Message::Kind::kSaid, words, {}, -1, parts), english};
+  return {Message::compose(Message::Kind::kTemplate, words, {}, -1, parts), english};
 }
 
 TEST(Message, NothingSaidIsEmptyHoweverItIsWritten) {
@@ -148,16 +148,16 @@ TEST(Message, DoubledBracesAreBraces) {
 
 TEST(Message, HolesThatAnotherLanguageGotWrongHarmNothing) {
   const Message message = en::say("{} of {}", 3, 7);
-  const auto said = [&](std::string words) {
+  const auto press_set = [&](std::string words) {
     return message.in([&](const Message&) { return words; });
   };
-  EXPECT_EQ(said("{1} davon {0}"), "7 davon 3");
-  EXPECT_EQ(said("{0} davon"), "3 davon") << "a part that is not told";
-  EXPECT_EQ(said("{} {} {} {2} {9}."), "3 7   .") << "holes without a part";
-  EXPECT_EQ(said("open {"), "open {");
-  EXPECT_EQ(said("open {0"), "open {0");
-  EXPECT_EQ(said("closed } {1}"), "closed } 7");
-  EXPECT_EQ(said(""), "");
+  EXPECT_EQ(press_set("{1} davon {0}"), "7 davon 3");
+  EXPECT_EQ(press_set("{0} davon"), "3 davon") << "a part that is not told";
+  EXPECT_EQ(press_set("{} {} {} {2} {9}."), "3 7   .") << "holes without a part";
+  EXPECT_EQ(press_set("open {"), "open {");
+  EXPECT_EQ(press_set("open {0"), "open {0");
+  EXPECT_EQ(press_set("closed } {1}"), "closed } 7");
+  EXPECT_EQ(press_set(""), "");
 }
 
 TEST(Message, NoTemplateEverCrashes) {
@@ -167,8 +167,8 @@ TEST(Message, NoTemplateEverCrashes) {
     std::string words;
     for (int left = up_to(random, 24); left > 0; --left)
       words += kLetters[static_cast<std::size_t>(up_to(random, kLetters.size() - 1))];
-    const Message message = Message::put_together(
-        Message::Kind::kSaid, words, {}, -1, {number("1"), any_message(random, 2)});
+    const Message message = Message::compose(
+        Message::Kind::kTemplate, words, {}, -1, {number("1"), any_message(random, 2)});
     const std::string english = message.english();
     if (words.find_first_of("{}") == std::string::npos) {
       EXPECT_EQ(english, words);

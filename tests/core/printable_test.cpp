@@ -44,7 +44,7 @@ TEST(Printable, IsAlwaysOneShortLine) {
   const bool holds = rc::check("any bytes", [] {
     const auto text = *rc::gen::container<std::string>(rc::gen::arbitrary<char>());
     const std::string shown = printable(text + text + text);
-    RC_ASSERT(shown.size() <= 4 * kMostPrinted);
+    RC_ASSERT(shown.size() <= 4 * kMaxPrinted);
     for (const char c : shown) RC_ASSERT(static_cast<unsigned char>(c) >= 0x20 && c != 0x7F);
   });
   EXPECT_TRUE(holds);

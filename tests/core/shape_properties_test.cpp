@@ -194,17 +194,17 @@ struct Pictures {
 
 Pictures any_pictures() {
   cv::RNG random(static_cast<std::uint64_t>(*rc::gen::inRange(1, 1 << 30)));
-  Pictures pictures{cv::Mat(kSide, kSide, CV_8UC1), cv::Mat(kSide, kSide, CV_8UC1)};
-  random.fill(pictures.live, cv::RNG::UNIFORM, 0, 256);
-  random.fill(pictures.untouched, cv::RNG::UNIFORM, 0, 256);
-  pictures.untouched.convertTo(pictures.untouched, CV_32F);
-  return pictures;
+  Pictures images{cv::Mat(kSide, kSide, CV_8UC1), cv::Mat(kSide, kSide, CV_8UC1)};
+  random.fill(images.live, cv::RNG::UNIFORM, 0, 256);
+  random.fill(images.untouched, cv::RNG::UNIFORM, 0, 256);
+  images.untouched.convertTo(images.untouched, CV_32F);
+  return images;
 }
 
-Difference compared(const Pictures& pictures, const FaceShape& shape, double smoothing_px) {
+Difference compared(const Pictures& images, const FaceShape& shape, double smoothing_px) {
   Reference reference;
-  reference.picture = ReferencePicture(pictures.untouched);
-  return difference(pictures.live, reference, shape, {.smoothing = smoothing_of(smoothing_px)});
+  reference.image = ReferenceImage(images.untouched);
+  return difference(images.live, reference, shape, {.smoothing = smoothing_of(smoothing_px)});
 }
 
 bool same_bytes(const cv::Mat& a, const cv::Mat& b) {
@@ -216,13 +216,13 @@ bool same_bytes(const cv::Mat& a, const cv::Mat& b) {
 TEST(BrightnessLaws, AMirroredPictureIsTheMirroredMeasurementToTheByte) {
   const FaceShape shape = flat_shape();
   const bool holds = rc::check("mirrored pictures", [&] {
-    const Pictures pictures = any_pictures();
+    const Pictures images = any_pictures();
     const double smoothing = *rc::gen::element(0.0, 1.0, 2.0);
-    const Difference one = compared(pictures, shape, smoothing);
+    const Difference one = compared(images, shape, smoothing);
     for (const int how : {0, 1, -1}) {
       Pictures mirrored;
-      cv::flip(pictures.live, mirrored.live, how);
-      cv::flip(pictures.untouched, mirrored.untouched, how);
+      cv::flip(images.live, mirrored.live, how);
+      cv::flip(images.untouched, mirrored.untouched, how);
       const Difference other = compared(mirrored, shape, smoothing);
       cv::Mat x, flags;
       cv::flip(one.x, x, how);
@@ -237,12 +237,12 @@ TEST(BrightnessLaws, AMirroredPictureIsTheMirroredMeasurementToTheByte) {
 TEST(BrightnessLaws, ATurnedPictureIsTheTurnedMeasurement) {
   const FaceShape shape = flat_shape();
   const bool holds = rc::check("pictures turned by 90 degrees", [&] {
-    const Pictures pictures = any_pictures();
+    const Pictures images = any_pictures();
     const double smoothing = *rc::gen::element(0.0, 1.0);
-    const Difference one = compared(pictures, shape, smoothing);
+    const Difference one = compared(images, shape, smoothing);
     Pictures turned;
-    cv::rotate(pictures.live, turned.live, cv::ROTATE_90_CLOCKWISE);
-    cv::rotate(pictures.untouched, turned.untouched, cv::ROTATE_90_CLOCKWISE);
+    cv::rotate(images.live, turned.live, cv::ROTATE_90_CLOCKWISE);
+    cv::rotate(images.untouched, turned.untouched, cv::ROTATE_90_CLOCKWISE);
     const Difference other = compared(turned, shape, smoothing);
     cv::Mat x, flags;
     cv::rotate(one.x, x, cv::ROTATE_90_CLOCKWISE);
@@ -306,8 +306,8 @@ TEST(ContactLaws, TurnedAndMirroredContactsHaveTurnedAndMirroredAxes) {
     }
     RC_ASSERT(axis_difference(*quarter.angle_deg, *one.angle_deg + 90.0) < 1e-3);
     RC_ASSERT(axis_difference(*mirror.angle_deg, -*one.angle_deg) < 1e-3);
-    RC_ASSERT(std::abs(quarter.place_px.x() - (kSide - 1 - one.place_px.y())) < 1e-6);
-    RC_ASSERT(std::abs(quarter.place_px.y() - one.place_px.x()) < 1e-6);
+    RC_ASSERT(std::abs(quarter.position_px.x() - (kSide - 1 - one.position_px.y())) < 1e-6);
+    RC_ASSERT(std::abs(quarter.position_px.y() - one.position_px.x()) < 1e-6);
   });
   EXPECT_TRUE(holds);
 }
@@ -321,7 +321,7 @@ TEST(ContactLaws, ACoarserPictureOfALargerWorldIsTheSameContact) {
     RC_ASSERT(near(other.area_mm2, k * k * one.area_mm2, 1e-12));
     RC_ASSERT(near(other.volume_mm3, k * k * one.volume_mm3, 1e-12));
     RC_ASSERT(axis_difference(*other.angle_deg, *one.angle_deg) < 1e-9);
-    RC_ASSERT((other.place_mm - k * one.place_mm).head<2>().norm() < 1e-10 * k);
+    RC_ASSERT((other.position_mm - k * one.position_mm).head<2>().norm() < 1e-10 * k);
   });
   EXPECT_TRUE(holds);
 }

@@ -58,17 +58,17 @@ TEST(TypedNumber, TheSentenceSaysWhatToWrite) {
 
 TEST(TypedNumber, WholeNumbersTakeNoMarkThatCouldPartThousands) {
   for (const auto& [text, meant] : {std::pair{"6", "6"}, {"+6", "6"}, {"6.0", "6"}, {"-0", "0"}})
-    EXPECT_EQ(*plain_whole_number(text), meant) << text;
+    EXPECT_EQ(*plain_integer(text), meant) << text;
   for (const char* text : {"6.5", "1.000", "1,000", "1 000", "6e3", "six", "", "6.000"})
-    EXPECT_FALSE(plain_whole_number(text).ok()) << text;
-  EXPECT_EQ(*plain_whole_number("18446744073709551615"), "18446744073709551615");
+    EXPECT_FALSE(plain_integer(text).ok()) << text;
+  EXPECT_EQ(*plain_integer("18446744073709551615"), "18446744073709551615");
 }
 
 TEST(TypedNumber, DoubtIsOfDigitsAndMarksOnly) {
   for (const char* text : {"four", "", "nan", "4.5", "4.5 cm", "finger/1", "1.2.3", "-"})
-    EXPECT_FALSE(doubt_of_number(text)) << text;
+    EXPECT_FALSE(number_ambiguity(text)) << text;
   for (const char* text : {"4,500", "1.234,5", "1 000", "1'000"})
-    EXPECT_TRUE(doubt_of_number(text)) << text;
+    EXPECT_TRUE(number_ambiguity(text)) << text;
 }
 
 TEST(TypedNumber, EveryNumberThatIsWrittenIsReadAgain) {

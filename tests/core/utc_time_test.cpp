@@ -22,10 +22,10 @@ TEST(UtcTime, OnlyADateBeyondTheClockIsAheadOfIt) {
 }
 
 TEST(UtcTime, WhatIsMadeFromSomethingIsNotOlderThanIt) {
-  EXPECT_EQ(utc_now_from(kFuture), kFuture);
-  EXPECT_GT(utc_now_from(kPast), kPast);
-  EXPECT_LT(utc_now_from("zzz"), kFuture) << "no date";
-  EXPECT_TRUE(is_utc(utc_now_from("")));
+  EXPECT_EQ(utc_not_before(kFuture), kFuture);
+  EXPECT_GT(utc_not_before(kPast), kPast);
+  EXPECT_LT(utc_not_before("zzz"), kFuture) << "no date";
+  EXPECT_TRUE(is_utc(utc_not_before("")));
 }
 
 }  // namespace

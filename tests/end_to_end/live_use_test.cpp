@@ -36,14 +36,14 @@ std::chrono::seconds duration() {
 
 class Pictures : public Source {
  public:
-  std::vector<cv::Mat> pictures;
+  std::vector<cv::Mat> images;
   Result<FramePtr> next() override {
-    if (at_ == pictures.size()) return FramePtr();
+    if (at_ == images.size()) return FramePtr();
     auto frame = std::make_shared<Frame>();
-    frame->grey = pictures[at_++];
+    frame->grey = images[at_++];
     return FramePtr(std::move(frame));
   }
-  [[nodiscard]] std::optional<std::size_t> count() const override { return pictures.size(); }
+  [[nodiscard]] std::optional<std::size_t> count() const override { return images.size(); }
   [[nodiscard]] bool is_continuous() const override { return true; }
 
  private:
@@ -66,7 +66,7 @@ struct Bench {
     for (int i = 0; i < kPoses; ++i) {
       const double t = 2 * M_PI * i / kPoses;
       const Bend bend{0.35 * std::sin(t), 0.2 * std::sin(2 * t + 1), 6 * std::cos(3 * t), 0};
-      recording.pictures.push_back(drawn.with_noise(drawn.clean(bend), random));
+      recording.images.push_back(drawn.with_noise(drawn.clean(bend), random));
       const cv::Mat touched = drawn.with_noise(
           drawn.clean(bend, {}, {{{0.5 * drawn.width, 0.5 * drawn.height, 14, 14}, 60}}), random);
       camera.packets.emplace_back();

@@ -207,17 +207,17 @@ void expect_checked_well(const Day& day) {
 /// Another program, with what was exported for it. The bounds stand in packaging/python/README.md.
 /// Of a pose that was never recorded neither claims to know the reference.
 void expect_python_agrees(const Day& day) {
-  std::vector<fs::path> pictures;
+  std::vector<fs::path> images;
   std::ifstream results(day.file("results") + "/results.jsonl");
   for (std::string line; std::getline(results, line);) {
     const auto frame = nlohmann::json::parse(line);
     if (frame.at("reference").at("known_pose").get<bool>())
-      pictures.push_back(
+      images.push_back(
           day.file(fmt::format("objects/{}.png", frame.at("frame").get<std::string>())));
   }
-  ASSERT_GE(pictures.size(), 9U);
+  ASSERT_GE(images.size(), 9U);
   const DepthDifference difference =
-      python_against_program(day.file("finger"), pictures, day.file("results"));
+      python_against_program(day.file("finger"), images, day.file("results"));
   std::printf("Python: %s\n", difference.words().c_str());
   ASSERT_GT(difference.in_contact.size(), 8000U);
   EXPECT_LT(difference.part(difference.all, 0.5), 0.004);  // noise has two signs

@@ -191,7 +191,7 @@ Reading use_camera(const V4l2Device& device) {
   const auto controls = list_controls(device);
   std::vector<Message> problems;
   (void)lock_brightness(device, problems);
-  (void)put_back(device, settings_of(controls));
+  (void)restore_controls(device, settings_of(controls));
   watch_changes(device, controls);
   for (int i = 0; i < 3; ++i) (void)next_change(device);
   auto format = choose_format(device.formats(), {}, device.node());
@@ -212,7 +212,7 @@ Reading use_camera(const V4l2Device& device) {
                                 taken.filled->bytes);
       if (grey && grey->empty()) return {std::nullopt, "a frame without pixels"};
     }
-    (void)(*stream)->give_back(*taken.filled);
+    (void)(*stream)->requeue(*taken.filled);
   }
   return {};
 }

@@ -2,9 +2,9 @@
 #include "core/io/atomic_file.h"
 #include "core/io/depth_file.h"
 #include "core/io/grey_decoder.h"
+#include "core/io/image_file.h"
+#include "core/io/image_note.h"
 #include "core/io/mesh_file.h"
-#include "core/io/picture.h"
-#include "core/io/picture_note.h"
 #include "core/io/surface_file.h"
 #include "core/recording/depth_video.h"
 #include "core/recording/matroska_index.h"
@@ -103,19 +103,19 @@ std::function<Reading(const std::string&)> as_picture(
 
 Result<cv::Mat> grey_of_file(const std::filesystem::path& file) {
   std::string note;
-  return read_grey_picture(file, &note);
+  return read_grey_image(file, &note);
 }
 
 std::vector<std::string> grey_seeds() {
   std::vector<std::string> seeds;
-  const cv::Mat picture = camera_picture(1, kSize);
+  const cv::Mat image = camera_picture(1, kSize);
   for (const char* ending : {".png", ".jpg", ".bmp", ".pgm", ".tiff"}) {
     std::vector<std::uint8_t> bytes;
-    cv::imencode(ending, picture, bytes);
+    cv::imencode(ending, image, bytes);
     seeds.emplace_back(bytes.begin(), bytes.end());
   }
   seeds.push_back(written_by("n.png", [&](const std::filesystem::path& file) {
-    (void)write_picture(file, picture, "light: 0.5").ok();
+    (void)write_image(file, image, "light: 0.5").ok();
   }));
   return seeds;
 }
@@ -197,27 +197,25 @@ std::vector<Reader> picture_readers() {
        grey_seeds,
        as_picture("p.png",
                   grey_of_file,
-                  [](const cv::Mat& picture) {
-                    return picture.type() == CV_8UC1 && !picture.empty() ? "" : "no grey picture";
+                  [](const cv::Mat& image) {
+                    return image.type() == CV_8UC1 && !image.empty() ? "" : "no grey picture";
                   })},
       {"float_picture",
        [] {
          return std::vector{
              depth_tiff(some_depth()), written_by("f.tiff", [](const std::filesystem::path& file) {
-               (void)write_picture(file, cv::Mat(kSize, CV_32FC3, cv::Scalar(1, 2, 3))).ok();
+               (void)write_image(file, cv::Mat(kSize, CV_32FC3, cv::Scalar(1, 2, 3))).ok();
              })};
        },
-       as_picture("f.tiff",
-                  read_float_picture,
-                  [](const cv::Mat& picture) {
-                    return picture.depth() == CV_32F ? "" : "no float picture";
-                  })},
+       as_picture(
+           "f.tiff",
+           read_float_image,
+           [](const cv::Mat& image) { return image.depth() == CV_32F ? "" : "no float picture"; })},
       {"depth_picture",
        [] { return std::vector{depth_png(some_depth())}; },
-       as_picture(
-           "d.png",
-           read_depth_png,
-           [](const cv::Mat& picture) { return picture.type() == CV_32FC1 ? "" : "no depth"; })},
+       as_picture("d.png",
+                  read_depth_png,
+                  [](const cv::Mat& image) { return image.type() == CV_32FC1 ? "" : "no depth"; })},
       {"picture_note",
        [] { return std::vector{with_note(grey_png(camera_picture(1, kSize)), "light: 0.5")}; },
        read_note},

@@ -6,7 +6,7 @@
 #include "core/gripper/motor_log.h"
 #include "core/io/atomic_file.h"
 #include "core/recording/journal.h"
-#include "core/sensing/reference/kept_faces.h"
+#include "core/sensing/reference/face_cache.h"
 #include "core/sensing/reference/marker_table.h"
 #include "core/sources/gauge/gauge_line.h"
 #include "core/stream/stream_format.h"
@@ -173,7 +173,7 @@ std::vector<std::string> part_seeds() {
 constexpr const char* kFacesOf = "a recording";
 
 std::vector<std::string> faces_seeds() {
-  KeptFaces faces;
+  FaceCache faces;
   for (const std::size_t row : {0U, 2U}) {
     FoundFace& face = faces.found.emplace_back();
     face.row = row;
@@ -181,21 +181,21 @@ std::vector<std::string> faces_seeds() {
     face.edges.upper = face.edges.lower = {{10, 11, 12}, {0.1, 0.1, 0.2}, {1, 1, 0}};
     face.edges.ends.first = FaceEnd{1, 2, 0, 0, 0.5};
   }
-  faces.kept = {2};
+  faces.retained = {2};
   faces.faces = {{0, 4, {1, 2, 3, 4}}};
   faces.error.relative_sd = cv::Mat(2, 3, CV_32FC1, cv::Scalar(0.25));
-  return {packed_faces(faces, kFacesOf)};
+  return {pack_faces(faces, kFacesOf)};
 }
 
 Reading read_kept_faces(const std::string& bytes) {
   std::istringstream file(bytes);
-  const auto faces = unpacked_faces(file, bytes.size(), kFacesOf);
+  const auto faces = unpack_faces(file, bytes.size(), kFacesOf);
   if (!faces)
     return {
         Error{en::say("not what was kept"), en::say("the cache"), en::say("read the recording")}};
   for (const FoundFace& face : faces->found)
     if (face.edges.upper.v.size() != face.edges.u.size()) return {{}, "an edge of another length"};
-  return {{}, faces->kept.size() == faces->faces.size() ? "" : "faces of no row"};
+  return {{}, faces->retained.size() == faces->faces.size() ? "" : "faces of no row"};
 }
 
 }  // namespace

@@ -63,15 +63,15 @@ CalibrationInputs some_inputs() {
   CalibrationInputs inputs;
   inputs.date = "2026-01-31T12:00:00Z";
   inputs.program_version = "0.1.0";
-  inputs.said.operator_name = "Ada";
-  inputs.said.ball_radius_mm = 3.975;
+  inputs.press_set.operator_name = "Ada";
+  inputs.press_set.ball_radius_mm = 3.975;
   inputs.finger_checksum = inputs.reference_checksum = "0123456789abcdef";
   inputs.presses = {{"press_0", "0000000000000001"}, {"12", "1111111111111111"}};
-  inputs.said.notes["press_0"].ball_radius_mm = 6.25;
-  inputs.said.notes["press_0"].depth = ToldDepth{0.5, 0.02};
-  inputs.said.notes["press_0"].ball_mm = {1.5, -2.25, 48.0625};
-  inputs.said.notes["12"].step_mm = 0.5;
-  inputs.said.notes["12"].excluded = "glove in view";
+  inputs.press_set.notes["press_0"].ball_radius_mm = 6.25;
+  inputs.press_set.notes["press_0"].depth = GivenDepth{0.5, 0.02};
+  inputs.press_set.notes["press_0"].ball_mm = {1.5, -2.25, 48.0625};
+  inputs.press_set.notes["12"].step_mm = 0.5;
+  inputs.press_set.notes["12"].excluded = "glove in view";
   return inputs;
 }
 
@@ -156,7 +156,7 @@ std::vector<std::string> result_seeds() {
 Reading read_results(const std::string& bytes) {
   return reading_of(parse_recorded_contacts(bytes, "results.jsonl"), [](const auto& frames) {
     for (const RecordedContacts& one : frames)
-      if (one.contact && !one.contact->place_mm.allFinite()) return std::string("no place");
+      if (one.contact && !one.contact->position_mm.allFinite()) return std::string("no place");
     return std::string();
   });
 }
@@ -198,7 +198,7 @@ std::vector<std::string> study_seeds() {
   StudyRow row;
   row.frames = 9;
   row.depth = ErrorSpread{0.012, 0.05};
-  row.coverage = 0.98, row.place_mm = 0.02, row.angle_deg = 1.5;
+  row.coverage = 0.98, row.position_mm = 0.02, row.angle_deg = 1.5;
   row.time_ms = 2.5, row.time_p95_ms = 3;
   StudyRow real = row;
   real.real = RealErrors{5, 1, {0.004, 0.02}, {ErrorSpread{0.003, 0.01}}};
@@ -239,7 +239,7 @@ std::vector<Reader> yaml_readers() {
          return reading_of(Scene::parse(bytes, "scene.yaml"), kNoLaw);
        }},
       {"calibration_inputs", [] { return std::vector{some_inputs().to_yaml()}; }, read_inputs},
-      {"press_notes", [] { return std::vector{some_inputs().said.to_yaml()}; }, read_notes},
+      {"press_notes", [] { return std::vector{some_inputs().press_set.to_yaml()}; }, read_notes},
       {"measuring", measuring_seeds, read_measuring},
       {"gripper", texts({kGripper}), read_gripper},
       {"network_check",

@@ -2,11 +2,11 @@
 
 #include "core/sources/v4l2/camera_controls.h"
 #include "widgets/controls/control_panel.h"
+#include "widgets/image/outline_editor.h"
+#include "widgets/image/overlays.h"
 #include "widgets/inspect/gripper_dialog.h"
 #include "widgets/inspect/second_finger_dialog.h"
-#include "widgets/picture/outline_editor.h"
-#include "widgets/picture/overlays.h"
-#include "widgets/places/record_place.h"
+#include "widgets/pages/record_page.h"
 #include "widgets/plots/convergence_plot.h"
 #include "widgets/plots/mapping_plot.h"
 #include "widgets/plots/press_error_plot.h"
@@ -37,8 +37,8 @@ Shown image_view() {
   Markers markers;
   for (int i = 0; i < 12; ++i)
     markers.push_back({60.0 + 70 * (i % 6), i < 6 ? 50.0 : 220.0, i % 4 != 3, 0.1});
-  view->show_picture(grey,
-                     {markers_overlay(markers), colour_bar_overlay(depth_scale(1.0), "Depth, mm")});
+  view->show_image(grey,
+                   {markers_overlay(markers), colour_bar_overlay(depth_scale(1.0), "Depth, mm")});
   return view;
 }
 
@@ -56,7 +56,7 @@ Shown outline_editor() {
   for (int v = 0; v < grey.rows; ++v)
     for (int u = 0; u < grey.cols; ++u)
       if (std::hypot(u - 610, v - 240) < 41) grey.at<std::uint8_t>(v, u) = 70;
-  editor->show_picture(grey, {});
+  editor->show_image(grey, {});
   if (camera) editor->set_ball(ShownBall{*camera, 4, {12, -4, 52}, true});
   return editor;
 }
@@ -94,11 +94,11 @@ Shown coverage_view() {
   coverage.begin();
   for (int i = 0; i < 400; ++i) {
     const double turn = 0.05 * i, reach = 0.015 * i;
-    coverage.add(TipPlace{{0, 0.4 * reach * std::sin(turn), 60 + reach * std::cos(turn)},
-                          {0, 0, 1},
-                          0.3 * reach * M_PI / 180});
+    coverage.add(TipPose{{0, 0.4 * reach * std::sin(turn), 60 + reach * std::cos(turn)},
+                         {0, 0, 1},
+                         0.3 * reach * M_PI / 180});
   }
-  view->show_coverage(coverage.picture());
+  view->show_coverage(coverage.state());
   return view;
 }
 
@@ -148,7 +148,7 @@ Shown press_error_plot() {
 Shown step_list() {
   auto list = std::make_unique<StepList>();
   list->show_steps({{"Lens", StepState::kDone, true, {}},
-                    {"Presses", StepState::kLookAgain, true, {}},
+                    {"Presses", StepState::kOutdated, true, {}},
                     {"Mapping", StepState::kToDo, true, {}},
                     {"Verdict", StepState::kToDo, false, "There is no mapping yet."}},
                    2);
@@ -166,7 +166,7 @@ Shown convergence_plot() {
 
 Shown gripper_dialog() {
   return std::make_unique<GripperDialog>(
-      "left-07", RigidTransform{rotation_of_degrees({0, 90, -12.5}), {-42.5, 0, 18}});
+      "left-07", RigidTransform{rotation_from_rpy_deg({0, 90, -12.5}), {-42.5, 0, 18}});
 }
 
 Shown second_finger_dialog() {
@@ -196,7 +196,7 @@ class EmptyRecording : public QWidget {
     return Error{en::say("the gallery has no fingers"), "", en::say("the Studio itself")};
   }
   LiveSession session_;
-  RecordPlace place_;
+  RecordPage place_;
 };
 
 Shown empty_recording() {

@@ -159,9 +159,9 @@ TEST_F(Kinds, AFileManagerGetsAThumbnailOfDepthAndOfMeshes) {
     called = std::regex_replace(called, std::regex("%s"), "128");
     const ProgramRun run = run_shell(std::string("'") + ALLTACT_PROGRAM + "' " + called);
     ASSERT_EQ(run.status, 0) << name << run.errors;
-    const cv::Mat picture = cv::imread(small.string(), cv::IMREAD_UNCHANGED);
-    EXPECT_EQ(std::max(picture.cols, picture.rows), 128) << name;
-    EXPECT_EQ(picture.type(), CV_8UC4) << name;
+    const cv::Mat image = cv::imread(small.string(), cv::IMREAD_UNCHANGED);
+    EXPECT_EQ(std::max(image.cols, image.rows), 128) << name;
+    EXPECT_EQ(image.type(), CV_8UC4) << name;
     fs::remove(small);
   }
 }

@@ -47,7 +47,7 @@ TEST_F(Installed, FindsItsPartsLibrariesAndResources) {
           " --frames 1 -o " + quoted(*folder_ / "rendered"));
   EXPECT_EQ(scene.status, 0) << scene.errors;
   const ProgramRun drawing =
-      run_shell("ldd " + quoted(tree() / "lib/alltact/liballtact-pictures.so"));
+      run_shell("ldd " + quoted(tree() / "lib/alltact/liballtact-figures.so"));
   EXPECT_THAT(drawing.output, HasSubstr("another place"));
   EXPECT_THAT(drawing.output, Not(HasSubstr("not found")));
   const ProgramRun studio =

@@ -25,7 +25,7 @@ Status calibrate(const Arguments& arguments) {
   FingerCalibrationInput input;
   input.folder = arguments[0];
   input.presses.files.assign(arguments.begin() + 1, arguments.end());
-  input.said.ball_radius_mm = 4;
+  input.press_set.ball_radius_mm = 4;
   input.date = "2026-02-01T12:00:00Z";
   input.program_version = "0.1.0";
   const auto done = calibrate_finger(input, Job());
@@ -49,19 +49,19 @@ Status run(const std::string& what, const Arguments& arguments) {
   if (what == "calibrate") return calibrate(arguments);
   if (what == "record") return record(arguments[0], static_cast<unsigned>(std::stoi(arguments[1])));
   if (what == "picture") {
-    const auto picture = read_untouched_picture(arguments[1]);
-    if (!picture) return picture.error();
-    const auto given = give_untouched_picture(place, *picture);
+    const auto image = read_untouched_image(arguments[1]);
+    if (!image) return image.error();
+    const auto given = set_untouched_image(place, *image);
     return given ? Status() : given.error();
   }
   if (what == "reference") {
-    const auto given = give_reference(place, {arguments[1]}, Job());
+    const auto given = set_reference(place, {arguments[1]}, Job());
     return given ? Status() : given.error();
   }
   if (what == "notes") {
     PressSet notes;
     notes.ball_radius_mm = std::stod(arguments[1]);
-    return FingerStore::of(place)->keep_presses(notes);
+    return FingerStore::of(place)->save_presses(notes);
   }
   if (what == "rename") {
     const auto changed = FingerStore::of(place)->update(

@@ -117,7 +117,7 @@ class FakeCamera : public V4l2Calls {
   std::uint32_t fill(std::span<std::uint8_t> memory);
   void tell(std::uint32_t control_id, const Handle* cause);
   void push_event(Handle& handle, v4l2_event event);
-  void adjust(v4l2_pix_format& picture) const;
+  void adjust(v4l2_pix_format& image) const;
   void pump();
   int injected(std::map<unsigned long, Failure>& failures, unsigned long key);
 

@@ -198,11 +198,11 @@ int FakeCamera::enumerate(unsigned long request, void* argument) {
 }
 
 /// The nearest that the camera has.
-void FakeCamera::adjust(v4l2_pix_format& picture) const {
-  const auto wish = std::pair(picture.width, picture.height);
+void FakeCamera::adjust(v4l2_pix_format& image) const {
+  const auto wish = std::pair(image.width, image.height);
   const auto& fourccs = options_.fourccs;
-  if (std::find(fourccs.begin(), fourccs.end(), picture.pixelformat) == fourccs.end())
-    picture.pixelformat = fourccs.front();
+  if (std::find(fourccs.begin(), fourccs.end(), image.pixelformat) == fourccs.end())
+    image.pixelformat = fourccs.front();
   const auto distance = [&](const std::pair<std::uint32_t, std::uint32_t>& size) {
     return std::abs(std::int64_t{size.first} - std::int64_t{wish.first}) +
            std::abs(std::int64_t{size.second} - std::int64_t{wish.second});
@@ -211,18 +211,18 @@ void FakeCamera::adjust(v4l2_pix_format& picture) const {
       options_.sizes.begin(), options_.sizes.end(), [&](const auto& a, const auto& b) {
         return distance(a) < distance(b);
       });
-  std::tie(picture.width, picture.height) = *nearest;
-  if (is_refusing_size_) picture.width = 160, picture.height = 120;
-  const bool is_jpeg = picture.pixelformat == V4L2_PIX_FMT_MJPEG;
-  picture.field = V4L2_FIELD_NONE;
-  picture.bytesperline = is_jpeg ? 0 : picture.width * bytes_per_pixel(picture.pixelformat);
-  picture.sizeimage = picture.width * picture.height * 2;
-  picture.colorspace = is_jpeg ? V4L2_COLORSPACE_JPEG : V4L2_COLORSPACE_SRGB;
-  picture.priv = V4L2_PIX_FMT_PRIV_MAGIC;
-  picture.flags = 0;
-  picture.ycbcr_enc = V4L2_YCBCR_ENC_DEFAULT;
-  picture.quantization = V4L2_QUANTIZATION_DEFAULT;
-  picture.xfer_func = V4L2_XFER_FUNC_DEFAULT;
+  std::tie(image.width, image.height) = *nearest;
+  if (is_refusing_size_) image.width = 160, image.height = 120;
+  const bool is_jpeg = image.pixelformat == V4L2_PIX_FMT_MJPEG;
+  image.field = V4L2_FIELD_NONE;
+  image.bytesperline = is_jpeg ? 0 : image.width * bytes_per_pixel(image.pixelformat);
+  image.sizeimage = image.width * image.height * 2;
+  image.colorspace = is_jpeg ? V4L2_COLORSPACE_JPEG : V4L2_COLORSPACE_SRGB;
+  image.priv = V4L2_PIX_FMT_PRIV_MAGIC;
+  image.flags = 0;
+  image.ycbcr_enc = V4L2_YCBCR_ENC_DEFAULT;
+  image.quantization = V4L2_QUANTIZATION_DEFAULT;
+  image.xfer_func = V4L2_XFER_FUNC_DEFAULT;
 }
 
 int FakeCamera::format(unsigned long request, void* argument, const Handle& handle) {

@@ -3,7 +3,7 @@
 #include "tests/support/temporary_folder.h"
 #include "widgets/scene3d/face_grid.h"
 #include "widgets/scene3d/face_mesh.h"
-#include "widgets/scene3d/scene_pictures.h"
+#include "widgets/scene3d/offscreen_scene.h"
 
 #include <cstdlib>
 #include <limits>
@@ -29,24 +29,24 @@ cv::Vec3d of(MapColour c) {
 
 class FaceSceneTest : public testing::Test {
  protected:
-  FaceSceneTest() : pictures_(ScenePictures::create(kSize).value()) {
+  FaceSceneTest() : renderer_(OffscreenScene::create(kSize).value()) {
     options_.untouched = false;
     options_.camera = false;
     scene().set_options(options_);
-    scene().look_from(Standpoint::kCamera);
+    scene().set_viewpoint(Viewpoint::kCamera);
   }
-  FaceScene& scene() { return pictures_.scene(); }
+  FaceScene& scene() { return renderer_.scene(); }
   void show(const FaceSurface& surface) { scene().show(surface, MadeSurface::camera()); }
   /// The colour where a pixel of the camera's picture is drawn.
   cv::Vec3b at(cv::Point2d pixel) {
-    const cv::Mat picture = pictures_.picture();
-    const auto place = scene().place_of(pixel);
+    const cv::Mat image = renderer_.image();
+    const auto place = scene().window_pixel_of(pixel);
     if (!place) return {};
-    return picture.at<cv::Vec3b>(cv::Point(*place));
+    return image.at<cv::Vec3b>(cv::Point(*place));
   }
   MadeSurface made_;
   SceneOptions options_;
-  ScenePictures pictures_;
+  OffscreenScene renderer_;
   const cv::Point2d middle_{479.5, 269.5};
 };
 
@@ -82,12 +82,11 @@ TEST_F(FaceSceneTest, ShowsDifferencesAroundZero) {
 TEST_F(FaceSceneTest, FindsThePixelUnderThePointer) {
   made_.slope = 0.6;
   show(made_.make(193, 109));
-  for (const Standpoint standpoint :
-       {Standpoint::kTilted, Standpoint::kCamera, Standpoint::kOutside}) {
-    scene().look_from(standpoint);
+  for (const Viewpoint viewpoint : {Viewpoint::kTilted, Viewpoint::kCamera, Viewpoint::kOutside}) {
+    scene().set_viewpoint(viewpoint);
     for (const cv::Point2d pixel :
          {cv::Point2d(50, 60), cv::Point2d(479.5, 269.5), cv::Point2d(900, 500)}) {
-      const auto place = scene().place_of(pixel);
+      const auto place = scene().window_pixel_of(pixel);
       ASSERT_TRUE(place);
       EXPECT_GT(place->x, 0);
       EXPECT_LT(place->x, kSize.width - 78) << "beside the scale";
@@ -104,70 +103,74 @@ TEST_F(FaceSceneTest, FindsThePixelUnderThePointer) {
 
 TEST_F(FaceSceneTest, TheCamerasOwnViewIsThePictureUpright) {
   show(made_.make(193, 109));
-  const auto left = scene().place_of({10, 269.5}), right = scene().place_of({940, 269.5});
-  const auto top = scene().place_of({479.5, 10});
+  const auto left = scene().window_pixel_of({10, 269.5}),
+             right = scene().window_pixel_of({940, 269.5});
+  const auto top = scene().window_pixel_of({479.5, 10});
   ASSERT_TRUE(left && right && top);
   EXPECT_LT(left->x, right->x);
   EXPECT_LT(top->y, left->y);
-  scene().look_from(Standpoint::kOutside);
-  EXPECT_GT(scene().place_of({10, 269.5})->x, scene().place_of({940, 269.5})->x)
+  scene().set_viewpoint(Viewpoint::kOutside);
+  EXPECT_GT(scene().window_pixel_of({10, 269.5})->x, scene().window_pixel_of({940, 269.5})->x)
       << "from behind, left is right";
 }
 
 TEST_F(FaceSceneTest, DrawsDepthLargerWhenAsked) {
   show(made_.make(193, 109));
-  scene().look_from(Standpoint::kSide);
-  const double plain = scene().place_of({10, 269.5})->y - scene().place_of(middle_)->y;
-  options_.times = 5;
+  scene().set_viewpoint(Viewpoint::kSide);
+  const double plain =
+      scene().window_pixel_of({10, 269.5})->y - scene().window_pixel_of(middle_)->y;
+  options_.exaggeration = 5;
   scene().set_options(options_);
-  const double larger = scene().place_of({10, 269.5})->y - scene().place_of(middle_)->y;
+  const double larger =
+      scene().window_pixel_of({10, 269.5})->y - scene().window_pixel_of(middle_)->y;
   EXPECT_GT(plain, 0) << "pressed towards the camera, which is above";
   EXPECT_NEAR(larger / plain, 5, 0.3);
 }
 
 TEST_F(FaceSceneTest, DrawsMarksTheUntouchedFaceAndTheCamera) {
   show(made_.make(193, 109));
-  const cv::Mat bare = pictures_.picture();
+  const cv::Mat bare = renderer_.image();
   scene().set_marks({{cv::Point2d(200, 200)}, {{{100, 300}, {500, 300}, {800, 300}}}});
-  const cv::Mat marked = pictures_.picture();
+  const cv::Mat marked = renderer_.image();
   EXPECT_GT(cv::countNonZero(cv::Mat(bare != marked).reshape(1)), 300);
   EXPECT_LT(distance(at({200, 200}), {0, 184, 255}), 60);
   scene().set_marks({});
-  EXPECT_EQ(cv::countNonZero(cv::Mat(bare != pictures_.picture()).reshape(1)), 0);
+  EXPECT_EQ(cv::countNonZero(cv::Mat(bare != renderer_.image()).reshape(1)), 0);
   for (const auto member : {&SceneOptions::untouched, &SceneOptions::camera}) {
     SceneOptions more = options_;
     more.*member = true;
     scene().set_options(more);
-    EXPECT_GT(cv::countNonZero(cv::Mat(bare != pictures_.picture()).reshape(1)), 300);
+    EXPECT_GT(cv::countNonZero(cv::Mat(bare != renderer_.image()).reshape(1)), 300);
     scene().set_options(options_);
   }
 }
 
 TEST_F(FaceSceneTest, MovesByKeysAndIsNotPutBackByTheNextFrame) {
   show(made_.make(193, 109));
-  const Eigen::Vector3d first = scene().look().eye;
+  const Eigen::Vector3d first = scene().view_pose().eye;
   scene().turn(20, 10);
-  const Eigen::Vector3d turned = scene().look().eye;
+  const Eigen::Vector3d turned = scene().view_pose().eye;
   EXPECT_GT((turned - first).norm(), 1);
   show(made_.make(193, 109));
   scene().fit();
-  EXPECT_EQ(scene().look().eye, turned);
-  scene().look_from(Standpoint::kCamera);
-  EXPECT_LT((scene().look().eye - first).norm(), 1e-6);
-  const double before = scene().place_of(middle_)->x;
+  EXPECT_EQ(scene().view_pose().eye, turned);
+  scene().set_viewpoint(Viewpoint::kCamera);
+  EXPECT_LT((scene().view_pose().eye - first).norm(), 1e-6);
+  const double before = scene().window_pixel_of(middle_)->x;
   scene().shift(0.25, 0);
-  EXPECT_NEAR(scene().place_of(middle_)->x - before, 0.25 * kSize.height, 3);
-  scene().come_closer(2);
-  EXPECT_GT(scene().place_of({900, 269.5})->x, kSize.width) << "twice as near, twice as large";
+  EXPECT_NEAR(scene().window_pixel_of(middle_)->x - before, 0.25 * kSize.height, 3);
+  scene().dolly(2);
+  EXPECT_GT(scene().window_pixel_of({900, 269.5})->x, kSize.width)
+      << "twice as near, twice as large";
 }
 
 TEST_F(FaceSceneTest, TwoScenesMayLookAlike) {
   show(made_.make(50, 40));
-  auto other = ScenePictures::create(kSize).value();
+  auto other = OffscreenScene::create(kSize).value();
   other.scene().show(made_.make(50, 40), MadeSurface::camera());
   scene().turn(15, 5);
-  other.scene().look_as(scene().look());
-  EXPECT_EQ(other.scene().look().eye, scene().look().eye);
+  other.scene().set_view_pose(scene().view_pose());
+  EXPECT_EQ(other.scene().view_pose().eye, scene().view_pose().eye);
 }
 
 TEST_F(FaceSceneTest, TheTopologyIsMadeOnceForAGrid) {
@@ -181,27 +184,27 @@ TEST_F(FaceSceneTest, TheTopologyIsMadeOnceForAGrid) {
 }
 
 TEST_F(FaceSceneTest, ForgetsAFace) {
-  const cv::Mat empty = pictures_.picture();
+  const cv::Mat empty = renderer_.image();
   show(made_.make(60, 40));
   scene().set_marks({{middle_}, {}});
-  EXPECT_GT(cv::countNonZero(cv::Mat(empty != pictures_.picture()).reshape(1)), 1000);
+  EXPECT_GT(cv::countNonZero(cv::Mat(empty != renderer_.image()).reshape(1)), 1000);
   scene().forget();
-  EXPECT_EQ(cv::countNonZero(cv::Mat(empty != pictures_.picture()).reshape(1)), 0);
+  EXPECT_EQ(cv::countNonZero(cv::Mat(empty != renderer_.image()).reshape(1)), 0);
   EXPECT_FALSE(scene().pixel_at(400, 250));
 }
 
 class GripperSceneTest : public FaceSceneTest {
  protected:
   /// Turned so that nothing stands along an axis.
-  const RigidTransform first_{rotation_of_degrees({20, -35, 50}), {60, -20, 15}};
-  const RigidTransform second_{rotation_of_degrees({-10, 120, 5}), {-250, 40, 30}};
+  const RigidTransform first_{rotation_from_rpy_deg({20, -35, 50}), {60, -20, 15}};
+  const RigidTransform second_{rotation_from_rpy_deg({-10, 120, 5}), {-250, 40, 30}};
   void show_both(const FaceSurface& first, const FaceSurface& second) {
     scene().show_in_gripper({first, MadeSurface::camera(), first_},
                             {second, MadeSurface::camera(), second_});
   }
   /// Looks as a camera does that sits there.
   void look_with(const RigidTransform& camera) {
-    scene().look_as(
+    scene().set_view_pose(
         {camera.point({0, 0, -200}), camera.point({0, 0, 100}), camera.direction({0, -1, 0})});
   }
 };
@@ -209,16 +212,16 @@ class GripperSceneTest : public FaceSceneTest {
 TEST_F(GripperSceneTest, PlacesTheFirstFaceWhereItsCameraSits) {
   made_.slope = 0.4;
   show(made_.make(65, 37));
-  scene().look_as({{30, -200, -250}, {0, 0, 100}, {0, -1, 0}});
+  scene().set_view_pose({{30, -200, -250}, {0, 0, 100}, {0, -1, 0}});
   const std::vector<cv::Point2d> pixels{{50, 60}, middle_, {900, 500}};
   std::vector<cv::Point2d> places;
-  for (const auto& pixel : pixels) places.push_back(*scene().place_of(pixel));
-  const cv::Mat alone = pictures_.picture();
+  for (const auto& pixel : pixels) places.push_back(*scene().window_pixel_of(pixel));
+  const cv::Mat alone = renderer_.image();
   show_both(made_.make(65, 37), made_.make(65, 37));
-  scene().look_as(
+  scene().set_view_pose(
       {first_.point({30, -200, -250}), first_.point({0, 0, 100}), first_.direction({0, -1, 0})});
   for (std::size_t i = 0; i < pixels.size(); ++i) {
-    const auto place = scene().place_of(pixels[i]);
+    const auto place = scene().window_pixel_of(pixels[i]);
     ASSERT_TRUE(place);
     EXPECT_LT(cv::norm(*place - places[i]), 0.01) << "a turned gripper seen with the same turn";
     const auto pixel = scene().pixel_at(place->x, place->y);
@@ -234,29 +237,29 @@ TEST_F(GripperSceneTest, ShowsBothFacesOnOneScale) {
   show_both(first, second);
   const cv::Point centre(kSize.width / 2, kSize.height / 2);
   look_with(first_);
-  EXPECT_LT(distance(pictures_.picture().at<cv::Vec3b>(centre), of(viridis(0.8))), 12);
+  EXPECT_LT(distance(renderer_.image().at<cv::Vec3b>(centre), of(viridis(0.8))), 12);
   look_with(second_);
-  EXPECT_LT(distance(pictures_.picture().at<cv::Vec3b>(centre), of(viridis(0.4))), 12);
+  EXPECT_LT(distance(renderer_.image().at<cv::Vec3b>(centre), of(viridis(0.4))), 12);
   EXPECT_FALSE(scene().pixel_at(centre.x, centre.y)) << "points lie on the first finger";
   show(first);
   EXPECT_EQ(scene().pixel_at(1, 1), std::nullopt);
-  scene().look_from(Standpoint::kCamera);
+  scene().set_viewpoint(Viewpoint::kCamera);
   EXPECT_LT(distance(at(middle_), of(viridis(0.8))), 12) << "alone again, in its camera's frame";
 }
 
 TEST_F(GripperSceneTest, LooksSoThatBothAreInSight) {
   const FaceSurface face = made_.make(65, 37);
-  for (const Standpoint standpoint :
-       {Standpoint::kTilted, Standpoint::kCamera, Standpoint::kOutside, Standpoint::kSide}) {
+  for (const Viewpoint viewpoint :
+       {Viewpoint::kTilted, Viewpoint::kCamera, Viewpoint::kOutside, Viewpoint::kSide}) {
     show_both(face, face);
-    scene().look_from(standpoint);
-    const auto first = scene().place_of(middle_);
+    scene().set_viewpoint(viewpoint);
+    const auto first = scene().window_pixel_of(middle_);
     // The other way round the second one's place can be asked for.
-    const Look look = scene().look();
+    const ViewPose look = scene().view_pose();
     scene().show_in_gripper({face, MadeSurface::camera(), second_},
                             {face, MadeSurface::camera(), first_});
-    scene().look_as(look);
-    const auto second = scene().place_of(middle_);
+    scene().set_view_pose(look);
+    const auto second = scene().window_pixel_of(middle_);
     for (const auto& place : {first, second}) {
       ASSERT_TRUE(place);
       EXPECT_GT(place->x, 0);
@@ -270,16 +273,16 @@ TEST_F(GripperSceneTest, LooksSoThatBothAreInSight) {
 TEST_F(GripperSceneTest, DrawsTheGapAndTheFrames) {
   const FaceSurface face = made_.make(65, 37);
   show_both(face, face);
-  const cv::Mat bare = pictures_.picture();
+  const cv::Mat bare = renderer_.image();
   scene().set_gap(NearestPoints{first_.point({0, 0, 100}), second_.point({0, 0, 100})});
-  EXPECT_GT(cv::countNonZero(cv::Mat(bare != pictures_.picture()).reshape(1)), 300);
+  EXPECT_GT(cv::countNonZero(cv::Mat(bare != renderer_.image()).reshape(1)), 300);
   scene().set_gap(std::nullopt);
-  EXPECT_EQ(cv::countNonZero(cv::Mat(bare != pictures_.picture()).reshape(1)), 0);
+  EXPECT_EQ(cv::countNonZero(cv::Mat(bare != renderer_.image()).reshape(1)), 0);
   options_.camera = true;
   scene().set_options(options_);
   if (const char* folder = std::getenv("ALLTACT_LOOK_AT"))
-    cv::imwrite(std::string(folder) + "/gripper.png", pictures_.picture());
-  EXPECT_GT(cv::countNonZero(cv::Mat(bare != pictures_.picture()).reshape(1)), 600);
+    cv::imwrite(std::string(folder) + "/gripper.png", renderer_.image());
+  EXPECT_GT(cv::countNonZero(cv::Mat(bare != renderer_.image()).reshape(1)), 600);
 }
 
 TEST(FaceMesh, PlacesNormalsAndTriangles) {
@@ -304,13 +307,13 @@ TEST(FaceGrid, PixelsAndPlacesAreEachOthersInverse) {
   for (const cv::Point2d place :
        {cv::Point2d(0, 0), cv::Point2d(32, 20), cv::Point2d(3.25, 7.75)}) {
     const cv::Vec2f pixel = pixel_between(surface.pixel, place);
-    const auto back = grid_place_of(surface, {pixel[0], pixel[1]});
+    const auto back = grid_position_of(surface, {pixel[0], pixel[1]});
     ASSERT_TRUE(back);
     EXPECT_NEAR(back->x, place.x, 1e-4);
     EXPECT_NEAR(back->y, place.y, 1e-4);
   }
-  EXPECT_FALSE(grid_place_of(surface, {-1, 100}));
-  EXPECT_FALSE(grid_place_of(surface, {100, 542}));
+  EXPECT_FALSE(grid_position_of(surface, {-1, 100}));
+  EXPECT_FALSE(grid_position_of(surface, {100, 542}));
 }
 
 TEST(FaceGrid, RaysMeetTheNearerOfTwoFolds) {

@@ -3,8 +3,8 @@
 #include "tests/support/made_surface.h"
 #include "widgets/scene3d/face_grid.h"
 #include "widgets/scene3d/finger_body.h"
+#include "widgets/scene3d/offscreen_scene.h"
 #include "widgets/scene3d/ruler.h"
-#include "widgets/scene3d/scene_pictures.h"
 
 #include <cstdlib>
 #include <random>
@@ -107,42 +107,42 @@ TEST(GridBoxes, FindsEveryPointThatARayIsSentTo) {
 
 class FingerSceneTest : public testing::Test {
  protected:
-  FingerSceneTest() : pictures_(ScenePictures::create(kFingerView).value()) {
+  FingerSceneTest() : renderer_(OffscreenScene::create(kFingerView).value()) {
     scene().set_options(options_);
   }
-  FaceScene& scene() { return pictures_.scene(); }
+  FaceScene& scene() { return renderer_.scene(); }
   void show(const FaceSurface& surface) { scene().show(surface, MadeSurface::camera()); }
   void look_at_it(const std::string& name) {
     if (const char* folder = std::getenv("ALLTACT_LOOK_AT"))
-      cv::imwrite(std::string(folder) + "/" + name + ".png", pictures_.picture());
+      cv::imwrite(std::string(folder) + "/" + name + ".png", renderer_.image());
   }
   cv::Vec3d at(cv::Point2d pixel) {
-    const cv::Mat picture = pictures_.picture();
-    const auto place = scene().place_of(pixel);
-    return place ? cv::Vec3d(picture.at<cv::Vec3b>(cv::Point(*place))) : cv::Vec3d();
+    const cv::Mat image = renderer_.image();
+    const auto place = scene().window_pixel_of(pixel);
+    return place ? cv::Vec3d(image.at<cv::Vec3b>(cv::Point(*place))) : cv::Vec3d();
   }
   /// What is drawn, without the scale of the colours at the right.
   cv::Rect drawn() {
     cv::Mat grey;
-    cv::cvtColor(pictures_.picture(), grey, cv::COLOR_BGR2GRAY);
+    cv::cvtColor(renderer_.image(), grey, cv::COLOR_BGR2GRAY);
     const cv::Mat free = grey(cv::Rect(0, 0, kFingerView.width - 78, kFingerView.height));
     return cv::boundingRect(free < 250);
   }
   SceneOptions options_;
-  ScenePictures pictures_;
+  OffscreenScene renderer_;
 };
 
 TEST_F(FingerSceneTest, FillsTheView) {
-  for (const Standpoint standpoint :
-       {Standpoint::kTilted, Standpoint::kCamera, Standpoint::kOutside, Standpoint::kSide}) {
-    scene().look_from(standpoint);
+  for (const Viewpoint viewpoint :
+       {Viewpoint::kTilted, Viewpoint::kCamera, Viewpoint::kOutside, Viewpoint::kSide}) {
+    scene().set_viewpoint(viewpoint);
     show(MadeFinger().make());
-    look_at_it("finger_" + std::to_string(static_cast<int>(standpoint)));
+    look_at_it("finger_" + std::to_string(static_cast<int>(viewpoint)));
     const cv::Rect box = drawn();
     const double across = box.width / (kFingerView.width - 78.0),
                  up = box.height / (kFingerView.height + 0.0);
-    EXPECT_GT(std::max(across, up), 0.88) << static_cast<int>(standpoint);
-    if (standpoint == Standpoint::kCamera) continue;  // side faces reach out of what it sees
+    EXPECT_GT(std::max(across, up), 0.88) << static_cast<int>(viewpoint);
+    if (viewpoint == Viewpoint::kCamera) continue;  // side faces reach out of what it sees
     EXPECT_GT(box.x, 0) << "nothing is cut off";
     EXPECT_GT(box.y, 0);
     EXPECT_LT(box.br().y, kFingerView.height);
@@ -151,17 +151,16 @@ TEST_F(FingerSceneTest, FillsTheView) {
 
 TEST_F(FingerSceneTest, NothingHidesTheFace) {
   const cv::Point2d middle(479.5, 269.5), beside(300, 269.5);
-  for (const Standpoint standpoint :
-       {Standpoint::kTilted, Standpoint::kCamera, Standpoint::kOutside}) {
-    scene().look_from(standpoint);
+  for (const Viewpoint viewpoint : {Viewpoint::kTilted, Viewpoint::kCamera, Viewpoint::kOutside}) {
+    scene().set_viewpoint(viewpoint);
     show(MadeFinger().make());
-    const Look look = scene().look();
+    const ViewPose look = scene().view_pose();
     const cv::Vec3d deep = at(middle), flat = at(beside);
     options_.body = options_.ruler = options_.camera = false;
     scene().set_options(options_);
-    scene().look_as(look);
-    EXPECT_LT(cv::norm(at(middle) - deep), 3) << static_cast<int>(standpoint);
-    EXPECT_LT(cv::norm(at(beside) - flat), 3) << static_cast<int>(standpoint);
+    scene().set_view_pose(look);
+    EXPECT_LT(cv::norm(at(middle) - deep), 3) << static_cast<int>(viewpoint);
+    EXPECT_LT(cv::norm(at(beside) - flat), 3) << static_cast<int>(viewpoint);
     options_ = {};
     scene().set_options(options_);
   }
@@ -177,12 +176,12 @@ TEST_F(FingerSceneTest, LightShowsFiveHundredthsOfAMillimetre) {
   options_.top_mm = 10;
   options_.camera = false;
   scene().set_options(options_);
-  scene().look_from(Standpoint::kCamera);
+  scene().set_viewpoint(Viewpoint::kCamera);
   show(surface);
   look_at_it("five_hundredths");
   cv::Mat grey;
-  cv::cvtColor(pictures_.picture(), grey, cv::COLOR_BGR2GRAY);
-  const auto middle = *scene().place_of({479.5, 269.5});
+  cv::cvtColor(renderer_.image(), grey, cv::COLOR_BGR2GRAY);
+  const auto middle = *scene().window_pixel_of({479.5, 269.5});
   const cv::Mat dent = grey(cv::Rect(cv::Point(middle) - cv::Point(14, 14), cv::Size(28, 28)));
   double low = 0, high = 0;
   cv::minMaxLoc(dent, &low, &high);
@@ -193,14 +192,14 @@ TEST_F(FingerSceneTest, LightShowsFiveHundredthsOfAMillimetre) {
 
 TEST_F(FingerSceneTest, TheBodyAndTheRulerCanBeTakenAway) {
   show(MadeFinger().make());
-  const cv::Mat all = pictures_.picture();
-  const Look look = scene().look();
+  const cv::Mat all = renderer_.image();
+  const ViewPose look = scene().view_pose();
   for (const auto member : {&SceneOptions::body, &SceneOptions::ruler}) {
     SceneOptions less = options_;
     less.*member = false;
     scene().set_options(less);
-    scene().look_as(look);
-    EXPECT_GT(cv::countNonZero(cv::Mat(all != pictures_.picture()).reshape(1)), 300);
+    scene().set_view_pose(look);
+    EXPECT_GT(cv::countNonZero(cv::Mat(all != renderer_.image()).reshape(1)), 300);
   }
 }
 

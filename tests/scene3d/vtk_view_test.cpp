@@ -61,16 +61,15 @@ QImage picture_of(VtkView& view) {
 
 /// Red in the middle, blue in the corners, opaque everywhere.
 void expect_the_ball(VtkView& view) {
-  const QImage picture = picture_of(view);
+  const QImage image = picture_of(view);
   const QSize pixels = (QSizeF(view.size()) * view.devicePixelRatioF()).toSize();
-  EXPECT_EQ(picture.size(), pixels);
-  EXPECT_EQ(picture.pixelColor(picture.width() / 2, picture.height() / 2), QColor(255, 0, 0));
-  EXPECT_EQ(picture.pixelColor(4, 4), QColor(0, 0, 255));
-  EXPECT_EQ(picture.pixelColor(picture.width() - 5, picture.height() - 5), QColor(0, 0, 255));
+  EXPECT_EQ(image.size(), pixels);
+  EXPECT_EQ(image.pixelColor(image.width() / 2, image.height() / 2), QColor(255, 0, 0));
+  EXPECT_EQ(image.pixelColor(4, 4), QColor(0, 0, 255));
+  EXPECT_EQ(image.pixelColor(image.width() - 5, image.height() - 5), QColor(0, 0, 255));
   int see_through = 0;
-  for (int y = 0; y < picture.height(); y += 7)
-    for (int x = 0; x < picture.width(); x += 7)
-      see_through += picture.pixelColor(x, y).alpha() < 255;
+  for (int y = 0; y < image.height(); y += 7)
+    for (int x = 0; x < image.width(); x += 7) see_through += image.pixelColor(x, y).alpha() < 255;
   EXPECT_EQ(see_through, 0);
 }
 

@@ -23,19 +23,19 @@ TEST(HardCases, OursHoldWhereThePlainFormulaFails) {
   ASSERT_GT(rows().size(), 30U);
   std::set<std::string> names;
   for (const HardRow& row : rows()) {
-    const HardCase one = judged(row, row.our_answers);
+    const HardCase one = judged(row, row.own_answers);
     std::printf("[ figures  ] %s: plain %.2g, ours %.2g, bound %.2g %s, answered %.3f of %zu\n",
                 one.what.c_str(),
-                one.plain_score.error,
-                one.our_score.error,
+                one.naive_score.error,
+                one.own_score.error,
                 one.bound,
                 one.unit.c_str(),
-                one.our_score.answered,
+                one.own_score.answered,
                 row.questions.size());
     EXPECT_TRUE(one.holds()) << one.what;
-    EXPECT_TRUE(one.plain_fails()) << one.what;
+    EXPECT_TRUE(one.naive_fails()) << one.what;
     // What only just fails would show little.
-    EXPECT_GE(one.plain_score.error, 2 * one.our_score.error) << one.what;
+    EXPECT_GE(one.naive_score.error, 2 * one.own_score.error) << one.what;
     EXPECT_TRUE(names.insert(one.what).second) << one.what;
   }
 }
@@ -59,7 +59,7 @@ const std::string& all_reasons(const HardRow& row) {
 }
 
 HardAnswer filled(const HardRow& row, std::size_t question, double value) {
-  HardAnswer answer = row.our_answers[question];
+  HardAnswer answer = row.own_answers[question];
   const std::size_t count = answer.values.empty() ? 1 : answer.values.size();
   answer.values.assign(count, value);
   return answer;
@@ -79,13 +79,13 @@ const std::vector<Fault>& faults() {
        [](const HardRow& row, std::size_t i) { return filled(row, i, 1e300); }},
       {"a tenth too large",
        [](const HardRow& row, std::size_t i) {
-         HardAnswer answer = row.our_answers[i];
+         HardAnswer answer = row.own_answers[i];
          for (double& value : answer.values) value = 1.1 * value + 1;
          return answer;
        }},
       {"the last question refused, the first one wrong",
        [](const HardRow& row, std::size_t i) {
-         HardAnswer answer = row.our_answers[i];
+         HardAnswer answer = row.own_answers[i];
          if (i == 0) answer = filled(row, i, 1e9);
          return i + 1 == row.questions.size() ? HardAnswer{} : answer;
        }},
@@ -95,8 +95,8 @@ const std::vector<Fault>& faults() {
 
 TEST(HardCases, NoRowHoldsWithoutItsAnswers) {
   for (const HardRow& row : rows()) {
-    ASSERT_EQ(row.our_answers.size(), row.questions.size()) << row.what;
-    ASSERT_EQ(row.plain_answers.size(), row.questions.size()) << row.what;
+    ASSERT_EQ(row.own_answers.size(), row.questions.size()) << row.what;
+    ASSERT_EQ(row.naive_answers.size(), row.questions.size()) << row.what;
     for (const Fault& fault : faults()) {
       std::vector<HardAnswer> answers;
       for (std::size_t i = 0; i < row.questions.size(); ++i)
@@ -108,7 +108,7 @@ TEST(HardCases, NoRowHoldsWithoutItsAnswers) {
 
 TEST(HardCases, HalfOfTheAnswersAreNotEnough) {
   for (const HardRow& row : rows()) {
-    std::vector<HardAnswer> answers = row.our_answers;
+    std::vector<HardAnswer> answers = row.own_answers;
     for (std::size_t i = 0; i < answers.size(); i += 2) answers[i] = HardAnswer{};
     EXPECT_FALSE(judged(row, answers).holds()) << row.what;
   }
@@ -140,7 +140,7 @@ TEST(HardCases, MeasuresAreWhatTheySay) {
 
 TEST(HardCases, APromiseIsWrongInBothWays) {
   const auto error = [](double sd) {
-    const HardRow row = small_row(HardMeasure::kPromise);
+    const HardRow row = small_row(HardMeasure::kSdAccuracy);
     std::vector<HardAnswer> answers;
     for (const HardQuestion& question : row.questions)
       answers.push_back({{question.truth[0] + 1, sd}, ""});
@@ -156,13 +156,13 @@ TEST(HardCases, ARefusalNeedsItsReason) {
   HardRow row{"", "", "", 0};
   row.ask({{1.0}, {}, 1}, {}, {{1.0}, ""});
   row.ask({{}, {"folds over"}, 1}, {}, {{}, "the lens folds over there"});
-  EXPECT_TRUE(judged(row, row.our_answers).holds());
+  EXPECT_TRUE(judged(row, row.own_answers).holds());
   EXPECT_FALSE(judged(row, {{{1.0}, ""}, {{}, "no"}}).holds());
   EXPECT_FALSE(judged(row, {{{1.0}, ""}, {{1.0}, "folds over"}}).holds());
   // Nothing that has a number: nothing is shown.
   HardRow only{"", "", "", 0};
   only.ask({{}, {"folds over"}, 1}, {}, {{}, "folds over"});
-  EXPECT_FALSE(judged(only, only.our_answers).holds());
+  EXPECT_FALSE(judged(only, only.own_answers).holds());
 }
 
 }  // namespace

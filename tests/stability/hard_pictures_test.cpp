@@ -47,7 +47,7 @@ class HardPictures : public testing::Test {
         }
     EXPECT_TRUE(std::isfinite(map.noise_mm) && std::isfinite(map.live_sd));
     for (const ContactRegion& region : result.regions)
-      EXPECT_TRUE(region.place_mm.allFinite() && std::isfinite(region.volume_mm3) &&
+      EXPECT_TRUE(region.position_mm.allFinite() && std::isfinite(region.volume_mm3) &&
                   std::isfinite(region.deepest_mm) && std::isfinite(region.area_mm2));
   }
 
@@ -56,9 +56,9 @@ class HardPictures : public testing::Test {
   }
 
   Pipeline pipeline_ =
-      Pipeline::over(ReferenceLibrary::single(test::untouched_picture(1)).value(),
-                     FingerSnapshot::of({}, test::flat_sensor_finger(true)).value(),
-                     PipelineSettings{});
+      Pipeline::with_library(ReferenceLibrary::single(test::untouched_picture(1)).value(),
+                             FingerSnapshot::of({}, test::flat_sensor_finger(true)).value(),
+                             PipelineSettings{});
 };
 
 double part_measured(const DepthMap& map) {
@@ -166,12 +166,14 @@ TEST_F(HardPictures, ContactsThatTouchKeepTheirDepthsAndVolume) {
   for (const float d : depth) truth += static_cast<double>(d) * std::pow(FlatSensor::kMmPerPx, 2);
   EXPECT_NEAR(volume / truth, 1, 0.08);
   if (result.regions.size() == 2) {
-    const double left = std::min(result.regions[0].place_px.x(), result.regions[1].place_px.x());
-    const double right = std::max(result.regions[0].place_px.x(), result.regions[1].place_px.x());
+    const double left =
+        std::min(result.regions[0].position_px.x(), result.regions[1].position_px.x());
+    const double right =
+        std::max(result.regions[0].position_px.x(), result.regions[1].position_px.x());
     EXPECT_NEAR(left, 128, 3);
     EXPECT_NEAR(right, 191, 3);
   } else {
-    EXPECT_NEAR(result.regions[0].place_px.x(), 159.5, 2);
+    EXPECT_NEAR(result.regions[0].position_px.x(), 159.5, 2);
   }
 }
 

@@ -42,7 +42,7 @@ struct Installed {
     std::mt19937 random(51);
     MemorySource source;
     for (const Bend& bend : poses)
-      source.pictures.push_back(drawn.with_noise(drawn.clean(bend), random));
+      source.images.push_back(drawn.with_noise(drawn.clean(bend), random));
     report = install_reference(source, folder, finger, Job{});
   }
   [[nodiscard]] Pipeline pipeline() const {
@@ -282,21 +282,21 @@ TEST(SlowRecordings, AMillionFramesAreFollowedWithoutASlip) {
   // One round of bending, over and over: neighbours in time are neighbours in pose.
   const MarkedFinger& drawn = installed.drawn;
   std::mt19937 random(56);
-  std::vector<cv::Mat> pictures;
+  std::vector<cv::Mat> images;
   std::vector<FaceShape> shapes;
   std::vector<Eigen::VectorXd> truth;
   for (int i = 0; i < kPictures; ++i) {
     const Bend bend = pose(i, kPictures);
     const std::vector<int> hidden =
         i % 5 == 0 ? std::vector<int>{i % 12, (i + 5) % 12} : std::vector<int>{};
-    pictures.push_back(drawn.with_noise(drawn.clean(bend, hidden), random));
+    images.push_back(drawn.with_noise(drawn.clean(bend, hidden), random));
     shapes.push_back(drawn.shape(bend));
     truth.push_back(drawn.layout(bend));
   }
   int lost = 0, slipped = 0;
   for (int i = 0; i < kFrames; ++i) {
     const auto k = static_cast<std::size_t>(i % kPictures);
-    const auto markers = tracker(pictures[k], shapes[k], nullptr);
+    const auto markers = tracker(images[k], shapes[k], nullptr);
     if (!markers) {
       ++lost;
       continue;

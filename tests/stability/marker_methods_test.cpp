@@ -67,7 +67,7 @@ std::string drawn_scene(const std::string& more, bool is_dark, unsigned seed) {
 }
 
 struct Cost {
-  int dots = 0, found = 0, missed = 0, false_dots = 0, pictures = 0;
+  int dots = 0, found = 0, missed = 0, false_dots = 0, images = 0;
   double square_px2 = 0, ms = 0;
 
   void add(const std::vector<Dot>& given, const std::vector<Truth::Dot>& truth) {
@@ -87,7 +87,7 @@ struct Cost {
         ++missed;
     }
     false_dots += static_cast<int>(std::count(is_true.begin(), is_true.end(), 0));
-    ++pictures;
+    ++images;
   }
   void print(const std::string& world, const char* way) const {
     std::printf(
@@ -98,9 +98,9 @@ struct Cost {
         found,
         dots,
         false_dots,
-        pictures,
+        images,
         std::sqrt(square_px2 / std::max(1, found)),
-        ms / std::max(1, pictures));
+        ms / std::max(1, images));
   }
 };
 
@@ -168,7 +168,7 @@ TEST_P(MarkerWays, SideBySide) {
   using Clock = std::chrono::steady_clock;
   const World& world = GetParam();
   const std::filesystem::path own =
-      std::filesystem::path(ALLTACT_SOURCE_DIR) / "resources" / kOwnMarkerNetwork;
+      std::filesystem::path(ALLTACT_SOURCE_DIR) / "resources" / kBuiltInMarkerNetwork;
   Cost blobs, network;
   Numbers modelled, modelled_network, sorted;
   for (unsigned f = 0; f < kFingers; ++f) {

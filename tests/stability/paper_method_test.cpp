@@ -95,7 +95,7 @@ FingerPtr made_finger(const Drawn& drawn, const fs::path& folder) {
   const Plan presses = plan_of(scene_of(drawn, "demo_presses", folder));
   FingerCalibrationInput input;
   input.folder = finger_folder;
-  input.said.ball_radius_mm = presses.truth(0).ball.value().radius_mm;
+  input.press_set.ball_radius_mm = presses.truth(0).ball.value().radius_mm;
   for (int i = 0; i < presses.frame_count(); ++i)
     input.presses.frames.push_back(frame_of(presses, i));
   const auto calibrated = calibrate_finger(input, job);

@@ -158,9 +158,10 @@ Run rendered(const Kind& kind, int number) {
     settings.light = LightChange::kIgnored;
     settings.smoothing_px = 0;
   }
-  Pipeline pipeline = Pipeline::over(ReferenceLibrary::single(untouched.render(0, 2)).value(),
-                                     FingerSnapshot::of({}, run.finger).value(),
-                                     settings);
+  Pipeline pipeline =
+      Pipeline::with_library(ReferenceLibrary::single(untouched.render(0, 2)).value(),
+                             FingerSnapshot::of({}, run.finger).value(),
+                             settings);
   for (int i = 0; i < pressed.frame_count(); ++i) {
     auto frame = std::make_shared<Frame>();
     frame->grey = pressed.render(i, 2);

@@ -93,7 +93,8 @@ PressSamples noisy_press(const Eigen::Vector3d& centre,
   press.ball_radius_mm = kBallRadius;
   const ContactDisc disc(press, MappingAlong::kZ, centre);
   for (Sample& sample : press.samples) {
-    const auto ring = static_cast<std::size_t>(disc.place_of(sample).patch / ContactDisc::kSectors);
+    const auto ring =
+        static_cast<std::size_t>(disc.position_of(sample).patch / ContactDisc::kSectors);
     const double depth =
         std::max(-0.3, ball_depth_mm(sample, MappingAlong::kZ, centre, kBallRadius)) +
         offsets[ring];

@@ -2,7 +2,7 @@
 // that assistive programs walk, the Tab key, and the letters that choose what they stand in.
 #include "tests/studio/calibrate_rig.h"
 #include "tests/studio/measured_finger.h"
-#include "widgets/places/accuracy_place.h"
+#include "widgets/pages/accuracy_page.h"
 #include "widgets/shell/finger_list_dialog.h"
 #include "widgets/shell/problem_list.h"
 
@@ -118,14 +118,14 @@ void expect_menus_open(MainWindow& window, const std::string& page) {
 
 class Everyone : public testing::Test {
  protected:
-  ~Everyone() override { Dresser().wear({Theme::kLight, QStringLiteral("en")}); }
+  ~Everyone() override { ProgramAppearance().apply({Theme::kLight, QStringLiteral("en")}); }
   static void expect_for_everyone(Studio& studio, const std::string& page) {
     QTest::qWait(200);
     expect_heard(studio.window(), page);
     expect_reached(studio.window(), page);
-    Dresser dresser;
+    ProgramAppearance appearance;
     for (const char* language : {"de", "zh_CN", "en"}) {
-      dresser.wear({Theme::kLight, QLatin1String(language)});
+      appearance.apply({Theme::kLight, QLatin1String(language)});
       QTest::qWait(30);
       expect_menus_open(studio.window(), page + ", " + language);
     }
@@ -159,12 +159,12 @@ TEST_F(Everyone, CanUseThePlaces) {
   studio.window().go_to("record");
   expect_for_everyone(studio, "record");
   studio.window().go_to("inspect");
-  auto& inspect = *studio.window().findChild<InspectPlace*>();
+  auto& inspect = *studio.window().findChild<InspectPage*>();
   inspect.open(MadeFingers::get().touched_pictures());
   ASSERT_TRUE(wait_until([&] { return inspect.inspection().frame() != nullptr; }));
   expect_for_everyone(studio, "inspect");
   studio.window().go_to("accuracy");
-  auto& accuracy = *studio.window().findChild<AccuracyPlace*>();
+  auto& accuracy = *studio.window().findChild<AccuracyPage*>();
   ASSERT_TRUE(wait_until([&] { return accuracy.run().study() != nullptr; }));
   expect_for_everyone(studio, "accuracy");
 }
@@ -172,7 +172,7 @@ TEST_F(Everyone, CanUseThePlaces) {
 TEST_F(Everyone, CanUseEveryStepOfCalibrate) {
   CalibrateStudio rig(4);
   rig.open();
-  rig.desk().set_radius(4);
+  rig.collection().set_radius(4);
   ASSERT_TRUE(rig.wait_until_looked_at(4));
   rig.run().start();
   ASSERT_TRUE(wait_until([&] { return rig.run().result() != nullptr; }, 60000));

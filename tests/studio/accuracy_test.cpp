@@ -4,7 +4,7 @@
 #include "calibration/study/study_front.h"
 #include "tests/studio/calibrate_rig.h"
 #include "tests/studio/measured_finger.h"
-#include "widgets/places/accuracy_place.h"
+#include "widgets/pages/accuracy_page.h"
 
 #include <QClipboard>
 #include <QProgressBar>
@@ -36,7 +36,7 @@ class Accuracy : public testing::Test {
     ASSERT_TRUE(wait_until([&] { return place().run().finger() != nullptr; }));
   }
   [[nodiscard]] fs::path finger() const { return folder_ / "finger"; }
-  [[nodiscard]] AccuracyPlace& place() { return *studio_->window().findChild<AccuracyPlace*>(); }
+  [[nodiscard]] AccuracyPage& place() { return *studio_->window().findChild<AccuracyPage*>(); }
   bool wait_for_study() {
     return wait_until([&] { return place().run().study() != nullptr; }, 120000);
   }
@@ -101,7 +101,7 @@ TEST_F(Accuracy, AnswersTwoQuestionsWithOneSetting) {
   for (const int wanted : {10, 100, 1000}) {
     rate->setEditText(QString::number(wanted));
     StudyQuestion question;
-    question.pictures_per_s = wanted;
+    question.frames_per_s = wanted;
     EXPECT_EQ(place().answer_row(), answer_to(question, study)->row) << wanted;
   }
   EXPECT_TRUE(says(*studio_, "95 % within"));

@@ -21,19 +21,19 @@ QString text_of(const fs::path& path) {
 
 void expect_as_kept(const QImage& seen, const std::string& name) {
   const fs::path kept = fs::path(ALLTACT_SOURCE_DIR) / "tests/studio/baselines" / (name + ".png");
-  const QImage picture = seen.convertToFormat(QImage::Format_RGB888);
+  const QImage image = seen.convertToFormat(QImage::Format_RGB888);
   if (qEnvironmentVariableIsSet("ALLTACT_RENEW_BASELINES")) {
     fs::create_directories(kept.parent_path());
-    ASSERT_TRUE(picture.save(text_of(kept), "PNG", 0));
+    ASSERT_TRUE(image.save(text_of(kept), "PNG", 0));
     GTEST_SKIP() << "kept anew: " << kept.string();
   }
   const QImage expected(text_of(kept));
   ASSERT_FALSE(expected.isNull()) << kept << " is missing";
-  const std::string difference = what_differs(picture, expected);
+  const std::string difference = what_differs(image, expected);
   if (difference.empty()) return;
   fs::create_directories(ALLTACT_SCREENS);
   const fs::path now = fs::path(ALLTACT_SCREENS) / (name + "_differs.png");
-  picture.save(text_of(now));
+  image.save(text_of(now));
   ADD_FAILURE() << difference << "; compare " << now << " with " << kept;
 }
 
@@ -80,8 +80,8 @@ INSTANTIATE_TEST_SUITE_P(Gallery,
 
 TEST_P(Baseline, LooksAsItDid) {
   const SameEverywhere same;
-  Dresser dresser;
-  dresser.wear({GetParam().theme, QStringLiteral("en")});
+  ProgramAppearance appearance;
+  appearance.apply({GetParam().theme, QStringLiteral("en")});
   const auto widget = gallery().at(GetParam().widget)();
   widget->setAttribute(Qt::WA_DontShowOnScreen);
   widget->resize(GetParam().size);

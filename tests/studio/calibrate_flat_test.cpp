@@ -28,19 +28,19 @@ TEST(CalibrateFlat, TakesItsUntouchedPictureFromTheLiveOne) {
   Studio studio(options);
   ASSERT_TRUE(studio.wait_for_picture());
   studio.window().go_to("calibrate");
-  auto* place = studio.window().findChild<CalibratePlace*>();
+  auto* place = studio.window().findChild<CalibratePage*>();
   studio.click("Next: Finger");
   EXPECT_FALSE(studio.find<QPushButton>("Next: Presses")->isEnabled());
   studio.click("Take the untouched picture now");
   ASSERT_TRUE(wait_until([&] { return studio.session().status().finger.has_reference; }, 20000))
       << studio.problems();
   studio.click("Next: Presses");
-  ASSERT_TRUE(wait_until([&] { return place->desk().is_ready(); }));
-  place->desk().set_radius(FlatSensor::kBallRadiusMm);
+  ASSERT_TRUE(wait_until([&] { return place->collection().is_ready(); }));
+  place->collection().set_radius(FlatSensor::kBallRadiusMm);
   // The last ones while the first are being read.
-  place->desk().add_files({presses[0], presses[1]});
-  place->desk().add_files({presses[2], presses[3]});
-  ASSERT_TRUE(wait_until([&] { return place->desk().usable_count() == 4; }, 20000));
+  place->collection().add_files({presses[0], presses[1]});
+  place->collection().add_files({presses[2], presses[3]});
+  ASSERT_TRUE(wait_until([&] { return place->collection().usable_count() == 4; }, 20000));
   studio.click("Next: Mapping");
   studio.click("Calibrate now");
   ASSERT_TRUE(wait_until([&] { return place->run().result() != nullptr; }, 60000))

@@ -111,11 +111,11 @@ TEST(CalibrateGuide, APressThatCannotBeWrittenIsNotSaidToBeTaken) {
   must(write_file_atomically(rig.finger() / "presses", "no folder"));
   rig.open();
   rig.go_to_step("Presses");
-  if (!rig.desk().looker()) GTEST_SKIP() << "such a finger cannot be looked at";
+  if (!rig.collection().analyser()) GTEST_SKIP() << "such a finger cannot be looked at";
   rig.type_radius("4");
   ASSERT_TRUE(rig.wait_for_press());
   rig.studio().click("Take a press (Space)");
-  ASSERT_TRUE(wait_until([&] { return !rig.desk().is_kept("press_01"); }));
+  ASSERT_TRUE(wait_until([&] { return !rig.collection().is_saved("press_01"); }));
   ASSERT_TRUE(wait_until([&] { return !rig.studio().problems().empty(); }));
   EXPECT_TRUE(wait_until([&] { return !says(rig.studio(), "is taken"); }, 2000));
   auto* list = rig.studio().find<QListView>("Presses");
@@ -148,7 +148,7 @@ TEST(CalibrateGuide, ACheckIsOfItsOwnCalibration) {
   rig.go_to_step("Check");
   EXPECT_TRUE(says(rig.studio(), "Pass"));
   ASSERT_TRUE(rig.wait_until_looked_at(4));
-  rig.desk().take_out("press_02", "");
+  rig.collection().leave_out("press_02", "");
   QTest::qWait(1100);  // dates tell seconds
   rig.run().start();
   ASSERT_TRUE(wait_until(

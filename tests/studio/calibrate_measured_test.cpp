@@ -59,7 +59,7 @@ TEST(CalibrateHeld, APressOfAFingerHeldStillHasLessNoiseThanAFrame) {
   ASSERT_TRUE(wait_until([&] { return frames->size() >= 24; }, 30000));
   take_button(studio)->click();
   const FramePtr newest = frames->back();
-  const FramePtr press = rig.desk().find("press_01")->frame;
+  const FramePtr press = rig.collection().find("press_01")->frame;
   EXPECT_TRUE(says(studio, "press_01 is taken: the mean of 16 pictures held still."));
   const cv::Mat truth = noiseless(scene);
   const double one = noise_of(newest->grey, truth), mean = noise_of(press->grey, truth);
@@ -87,9 +87,9 @@ TEST(CalibrateHeld, APressOfAFingerThatMovesIsWaitedFor) {
   take_button(studio)->click();
   EXPECT_TRUE(says(studio, "It is taken as soon as ball and finger are held still."));
   QTest::qWait(300);
-  EXPECT_TRUE(rig.desk().presses().empty());
+  EXPECT_TRUE(rig.collection().presses().empty());
   studio.window().open_source({scene});
-  ASSERT_TRUE(wait_until([&] { return rig.desk().presses().size() == 1; }, 10000));
+  ASSERT_TRUE(wait_until([&] { return rig.collection().presses().size() == 1; }, 10000));
   EXPECT_TRUE(says(studio, "press_01 is taken: the mean of "));
 }
 
@@ -120,7 +120,8 @@ class CalibrateMeasured : public testing::Test {
   }
   QUndoStack& undo() { return rig_.studio().window().undo_stack(); }
   std::string state_of(const std::string& press) {
-    return press_state_text(*rig_.desk().find(press), rig_.desk(), rig_.run()).toStdString();
+    return press_state_text(*rig_.collection().find(press), rig_.collection(), rig_.run())
+        .toStdString();
   }
 
   static constexpr int kPresses = 7;
@@ -138,10 +139,11 @@ TEST_F(CalibrateMeasured, DepthAndStepAreSaidUndoneAndKept) {
   EXPECT_EQ(field(kDepth)->text().toStdString(), "not measured");
   EXPECT_FALSE(field(kSd)->isEnabled());
   type(kDepth, "0.67");
-  EXPECT_EQ(rig_.desk().said().of("press_01").depth, (ToldDepth{0.67, kUsualDepthSdMm}));
+  EXPECT_EQ(rig_.collection().press_set().of("press_01").depth,
+            (GivenDepth{0.67, kTypicalDepthSdMm}));
   EXPECT_FALSE(field(kStep)->isEnabled()) << "a depth is of a ball";
   type(kSd, "0.005");
-  EXPECT_EQ(rig_.desk().said().of("press_01").depth, (ToldDepth{0.67, 0.005}));
+  EXPECT_EQ(rig_.collection().press_set().of("press_01").depth, (GivenDepth{0.67, 0.005}));
   EXPECT_EQ(undo().undoText(), "change the measured depth of press_01");
   show(6);
   EXPECT_EQ(field(kStep)->text().toStdString(), "a ball");
@@ -151,30 +153,30 @@ TEST_F(CalibrateMeasured, DepthAndStepAreSaidUndoneAndKept) {
   EXPECT_FALSE(field(kDepth)->isEnabled());
   EXPECT_FALSE(field("Radius of this press' ball")->isEnabled());
   EXPECT_FALSE(rig_.studio().find<OutlineEditor>("Picture with the ball's outline")->ball());
-  EXPECT_FALSE(rig_.desk().find("press_07")->looked.found_mm);
-  EXPECT_EQ(rig_.desk().usable_count(), kPresses);
+  EXPECT_FALSE(rig_.collection().find("press_07")->analysis.found_mm);
+  EXPECT_EQ(rig_.collection().usable_count(), kPresses);
   undo().undo();
-  EXPECT_FALSE(rig_.desk().said().of("press_07").step_mm);
+  EXPECT_FALSE(rig_.collection().press_set().of("press_07").step_mm);
   undo().undo();
-  EXPECT_EQ(rig_.desk().said().of("press_01").depth->sd_mm, kUsualDepthSdMm);
+  EXPECT_EQ(rig_.collection().press_set().of("press_01").depth->sd_mm, kTypicalDepthSdMm);
   undo().undo();
-  EXPECT_FALSE(rig_.desk().said().of("press_01").depth);
+  EXPECT_FALSE(rig_.collection().press_set().of("press_01").depth);
   while (undo().canRedo()) undo().redo();
-  rig_.desk().disk()->wait();
+  rig_.collection().disk()->wait();
   rig_.close();
   open();
-  EXPECT_EQ(rig_.desk().said().of("press_01").depth, (ToldDepth{0.67, 0.005}));
-  EXPECT_EQ(rig_.desk().said().of("press_07").step_mm, 0.5);
+  EXPECT_EQ(rig_.collection().press_set().of("press_01").depth, (GivenDepth{0.67, 0.005}));
+  EXPECT_EQ(rig_.collection().press_set().of("press_07").step_mm, 0.5);
   show(6);
   EXPECT_EQ(field(kStep)->value(), 0.5);
 }
 
 TEST_F(CalibrateMeasured, PunchesAloneAreNotEnough) {
   open();
-  for (const DeskPress& press : std::vector<DeskPress>(rig_.desk().presses()))
-    rig_.desk().set_step_of(press.name, 0.5);
+  for (const CollectedPress& press : std::vector<CollectedPress>(rig_.collection().presses()))
+    rig_.collection().set_step_of(press.name, 0.5);
   ASSERT_TRUE(rig_.wait_until_looked_at(kPresses));
-  EXPECT_EQ(rig_.desk().usable_count(), kPresses);
+  EXPECT_EQ(rig_.collection().usable_count(), kPresses);
   EXPECT_FALSE(rig_.studio().find<QPushButton>("Next: Mapping")->isEnabled());
 }
 
@@ -193,8 +195,8 @@ TEST_F(CalibrateMeasured, GiveTheSameBytesAsTheCommandThatIsCopied) {
 
 TEST_F(CalibrateMeasured, TheSolutionIsSaidBesideWhatWasTold) {
   open();
-  rig_.desk().set_depth_of("press_01", {0.67, 0.02});
-  rig_.desk().set_step_of("press_07", 0.5);
+  rig_.collection().set_depth_of("press_01", {0.67, 0.02});
+  rig_.collection().set_step_of("press_07", 0.5);
   ASSERT_TRUE(rig_.wait_until_looked_at(kPresses));
   rig_.run().start();
   ASSERT_TRUE(wait_until([&] { return rig_.run().result() != nullptr; }, 60000))
@@ -203,12 +205,12 @@ TEST_F(CalibrateMeasured, TheSolutionIsSaidBesideWhatWasTold) {
   for (const Message& reason : solved.left_out) ADD_FAILURE() << reason.english();
   std::printf("[ figures  ] %s; %s\n", state_of("press_01").c_str(), state_of("press_07").c_str());
   ASSERT_EQ(solved.steps.size(), 1U);
-  EXPECT_NEAR(solved.steps[0].reads_mm, 0.5, 0.03);
+  EXPECT_NEAR(solved.steps[0].estimated_mm, 0.5, 0.03);
   EXPECT_THAT(
       state_of("press_07"),
-      HasSubstr(fmt::format("a step of 0.500 mm reads {:.3f} mm", solved.steps[0].reads_mm)));
+      HasSubstr(fmt::format("a step of 0.500 mm reads {:.3f} mm", solved.steps[0].estimated_mm)));
   EXPECT_THAT(state_of("press_01"), HasSubstr("measured 0.670 mm deep, the solution has 0."));
-  rig_.desk().set_step_of("press_07", 0.6);
+  rig_.collection().set_step_of("press_07", 0.6);
   EXPECT_EQ(state_of("press_07"), "a punch with a step of 0.600 mm");
   EXPECT_EQ(rig_.run().state(), CalibrationState::kStale);
 }

@@ -1,7 +1,7 @@
 #include "tests/studio/calibrate_rig.h"
 
 #include "core/io/atomic_file.h"
-#include "core/io/picture.h"
+#include "core/io/image_file.h"
 #include "core/simulation/plan.h"
 
 #include <QClipboard>
@@ -82,12 +82,12 @@ CalibrateStudio::CalibrateStudio(int presses) {
   if (presses == 0) return;
   std::filesystem::create_directories(finger() / "presses");
   for (int i = 0; i < presses; ++i)
-    must(write_picture(finger() / "presses" / fmt::format("press_{:02}.png", i + 1),
-                       remembered_frame(folder_ / "pressing.yaml", (15 * i + 7) % 90)));
+    must(write_image(finger() / "presses" / fmt::format("press_{:02}.png", i + 1),
+                     remembered_frame(folder_ / "pressing.yaml", (15 * i + 7) % 90)));
 }
 
-CalibratePlace& CalibrateStudio::place() {
-  auto* place = studio_->window().findChild<CalibratePlace*>();
+CalibratePage& CalibrateStudio::place() {
+  auto* place = studio_->window().findChild<CalibratePage*>();
   if (place == nullptr) throw std::runtime_error("no place Calibrate");
   return *place;
 }
@@ -101,7 +101,7 @@ void CalibrateStudio::open() {
   ASSERT_TRUE(studio_->wait_for_picture());
   ASSERT_TRUE(wait_until([&] { return studio_->session().status().finger.has_reference; }, 30000));
   QTest::keyClick(&studio_->window(), Qt::Key_2, Qt::ControlModifier);
-  ASSERT_TRUE(wait_until([&] { return desk().is_ready(); }, 30000));
+  ASSERT_TRUE(wait_until([&] { return collection().is_ready(); }, 30000));
 }
 
 void CalibrateStudio::go_to_step(const QString& title) {
@@ -126,10 +126,10 @@ void CalibrateStudio::type_radius(const QString& text) {
 bool CalibrateStudio::wait_until_looked_at(int count) {
   return wait_until(
       [&] {
-        const auto& presses = desk().presses();
+        const auto& presses = collection().presses();
         return static_cast<int>(presses.size()) == count &&
-               std::all_of(presses.begin(), presses.end(), [](const DeskPress& press) {
-                 return press.is_looked_at;
+               std::all_of(presses.begin(), presses.end(), [](const CollectedPress& press) {
+                 return press.is_analysed;
                });
       },
       30000);
@@ -142,7 +142,7 @@ bool CalibrateStudio::wait_for_report() {
 void CalibrateStudio::add_punch(const std::string& name) {
   cv::Mat relief(180, 240, CV_8UC1, cv::Scalar(0));  // 0.06 mm each
   relief.colRange(0, 120) = 255;
-  must(write_picture(folder_ / "punch.png", relief));
+  must(write_image(folder_ / "punch.png", relief));
   std::string scene = still_scene();
   replace_all(scene,
               kStillBall,
@@ -152,12 +152,12 @@ void CalibrateStudio::add_punch(const std::string& name) {
   must(write_file_atomically(folder_ / "punch.yaml", scene));
   const Plan plan = Plan::compile(Scene::load(folder_ / "punch.yaml").value(), 1).value();
   std::filesystem::create_directories(finger() / "presses");
-  must(write_picture(finger() / "presses" / (name + ".png"), plan.render(0)));
+  must(write_image(finger() / "presses" / (name + ".png"), plan.render(0)));
 }
 
 std::string CalibrateStudio::calibrate_and_compare_with_the_command() {
   namespace fs = std::filesystem;
-  desk().disk()->wait();
+  collection().disk()->wait();
   fs::copy(finger(), folder_ / "before", fs::copy_options::recursive);
   studio_->click("Next: Mapping");
   studio_->click("Calibrate now");
@@ -186,7 +186,7 @@ bool CalibrateStudio::wait_for_press(double from_mm, double to_mm) {
     if (!view) return false;
     const auto patch = dark_patch(view->result);
     if (!patch || patch->darkness < 0.05) return false;
-    const double along_mm = patch->place_mm.x();
+    const double along_mm = patch->position_mm.x();
     if (along_mm < from_mm || along_mm > to_mm) return false;
     if (last_along_mm_ && std::abs(along_mm - *last_along_mm_) < 5) return false;
     last_along_mm_ = along_mm;

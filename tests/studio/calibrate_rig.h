@@ -3,7 +3,7 @@
 #pragma once
 
 #include "tests/studio/studio_rig.h"
-#include "widgets/places/calibrate_place.h"
+#include "widgets/pages/calibrate_page.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -41,8 +41,8 @@ class CalibrateStudio {
   /// `presses`: pictures that lie in the finger's folder from the beginning.
   explicit CalibrateStudio(int presses = 0);
   [[nodiscard]] Studio& studio() { return *studio_; }
-  [[nodiscard]] CalibratePlace& place();
-  [[nodiscard]] PressDesk& desk() { return place().desk(); }
+  [[nodiscard]] CalibratePage& place();
+  [[nodiscard]] PressCollection& collection() { return place().collection(); }
   [[nodiscard]] CalibrationRun& run() { return place().run(); }
   [[nodiscard]] std::filesystem::path finger() const { return folder_ / "finger"; }
   [[nodiscard]] const TemporaryFolder& folder() const { return folder_; }

@@ -24,13 +24,13 @@ TEST(CalibrateKilled, DISABLED_TakesPressesForEver) {
   Studio studio(options);
   ASSERT_TRUE(wait_until([&] { return studio.session().status().finger.has_reference; }, 30000));
   studio.window().go_to("calibrate");
-  auto* place = studio.window().findChild<CalibratePlace*>();
-  ASSERT_TRUE(wait_until([&] { return place->desk().is_ready(); }, 30000));
-  place->desk().set_radius(4);
+  auto* place = studio.window().findChild<CalibratePage*>();
+  ASSERT_TRUE(wait_until([&] { return place->collection().is_ready(); }, 30000));
+  place->collection().set_radius(4);
   for (int i = 1;; ++i) {
     ASSERT_TRUE(wait_until([&] { return studio.session().view() != nullptr; }));
-    const std::string name = place->desk().add({studio.session().view()->result.frame});
-    place->desk().place_ball(name, {0.5 * i, 0, 50}, i);
+    const std::string name = place->collection().add({studio.session().view()->result.frame});
+    place->collection().set_ball(name, {0.5 * i, 0, 50}, i);
     std::printf("taken %d\n", i);
     std::fflush(stdout);
     QTest::qWait(150);
@@ -49,12 +49,12 @@ TEST(Calibrate, AKillInTheMiddleOfPressesLosesNothingButTheLastSecond) {
   int taken = 0, a_second_before = 0;
   QElapsedTimer clock;
   std::deque<std::pair<qint64, int>> history;
-  QByteArray said;
+  QByteArray press_set;
   ASSERT_TRUE(wait_until(
       [&] {
         while (child.canReadLine()) {
           const QByteArray line = child.readLine();
-          said += line;
+          press_set += line;
           if (!line.startsWith("taken ")) continue;
           if (taken == 0) clock.start();
           taken = line.mid(6).trimmed().toInt();
@@ -63,24 +63,24 @@ TEST(Calibrate, AKillInTheMiddleOfPressesLosesNothingButTheLastSecond) {
         return taken >= 14 || child.state() == QProcess::NotRunning;
       },
       60000))
-      << said.toStdString();
-  ASSERT_GE(taken, 14) << said.toStdString();
+      << press_set.toStdString();
+  ASSERT_GE(taken, 14) << press_set.toStdString();
   child.kill();  // SIGKILL
   child.waitForFinished();
   for (const auto& [when, number] : history)
     if (when < clock.elapsed() - 1000) a_second_before = number;
   ASSERT_GE(a_second_before, 5);
   rig.open();
-  ASSERT_GE(static_cast<int>(rig.desk().presses().size()), a_second_before);
-  EXPECT_TRUE(rig.wait_until_looked_at(static_cast<int>(rig.desk().presses().size())));
+  ASSERT_GE(static_cast<int>(rig.collection().presses().size()), a_second_before);
+  EXPECT_TRUE(rig.wait_until_looked_at(static_cast<int>(rig.collection().presses().size())));
   for (int i = 1; i <= a_second_before; ++i) {
     const std::string name = fmt::format("press_{:02}", i);
-    ASSERT_NE(rig.desk().find(name), nullptr) << name;
-    EXPECT_FALSE(rig.desk().find(name)->looked.grey.empty()) << name;
-    ASSERT_TRUE(rig.desk().said().of(name).ball_mm) << name;
-    EXPECT_EQ(rig.desk().said().of(name).ball_mm->x(), 0.5 * i);
+    ASSERT_NE(rig.collection().find(name), nullptr) << name;
+    EXPECT_FALSE(rig.collection().find(name)->analysis.grey.empty()) << name;
+    ASSERT_TRUE(rig.collection().press_set().of(name).ball_mm) << name;
+    EXPECT_EQ(rig.collection().press_set().of(name).ball_mm->x(), 0.5 * i);
   }
-  EXPECT_EQ(rig.desk().said().ball_radius_mm, 4);
+  EXPECT_EQ(rig.collection().press_set().ball_radius_mm, 4);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 #include "core/finger/mapping.h"
 #include "core/geometry/ball.h"
 #include "core/io/atomic_file.h"
-#include "core/io/picture.h"
+#include "core/io/image_file.h"
 #include "tests/studio/calibrate_rig.h"
 #include "tests/support/sanitized.h"
 
@@ -26,7 +26,7 @@ TEST(Calibrate, EveryStepSaysWhatItNeedsFirst) {
   QTest::qWait(50);
   EXPECT_TRUE(says(studio, "The lens has to be known first"));
   EXPECT_FALSE(studio.find<QPushButton>("Next: Finger")->isEnabled());
-  for (auto* button : studio.window().findChild<CalibratePlace*>()->findChildren<QToolButton*>())
+  for (auto* button : studio.window().findChild<CalibratePage*>()->findChildren<QToolButton*>())
     if (button->text().startsWith("3 Presses")) {
       EXPECT_FALSE(button->isEnabled());
       EXPECT_THAT(button->toolTip().toStdString(), HasSubstr("lens"));
@@ -65,16 +65,16 @@ TEST(Calibrate, TakesPressesFromTheLivePictureAndKeepsThemAtOnce) {
   rig.studio().find<ImageView>("Picture")->setFocus();
   QTest::keyClick(rig.studio().find<ImageView>("Picture"), Qt::Key_Space);
   ASSERT_TRUE(rig.wait_until_looked_at(2));
-  EXPECT_EQ(rig.desk().usable_count(), 2);
-  const DeskPress& first = rig.desk().presses()[0];
-  EXPECT_EQ(cv::norm(read_grey_picture(rig.finger() / "presses/press_01.png").value(),
+  EXPECT_EQ(rig.collection().usable_count(), 2);
+  const CollectedPress& first = rig.collection().presses()[0];
+  EXPECT_EQ(cv::norm(read_grey_image(rig.finger() / "presses/press_01.png").value(),
                      first.frame->grey,
                      cv::NORM_INF),
             0);
   // Undone, they are gone from the folder; done again, they are back.
   QTest::keyClick(&rig.studio().window(), Qt::Key_Z, Qt::ControlModifier);
   EXPECT_TRUE(wait_until([&] { return !fs::exists(rig.finger() / "presses/press_02.png"); }));
-  EXPECT_EQ(rig.desk().presses().size(), 1U);
+  EXPECT_EQ(rig.collection().presses().size(), 1U);
   QTest::keyClick(&rig.studio().window(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
   EXPECT_TRUE(wait_until([&] { return fs::exists(rig.finger() / "presses/press_02.png"); }));
   ASSERT_TRUE(rig.wait_until_looked_at(2));
@@ -82,8 +82,8 @@ TEST(Calibrate, TakesPressesFromTheLivePictureAndKeepsThemAtOnce) {
   rig.close();
   rig.open();
   ASSERT_TRUE(rig.wait_until_looked_at(2));
-  EXPECT_EQ(rig.desk().said().ball_radius_mm, 4);
-  EXPECT_EQ(rig.desk().usable_count(), 2);
+  EXPECT_EQ(rig.collection().press_set().ball_radius_mm, 4);
+  EXPECT_EQ(rig.collection().usable_count(), 2);
 }
 
 TEST(Calibrate, TakesPressesByItselfWhenTheyHoldStill) {
@@ -96,11 +96,11 @@ TEST(Calibrate, TakesPressesByItselfWhenTheyHoldStill) {
   auto* box = rig.studio().find<QCheckBox>("By itself when it holds still");
   box->setFocus();
   QTest::keyClick(box, Qt::Key_Space);
-  ASSERT_TRUE(wait_until([&] { return rig.desk().presses().size() >= 4; }, 20000));
+  ASSERT_TRUE(wait_until([&] { return rig.collection().presses().size() >= 4; }, 20000));
   QTest::keyClick(box, Qt::Key_Space);
-  const int count = static_cast<int>(rig.desk().presses().size());
+  const int count = static_cast<int>(rig.collection().presses().size());
   ASSERT_TRUE(rig.wait_until_looked_at(count));
-  EXPECT_EQ(rig.desk().usable_count(), count);
+  EXPECT_EQ(rig.collection().usable_count(), count);
 }
 
 TEST(Calibrate, TheOutlineIsTheBallsAndAHandMovesIt) {
@@ -117,28 +117,28 @@ TEST(Calibrate, TheOutlineIsTheBallsAndAHandMovesIt) {
   ASSERT_TRUE(editor->ball());
   EXPECT_FALSE(editor->ball()->is_by_hand);
   const Eigen::Vector3d found = editor->ball()->centre_mm;
-  EXPECT_EQ(found, *rig.desk().presses()[0].looked.found_mm);
-  const auto before = outline_place(*editor->ball()).value();
+  EXPECT_EQ(found, *rig.collection().presses()[0].analysis.found_mm);
+  const auto before = image_outline(*editor->ball()).value();
   const QPoint hand = editor->transform().to_widget(before.centre).toPoint();
   QTest::mousePress(editor, Qt::LeftButton, {}, hand);
   for (int i = 1; i <= 4; ++i) QTest::mouseMove(editor, hand + QPoint(3 * i, i));
   QTest::mouseRelease(editor, Qt::LeftButton, {}, hand + QPoint(12, 4));
   EXPECT_TRUE(editor->ball()->is_by_hand);
-  const auto after = outline_place(*editor->ball()).value();
+  const auto after = image_outline(*editor->ball()).value();
   EXPECT_NEAR(after.centre.x() - before.centre.x(), 12 / editor->transform().scale, 1e-6);
   EXPECT_EQ(rig.studio().window().undo_stack().undoText(), "move the outline of press_01");
-  ASSERT_TRUE(rig.desk().said().of("press_01").ball_mm);
+  ASSERT_TRUE(rig.collection().press_set().of("press_01").ball_mm);
   // It is on the disk within a second.
   EXPECT_TRUE(wait_until(
       [&] {
-        const auto said = PressSet::load(rig.finger());
-        return said && said->notes.size() == 1 &&
-               said->of("press_01").ball_mm == editor->ball()->centre_mm;
+        const auto press_set = PressSet::load(rig.finger());
+        return press_set && press_set->notes.size() == 1 &&
+               press_set->of("press_01").ball_mm == editor->ball()->centre_mm;
       },
       1000));
   QTest::keyClick(editor, Qt::Key_Z, Qt::ControlModifier);
   EXPECT_EQ(editor->ball()->centre_mm, found);
-  EXPECT_FALSE(rig.desk().said().of("press_01").ball_mm);
+  EXPECT_FALSE(rig.collection().press_set().of("press_01").ball_mm);
   QTest::keyClick(editor, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
   EXPECT_TRUE(editor->ball()->is_by_hand);
   rig.studio().click("Find the ball again");
@@ -152,14 +152,15 @@ TEST(Calibrate, AnotherRadiusLooksAgainAndTakesOutlinesAlong) {
   EXPECT_TRUE(says(rig.studio(), "The ball's radius is missing"));
   rig.type_radius("4");
   ASSERT_TRUE(rig.wait_until_looked_at(1));
-  const Eigen::Vector3d found = *rig.desk().presses()[0].looked.found_mm;
-  rig.desk().place_ball("press_01", found, 1);
+  const Eigen::Vector3d found = *rig.collection().presses()[0].analysis.found_mm;
+  rig.collection().set_ball("press_01", found, 1);
   rig.type_radius("4.2");
   ASSERT_TRUE(rig.wait_until_looked_at(1));
-  EXPECT_NEAR((*rig.desk().said().of("press_01").ball_mm - 1.05 * found).norm(), 0, 1e-9);
+  EXPECT_NEAR(
+      (*rig.collection().press_set().of("press_01").ball_mm - 1.05 * found).norm(), 0, 1e-9);
   QTest::keyClick(&rig.studio().window(), Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(rig.desk().said().ball_radius_mm, 4);
-  EXPECT_EQ(rig.desk().said().of("press_01").ball_mm, found);
+  EXPECT_EQ(rig.collection().press_set().ball_radius_mm, 4);
+  EXPECT_EQ(rig.collection().press_set().of("press_01").ball_mm, found);
 }
 
 TEST(Calibrate, OnePressMayHaveABallOfItsOwn) {
@@ -178,11 +179,11 @@ TEST(Calibrate, OnePressMayHaveABallOfItsOwn) {
   QTest::keyClicks(own, "5");
   QTest::keyClick(own, Qt::Key_Return);
   ASSERT_TRUE(rig.wait_until_looked_at(2));
-  EXPECT_EQ(rig.desk().said().radius_of("press_01"), 4);
-  EXPECT_EQ(rig.desk().said().radius_of("press_02"), 5);
+  EXPECT_EQ(rig.collection().press_set().radius_of("press_01"), 4);
+  EXPECT_EQ(rig.collection().press_set().radius_of("press_02"), 5);
   EXPECT_THAT(rig.run().command_line().toStdString(), HasSubstr("--other-ball press_02=5"));
   QTest::keyClick(&rig.studio().window(), Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(rig.desk().said().radius_of("press_02"), 4);
+  EXPECT_EQ(rig.collection().press_set().radius_of("press_02"), 4);
 }
 
 TEST(Calibrate, PressesAddedFromFilesKeepTheirNames) {
@@ -202,8 +203,8 @@ TEST(Calibrate, PressesAddedFromFilesKeepTheirNames) {
   };
   name->setText(quoted("glass ball.png") + " " + quoted("press_02.png"));
   QTest::keyClick(name, Qt::Key_Return);
-  ASSERT_TRUE(wait_until([&] { return rig.desk().presses().size() == 3; }));
-  EXPECT_NE(rig.desk().find("glass ball"), nullptr);
+  ASSERT_TRUE(wait_until([&] { return rig.collection().presses().size() == 3; }));
+  EXPECT_NE(rig.collection().find("glass ball"), nullptr);
   EXPECT_TRUE(
       wait_until([&] { return rig.studio().problems().find("press_02") != std::string::npos; }));
   EXPECT_TRUE(wait_until([&] { return fs::exists(rig.finger() / "presses/glass ball.png"); }));
@@ -267,18 +268,18 @@ TEST(Calibrate, TakingOutAPressShowsAsAChangeAndEverythingCanBeUndone) {
   EXPECT_EQ(rig.run().state(), CalibrationState::kStale) << "the press is still taken out";
   undo.undo();
   EXPECT_EQ(rig.run().state(), CalibrationState::kCurrent);
-  rig.desk().disk()->wait();
+  rig.collection().disk()->wait();
   auto back = contents(rig.finger());
   for (const char* name : {"finger.yaml", "calibration_inputs.yaml", "calibration_report.json"})
     EXPECT_TRUE(back.at(name) == first.at(name)) << name;
   while (undo.canUndo()) undo.undo();
-  rig.desk().disk()->wait();
+  rig.collection().disk()->wait();
   back = contents(rig.finger());
   EXPECT_EQ(back.at("finger.yaml"), untouched);
   EXPECT_FALSE(back.count("calibration_inputs.yaml"));
   EXPECT_EQ(rig.run().state(), CalibrationState::kNone);
   while (undo.canRedo()) undo.redo();
-  rig.desk().disk()->wait();
+  rig.collection().disk()->wait();
   EXPECT_EQ(rig.run().result()->calibration.balls.size(), 3U);
   EXPECT_THAT(contents(rig.finger()).at("calibration_inputs.yaml"), HasSubstr("excluded: [press_"));
 }
@@ -344,8 +345,8 @@ TEST(Calibrate, TheListIsAProperModel) {
                                         QAbstractItemModelTester::FailureReportingMode::Fatal);
   rig.type_radius("4");
   ASSERT_TRUE(rig.wait_until_looked_at(3));
-  rig.desk().take_out("press_02", "glove");
-  rig.desk().remove("press_03");
+  rig.collection().leave_out("press_02", "glove");
+  rig.collection().remove("press_03");
   rig.studio().window().undo_stack().undo();
   EXPECT_EQ(list->model()->rowCount(), 3);
   EXPECT_THAT(list->model()->index(1, 0).data().toString().toStdString(),

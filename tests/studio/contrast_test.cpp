@@ -31,8 +31,8 @@ double contrast(QRgb a, QRgb b) {
 
 class Painted : public testing::TestWithParam<Theme> {
  protected:
-  Painted() { dresser_.wear({GetParam(), QStringLiteral("en")}); }
-  ~Painted() override { dresser_.wear({Theme::kLight, QStringLiteral("en")}); }
+  Painted() { appearance_.apply({GetParam(), QStringLiteral("en")}); }
+  ~Painted() override { appearance_.apply({Theme::kLight, QStringLiteral("en")}); }
   static QImage picture_of(QWidget& widget) {
     widget.show();
     QTest::qWait(30);
@@ -46,7 +46,7 @@ class Painted : public testing::TestWithParam<Theme> {
         most = std::max(most, contrast(a.pixel(x, y), b.pixel(x, y)));
     return most;
   }
-  Dresser dresser_;
+  ProgramAppearance appearance_;
 };
 INSTANTIATE_TEST_SUITE_P(Theme,
                          Painted,

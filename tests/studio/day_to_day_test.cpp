@@ -1,7 +1,7 @@
 // Small things of every day: the space bar, notices, windows that are small, a program without a
 // language, a finger that is not calibrated yet.
-#include "app/studio/try_guide.h"
-#include "core/io/picture.h"
+#include "app/studio/tutorial.h"
+#include "core/io/image_file.h"
 #include "tests/studio/calibrate_rig.h"
 #include "widgets/shell/finger_cards.h"
 #include "widgets/shell/problem_list.h"
@@ -22,33 +22,33 @@ TEST(SpaceBar, TakesAPressWhereverTheFocusIsAndTypesIntoNoNumber) {
   auto* focused = rig.studio().window().focusWidget();
   ASSERT_NE(focused, nullptr);
   QTest::keyClick(focused, Qt::Key_Space);
-  EXPECT_TRUE(wait_until([&] { return rig.desk().presses().size() == 1; }));
+  EXPECT_TRUE(wait_until([&] { return rig.collection().presses().size() == 1; }));
   rig.type_radius("4");
   auto* radius = rig.studio().find<QDoubleSpinBox>("Ball's radius");
   for (const std::size_t presses : {2U, 3U}) {
     QTest::keyClick(radius, Qt::Key_Space);
-    EXPECT_TRUE(wait_until([&] { return rig.desk().presses().size() == presses; }));
+    EXPECT_TRUE(wait_until([&] { return rig.collection().presses().size() == presses; }));
   }
   EXPECT_EQ(radius->text().toStdString(), "4.000 mm");
-  EXPECT_EQ(rig.desk().said().ball_radius_mm, 4);
+  EXPECT_EQ(rig.collection().press_set().ball_radius_mm, 4);
   // A name may have one.
   auto* who = rig.studio().find<QLineEdit>("Operator");
   who->setFocus();
   QTest::keyClicks(who, "Ada L");
   EXPECT_EQ(who->text().toStdString(), "Ada L");
-  EXPECT_EQ(rig.desk().presses().size(), 3U);
+  EXPECT_EQ(rig.collection().presses().size(), 3U);
   // And a box is ticked with it.
   auto* box = rig.studio().find<QCheckBox>("By itself when it holds still");
   QTest::keyClick(box, Qt::Key_Space);
   EXPECT_TRUE(box->isChecked());
-  EXPECT_EQ(rig.desk().presses().size(), 3U);
+  EXPECT_EQ(rig.collection().presses().size(), 3U);
   QTest::keyClick(box, Qt::Key_Space);
 }
 
 TEST(Refusals, AreAWordInTheListAndASentenceBesideThePicture) {
   CalibrateStudio rig(1);
-  must(write_picture(rig.finger() / "presses/zz.png",
-                     cv::Mat(small_size_px(), CV_8U, cv::Scalar(90))));
+  must(write_image(rig.finger() / "presses/zz.png",
+                   cv::Mat(small_size_px(), CV_8U, cv::Scalar(90))));
   rig.open();
   rig.go_to_step("Presses");
   rig.type_radius("4");
@@ -58,9 +58,9 @@ TEST(Refusals, AreAWordInTheListAndASentenceBesideThePicture) {
   const QString told = list->model()->index(last, 0).data().toString();
   EXPECT_LE(told.size(), 3 + 24) << told.toStdString();
   list->setCurrentIndex(list->model()->index(last, 0));
-  const DeskPress* press = rig.desk().find("zz");
-  ASSERT_TRUE(press != nullptr && press->looked.problem);
-  EXPECT_TRUE(says(rig.studio(), press->looked.problem->what.english().substr(1).c_str()));
+  const CollectedPress* press = rig.collection().find("zz");
+  ASSERT_TRUE(press != nullptr && press->analysis.problem);
+  EXPECT_TRUE(says(rig.studio(), press->analysis.problem->what.english().substr(1).c_str()));
 }
 
 TEST(Notices, OfRecordStandInTheOneBar) {
@@ -87,22 +87,22 @@ TEST(SmallWindow, FitsAScreenOf1024In) {
   CalibrateStudio rig(1);
   rig.open();
   for (const char* language : {"en", "de", "zh_CN"}) {
-    Dresser dresser;
-    dresser.wear({Theme::kLight, QLatin1String(language)});
+    ProgramAppearance appearance;
+    appearance.apply({Theme::kLight, QLatin1String(language)});
     QTest::qWait(50);
     EXPECT_LE(rig.studio().window().minimumSizeHint().width(), 1024) << language;
     EXPECT_LE(rig.studio().window().minimumSizeHint().height(), 700) << language;
   }
-  Dresser dresser;
-  dresser.wear({Theme::kLight, QStringLiteral("en")});
+  ProgramAppearance appearance;
+  appearance.apply({Theme::kLight, QStringLiteral("en")});
 }
 
 TEST(LanguageC, CountsAsEnglishDoes) {
-  Dresser dresser;
-  dresser.wear({Theme::kLight, QStringLiteral("C")});
-  EXPECT_EQ(RecordPlace::tr("%n frame(s)", nullptr, 1).toStdString(), "1 frame");
-  EXPECT_EQ(RecordPlace::tr("%n frame(s)", nullptr, 2).toStdString(), "2 frames");
-  dresser.wear({Theme::kLight, QStringLiteral("en")});
+  ProgramAppearance appearance;
+  appearance.apply({Theme::kLight, QStringLiteral("C")});
+  EXPECT_EQ(RecordPage::tr("%n frame(s)", nullptr, 1).toStdString(), "1 frame");
+  EXPECT_EQ(RecordPage::tr("%n frame(s)", nullptr, 2).toStdString(), "2 frames");
+  appearance.apply({Theme::kLight, QStringLiteral("en")});
 }
 
 TEST(InspectUncalibrated, ShowsTheWholeFaceAndNoPoints) {
@@ -111,7 +111,7 @@ TEST(InspectUncalibrated, ShowsTheWholeFaceAndNoPoints) {
   options.finger = rig.finger();
   Studio studio(options);
   studio.window().go_to("inspect");
-  auto& place = *studio.window().findChild<InspectPlace*>();
+  auto& place = *studio.window().findChild<InspectPage*>();
   auto* along = studio.find<QDoubleSpinBox>("Point A, along the finger");
   ASSERT_NE(along, nullptr);
   EXPECT_EQ(along->text().toStdString(), "\xE2\x80\x93");
@@ -145,9 +145,9 @@ TEST(Start, OffersTheFingersOfBeforeAndAWholeDay) {
 TEST(Start, TryingMakesAFingerAndSaysWhatComesNext) {
   Studio studio;
   studio.click("Try with a simulated finger");
-  auto* guide = studio.window().findChild<TryGuide*>();
+  auto* guide = studio.window().findChild<Tutorial*>();
   ASSERT_NE(guide, nullptr);
-  ASSERT_TRUE(wait_until([&] { return guide->step() == TryGuide::Step::kRecord; }, 30000))
+  ASSERT_TRUE(wait_until([&] { return guide->step() == Tutorial::Step::kRecord; }, 30000))
       << studio.problems();
   EXPECT_TRUE(says(studio, "2 of 5"));
   const auto& finger = studio.session().status().finger;

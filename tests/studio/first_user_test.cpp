@@ -98,7 +98,7 @@ class Watcher {
     const auto patch = dark_patch(result);
     if (!patch || patch->darkness < 0.06) return false;
     for (const DarkPatch& one : seen_)
-      if ((one.place_mm - patch->place_mm).norm() < 5 &&
+      if ((one.position_mm - patch->position_mm).norm() < 5 &&
           std::abs(one.darkness - patch->darkness) < 0.2 * patch->darkness)
         return false;
     seen_.push_back(*patch);
@@ -175,12 +175,12 @@ TEST(FirstUser, ReachesAVerdictByReadingOnlyWhatIsOnTheScreen) {
   EXPECT_LE(newcomer.actions().size(), kMostActions);
   // And it measures where the scene presses its ball in, by 0.9 mm along the face's normal. Near
   // the tip, which half a minute of recording does not cover well, it may see what is not there.
-  const auto* calibrated = studio.window().findChild<CalibratePlace*>()->run().result().get();
+  const auto* calibrated = studio.window().findChild<CalibratePage*>()->run().result().get();
   ASSERT_NE(calibrated, nullptr);
   double deepest_mm = 0;
   const auto look = [&] {
     for (const ContactRegion& region : studio.session().view()->result.regions)
-      if (region.place_mm.z() < 75) deepest_mm = std::max(deepest_mm, region.deepest_mm);
+      if (region.position_mm.z() < 75) deepest_mm = std::max(deepest_mm, region.deepest_mm);
     return deepest_mm > 0.7;
   };
   EXPECT_TRUE(wait_until(look, 60000));

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "calibration/force/collect_force.h"
-#include "calibration/force/new_force.h"
+#include "calibration/force/finger_force_model.h"
 #include "core/finger/finger_store.h"
 #include "tests/studio/studio_rig.h"
 
@@ -52,7 +52,7 @@ class ForceFinger {
     quick.network.members = 1;
     const auto table = collect_force(frames, gauge);
     must(table ? Status() : Status(table.error()));
-    const auto trained = give_force(folder(), table->table, quick, Job());
+    const auto trained = train_finger_force(folder(), table->table, quick, Job());
     must(trained ? Status() : Status(trained.error()));
   }
   TemporaryFolder folder_;

@@ -13,7 +13,7 @@
 #include "tests/support/same_everywhere.h"
 #include "widgets/inspect/gripper_dialog.h"
 #include "widgets/inspect/second_finger_dialog.h"
-#include "widgets/places/accuracy_place.h"
+#include "widgets/pages/accuracy_page.h"
 #include "widgets/shell/export_dialog.h"
 #include "widgets/shell/new_finger_dialog.h"
 #include "widgets/shell/settings_dialog.h"
@@ -83,19 +83,19 @@ constexpr const char* kLong = "long: set ALLTACT_SLOW";
 
 class Geometry : public testing::Test {
  protected:
-  ~Geometry() override { Dresser().wear({Theme::kLight, QStringLiteral("en")}); }
+  ~Geometry() override { ProgramAppearance().apply({Theme::kLight, QStringLiteral("en")}); }
 
   void look(Studio& studio, const char* name, const QWidget& page, const Wanted& wanted = {}) {
     std::set<std::string> found;
     double least = 1, most = 0;
     std::string where_least, where_most;
-    Dresser dresser;
+    ProgramAppearance appearance;
     QImage sheet(kSizes * kTile.width(),
                  (static_cast<int>(dresses().size()) + kSizes - 1) / kSizes * kTile.height(),
                  QImage::Format_RGB32);
     sheet.fill(Qt::white);
     for (const Dress& dress : dresses()) {
-      dresser.wear({dress.theme, QLatin1String(dress.language)});
+      appearance.apply({dress.theme, QLatin1String(dress.language)});
       studio.window().resize(dress.size);
       settle(studio.window());
       EXPECT_EQ(studio.window().size(), dress.size) << name << " does not fit, " << dress.name();
@@ -114,7 +114,7 @@ class Geometry : public testing::Test {
       if (is_slow_run()) keep_picture(studio.window(), name, dress, sheet);
     }
     if (is_slow_run()) keep_sheet(name, sheet);
-    dresser.wear({Theme::kLight, QStringLiteral("en")});
+    appearance.apply({Theme::kLight, QStringLiteral("en")});
     QTest::qWait(kSettling_ms);
     std::printf("[ figures  ] %-20s pictured %.2f (%s), empty %.2f (%s)\n",
                 name,
@@ -128,9 +128,9 @@ class Geometry : public testing::Test {
 
   template <class Dialog>
   void look_at_dialog(const char* name, Dialog& dialog) {
-    Dresser dresser;
+    ProgramAppearance appearance;
     for (const char* language : {"en", "de", "zh_CN"}) {
-      dresser.wear({Theme::kLight, QLatin1String(language)});
+      appearance.apply({Theme::kLight, QLatin1String(language)});
       dialog.show();
       dialog.adjustSize();
       settle(dialog);
@@ -139,7 +139,7 @@ class Geometry : public testing::Test {
     }
   }
 
-  static CalibratePlace& open_step(CalibrateStudio& rig, const char* step) {
+  static CalibratePage& open_step(CalibrateStudio& rig, const char* step) {
     rig.go_to_step(QLatin1String(step));
     return rig.place();
   }
@@ -167,14 +167,14 @@ class Geometry : public testing::Test {
   /// Each as it is, and all reduced on one sheet: sizes beside each other, languages and themes
   /// below.
   static void keep_picture(QWidget& window, const char* name, const Dress& dress, QImage& sheet) {
-    const QImage picture = window.grab().toImage();
+    const QImage image = window.grab().toImage();
     const std::filesystem::path folder = std::filesystem::path(ALLTACT_SCREENS) / "pages";
     std::filesystem::create_directories(folder);
     std::string file = fmt::format("{} {}.png", name, dress.name());
     std::replace(file.begin(), file.end(), ' ', '_');
-    ASSERT_TRUE(picture.save(QString::fromStdString((folder / file).string())));
+    ASSERT_TRUE(image.save(QString::fromStdString((folder / file).string())));
     const auto at = static_cast<int>(&dress - dresses().data());
-    const QImage tile = picture.scaled(kTile, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+    const QImage tile = image.scaled(kTile, Qt::KeepAspectRatio, Qt::SmoothTransformation);
     QPainter(&sheet).drawImage(QPoint(at % kSizes * kTile.width(), at / kSizes * kTile.height()),
                                tile);
   }
@@ -194,7 +194,7 @@ class Geometry : public testing::Test {
 
 TEST_F(Geometry, OfTheFirstPage) {
   Studio studio;
-  look(studio, "start_first", *studio.window().findChild<LivePlace*>(), {0.3, kMostEmpty});
+  look(studio, "start_first", *studio.window().findChild<LivePage*>(), {0.3, kMostEmpty});
 }
 
 TEST_F(Geometry, OfTheFirstPageWithFingers) {
@@ -210,7 +210,7 @@ TEST_F(Geometry, OfTheFirstPageWithFingers) {
   Studio studio(options);
   auto* cards = studio.window().findChild<FingerCards*>();
   ASSERT_TRUE(wait_until([&] { return cards->cards().size() == 2; }));
-  look(studio, "start", *studio.window().findChild<LivePlace*>(), {0, 0.45});
+  look(studio, "start", *studio.window().findChild<LivePage*>(), {0, 0.45});
 }
 
 TEST_F(Geometry, OfLive) {
@@ -219,7 +219,7 @@ TEST_F(Geometry, OfLive) {
     const auto& view = studio.session().view();
     return view && view->depth_layer;
   }));
-  look(studio, "live", *studio.window().findChild<LivePlace*>());
+  look(studio, "live", *studio.window().findChild<LivePage*>());
 }
 
 TEST_F(Geometry, OfRecord) {
@@ -230,7 +230,7 @@ TEST_F(Geometry, OfRecord) {
   ASSERT_TRUE(studio.wait_for_picture());
   studio.window().go_to("record");
   QTest::qWait(500);
-  look(studio, "record", *studio.window().findChild<RecordPlace*>());
+  look(studio, "record", *studio.window().findChild<RecordPage*>());
 }
 
 TEST_F(Geometry, OfInspect) {
@@ -239,7 +239,7 @@ TEST_F(Geometry, OfInspect) {
   options.finger = MadeFingers::get().calibrated();
   Studio studio(options);
   studio.window().go_to("inspect");
-  auto& place = *studio.window().findChild<InspectPlace*>();
+  auto& place = *studio.window().findChild<InspectPage*>();
   place.open(MadeFingers::get().touched_pictures());
   ASSERT_TRUE(wait_until([&] { return place.inspection().frame() != nullptr; }));
   QTest::qWait(300);
@@ -251,7 +251,7 @@ TEST_F(Geometry, OfAccuracy) {
   options.finger = MeasuredFinger::get().folder();
   Studio studio(options);
   studio.window().go_to("accuracy");
-  auto& place = *studio.window().findChild<AccuracyPlace*>();
+  auto& place = *studio.window().findChild<AccuracyPage*>();
   ASSERT_TRUE(wait_until([&] { return place.run().study() != nullptr; }));
   look(studio, "accuracy", place);
 }
@@ -263,12 +263,12 @@ TEST_F(Geometry, OfTheFirstSteps) {
   ASSERT_TRUE(wait_until([&] { return studio.session().status().finger.finger.has_value(); }));
   ASSERT_TRUE(studio.wait_for_picture());
   studio.window().go_to("calibrate");
-  auto& place = *studio.window().findChild<CalibratePlace*>();
+  auto& place = *studio.window().findChild<CalibratePage*>();
   look(studio, "calibrate_lens", place);
   studio.window().open_finger(MadeFingers::get().described());
   ASSERT_TRUE(
       wait_until([&] { return studio.session().status().finger.state == FingerState::kReady; }));
-  place.begin_with_next();
+  place.begin_next_step();
   look(studio, "calibrate_finger", place);
 }
 
@@ -282,7 +282,7 @@ TEST_F(Geometry, OfTheStepsWithPresses) {
   auto* list = rig.place().findChild<PressesPage*>()->findChild<QListView*>();
   list->setCurrentIndex(list->model()->index(2, 0));
   look(rig.studio(), "presses", rig.place());
-  Dresser().wear({Theme::kLight, QStringLiteral("en")});
+  ProgramAppearance().apply({Theme::kLight, QStringLiteral("en")});
   look(rig.studio(), "mapping_first", open_step(rig, "4"));
   rig.run().start();
   ASSERT_TRUE(wait_until([&] { return rig.run().result() != nullptr; }, 60000));
@@ -363,7 +363,7 @@ TEST_F(LayoutFaults, CutTextsAreFound) {
 }
 
 TEST_F(LayoutFaults, ATextWithAnEllipsisAndATipIsNone) {
-  auto& line = put(new OneLine, {10, 10, 60, 20});
+  auto& line = put(new ElidedLabel, {10, 10, 60, 20});
   line.set_text("a text that is wider than its line");
   auto& field = put(new QLineEdit("/a/path/that/is/longer/than/its/field"), {10, 50, 80, 30});
   field.setToolTip(field.text());
@@ -402,7 +402,7 @@ TEST_F(LayoutFaults, APictureCountsWhereItShowsOne) {
   show();
   EXPECT_NEAR(pictured_part(page_), 0.75, 1e-12);
   EXPECT_EQ(empty_part(page_), 1);
-  view.show_picture(cv::Mat(40, 60, CV_8UC1, cv::Scalar(90)), {});
+  view.show_image(cv::Mat(40, 60, CV_8UC1, cv::Scalar(90)), {});
   EXPECT_NEAR(empty_part(page_), 0.25, 0.01);
 }
 

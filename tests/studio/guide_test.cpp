@@ -3,9 +3,9 @@
 // at them before committing.
 #include "app/studio/help_pages.h"
 #include "app/studio/help_window.h"
-#include "app/studio/place_hint.h"
+#include "app/studio/page_hint.h"
 #include "app/studio/quick_guide.h"
-#include "app/studio/try_guide.h"
+#include "app/studio/tutorial.h"
 #include "core/io/atomic_file.h"
 #include "tests/gallery/gallery.h"
 #include "tests/studio/studio_rig.h"
@@ -31,9 +31,9 @@ const char* const kGuidePlaces[] = {"live", "calibrate", "record", "inspect", "a
 
 class HelpTexts : public testing::TestWithParam<const char*> {
  protected:
-  HelpTexts() { dresser_.wear({Theme::kLight, QLatin1String(GetParam())}); }
-  ~HelpTexts() override { dresser_.wear({Theme::kLight, QStringLiteral("en")}); }
-  Dresser dresser_;
+  HelpTexts() { appearance_.apply({Theme::kLight, QLatin1String(GetParam())}); }
+  ~HelpTexts() override { appearance_.apply({Theme::kLight, QStringLiteral("en")}); }
+  ProgramAppearance appearance_;
 };
 INSTANTIATE_TEST_SUITE_P(Language,
                          HelpTexts,
@@ -49,7 +49,7 @@ TEST_P(HelpTexts, OfEveryPlaceBeginWithWhatItIsFor) {
     EXPECT_LE(without_marks(lead.lead).size(), 320) << "a hint that nobody reads";
     EXPECT_FALSE(without_marks(lead.lead).contains(QLatin1Char('*')));
     EXPECT_GE(lead.steps.size(), 3);
-    EXPECT_FALSE(QImage(QStringLiteral(":/alltact/help/%1").arg(lead.picture)).isNull());
+    EXPECT_FALSE(QImage(QStringLiteral(":/alltact/help/%1").arg(lead.image)).isNull());
   }
 }
 
@@ -76,17 +76,16 @@ TEST_P(HelpTexts, MakeAGuideOfTwoPages) {
 
 TEST_P(HelpTexts, ExplainTheWordsInAGlossaryWithPictures) {
   Studio studio;
-  dresser_.wear({Theme::kLight, QLatin1String(GetParam())});
+  appearance_.apply({Theme::kLight, QLatin1String(GetParam())});
   QTest::keyClick(&studio.window(), Qt::Key_F1);
   auto* window = studio.window().findChild<HelpWindow*>();
   ASSERT_NE(window, nullptr);
   window->show_page(QStringLiteral("glossary"));
   auto* page = window->findChild<QTextBrowser*>();
   QTest::qWait(50);
-  for (const char* picture :
-       {"glossary_finger.png", "glossary_press.png", "glossary_picture.png"}) {
-    EXPECT_THAT(page->toHtml().toStdString(), HasSubstr(picture));
-    EXPECT_TRUE(fs::exists(fs::path(ALLTACT_SOURCE_DIR) / "resources/help" / picture)) << picture;
+  for (const char* image : {"glossary_finger.png", "glossary_press.png", "glossary_picture.png"}) {
+    EXPECT_THAT(page->toHtml().toStdString(), HasSubstr(image));
+    EXPECT_TRUE(fs::exists(fs::path(ALLTACT_SOURCE_DIR) / "resources/help" / image)) << image;
   }
   // Each number in a picture is explained, and there is no other.
   const QString text = page->toPlainText();
@@ -114,8 +113,8 @@ void expect_glossary_picture(const QImage& painted, const char* name) {
 
 TEST(Glossary, PicturesAreAsTheyArePainted) {
   const SameEverywhere same;
-  Dresser dresser;
-  dresser.wear({Theme::kLight, QStringLiteral("en")});
+  ProgramAppearance appearance;
+  appearance.apply({Theme::kLight, QStringLiteral("en")});
   for (const auto& [what, name] : {std::pair{DrawnThing::kFinger, "glossary_finger.png"},
                                    std::pair{DrawnThing::kPress, "glossary_press.png"}}) {
     FingerDrawing drawing(what);
@@ -125,19 +124,19 @@ TEST(Glossary, PicturesAreAsTheyArePainted) {
     drawing.show();
     expect_glossary_picture(drawing.grab().toImage(), name);
   }
-  const auto picture = gallery().at("outline_editor")();
-  picture->setAttribute(Qt::WA_DontShowOnScreen);
-  picture->resize(640, 360);
-  picture->show();
+  const auto image = gallery().at("outline_editor")();
+  image->setAttribute(Qt::WA_DontShowOnScreen);
+  image->resize(640, 360);
+  image->show();
   QTest::qWait(50);
-  expect_glossary_picture(picture->grab().toImage(), "glossary_picture.png");
+  expect_glossary_picture(image->grab().toImage(), "glossary_picture.png");
 }
 
 TEST(Hints, ComeOnceAndStayAwayWhenSentAway) {
   Studio studio;
-  auto* hint = studio.window().findChild<PlaceHint*>();
+  auto* hint = studio.window().findChild<PageHint*>();
   ASSERT_NE(hint, nullptr);
-  QSettings().remove(PlaceHint::key("inspect"));
+  QSettings().remove(PageHint::key("inspect"));
   studio.window().go_to("record");
   EXPECT_FALSE(hint->isVisible()) << "it is known already";
   studio.window().go_to("inspect");
@@ -151,13 +150,13 @@ TEST(Hints, ComeOnceAndStayAwayWhenSentAway) {
   studio.window().go_to("live");
   studio.window().go_to("inspect");
   EXPECT_FALSE(hint->isVisible());
-  EXPECT_TRUE(QSettings().value(PlaceHint::key("inspect")).toBool()) << "the next day, too";
+  EXPECT_TRUE(QSettings().value(PageHint::key("inspect")).toBool()) << "the next day, too";
 }
 
 TEST(Hints, AreSilentWhileTheGuideSpeaks) {
   Studio studio;
-  QSettings().remove(PlaceHint::key("record"));
-  auto* hint = studio.window().findChild<PlaceHint*>();
+  QSettings().remove(PageHint::key("record"));
+  auto* hint = studio.window().findChild<PageHint*>();
   studio.click("Try with a simulated finger");
   studio.window().go_to("record");
   EXPECT_FALSE(hint->isVisible());
@@ -167,8 +166,8 @@ TEST(Hints, AreSilentWhileTheGuideSpeaks) {
 
 TEST(Hints, ComeToLiveWithTheFirstSource) {
   Studio studio;
-  QSettings().remove(PlaceHint::key("live"));
-  auto* hint = studio.window().findChild<PlaceHint*>();
+  QSettings().remove(PageHint::key("live"));
+  auto* hint = studio.window().findChild<PageHint*>();
   studio.window().go_to("live");
   EXPECT_FALSE(hint->isVisible()) << "the first page speaks for itself";
   studio.window().open_source({MadeFingers::get().bending()});
@@ -182,11 +181,11 @@ TEST(HelpLeads, AreReadFromMarkdown) {
   EXPECT_EQ(lead.title, "A place");
   EXPECT_EQ(lead.lead, "The *first* [paragraph](page.md) of two lines.");
   EXPECT_EQ(without_marks(lead.lead), "The first paragraph of two lines.");
-  EXPECT_EQ(lead.picture, "picture.png");
+  EXPECT_EQ(lead.image, "picture.png");
   EXPECT_THAT(lead.steps, SizeIs(2));
   EXPECT_EQ(lead.steps.first(), "**One.** Do this.");
   const HelpLead bare = lead_of("# Bare\n");
-  EXPECT_TRUE(bare.lead.isEmpty() && bare.steps.isEmpty() && bare.picture.isEmpty());
+  EXPECT_TRUE(bare.lead.isEmpty() && bare.steps.isEmpty() && bare.image.isEmpty());
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include "tests/studio/measured_finger.h"
 #include "tests/support/same_everywhere.h"
 #include "tests/support/unlike_part.h"
-#include "widgets/places/accuracy_place.h"
+#include "widgets/pages/accuracy_page.h"
 
 #include <QElapsedTimer>
 #include <QFile>
@@ -65,18 +65,18 @@ std::set<QString> said_in(const std::string& language) {
                  .arg(QLatin1String(language == "en" ? "de" : language.c_str())));
   EXPECT_TRUE(file.open(QIODevice::ReadOnly));
   QXmlStreamReader xml(&file);
-  std::set<QString> said;
+  std::set<QString> press_set;
   const QString wanted =
       language == "en" ? QStringLiteral("source") : QStringLiteral("translation");
   while (!xml.atEnd()) {
     xml.readNext();
     if (!xml.isStartElement() || xml.name() != wanted) continue;
     QString text = plain(xml.readElementText(QXmlStreamReader::IncludeChildElements));
-    said.insert(text);
+    press_set.insert(text);
     // Words of the libraries begin a line of the window with a capital.
-    if (!text.isEmpty()) said.insert(text.replace(0, 1, text.at(0).toUpper()));
+    if (!text.isEmpty()) press_set.insert(text.replace(0, 1, text.at(0).toUpper()));
   }
-  return said;
+  return press_set;
 }
 
 /// What a page sets in italics, which is what stands in the window.
@@ -91,28 +91,28 @@ QStringList named_in(const QString& page) {
 TEST_P(Help, NamesOnlyWhatStandsInTheWindow) {
   const QStringList names = named_in(GetParam().text());
   EXPECT_GE(names.size(), 3);
-  const std::set<QString> said = said_in(GetParam().language);
-  ASSERT_GT(said.size(), 400U);
+  const std::set<QString> press_set = said_in(GetParam().language);
+  ASSERT_GT(press_set.size(), 400U);
   for (const QString& name : names)
-    EXPECT_TRUE(said.count(plain(name)) == 1) << name.toStdString() << " stands nowhere";
+    EXPECT_TRUE(press_set.count(plain(name)) == 1) << name.toStdString() << " stands nowhere";
 }
 
 TEST_P(Help, ShowsItsPictureAndLeavesNoMarkBehind) {
   Studio studio;
-  Dresser dresser;
-  dresser.wear({Theme::kLight, QString::fromStdString(GetParam().language)});
+  ProgramAppearance appearance;
+  appearance.apply({Theme::kLight, QString::fromStdString(GetParam().language)});
   studio.window().go_to(GetParam().place);
   QTest::keyClick(&studio.window(), Qt::Key_F1);
   auto* page = studio.window().findChild<QTextBrowser*>();
   ASSERT_NE(page, nullptr);
   const QString html = page->toHtml();
-  const QString picture = QString::fromStdString(GetParam().name() + ".png");
-  EXPECT_TRUE(html.contains(QStringLiteral("<img src=\"%1\"").arg(picture)));
-  const QVariant loaded = page->document()->resource(QTextDocument::ImageResource, QUrl(picture));
+  const QString image = QString::fromStdString(GetParam().name() + ".png");
+  EXPECT_TRUE(html.contains(QStringLiteral("<img src=\"%1\"").arg(image)));
+  const QVariant loaded = page->document()->resource(QTextDocument::ImageResource, QUrl(image));
   EXPECT_EQ(loaded.value<QImage>().isNull() && loaded.value<QPixmap>().isNull() &&
                 loaded.toByteArray().isEmpty(),
             false)
-      << picture.toStdString();
+      << image.toStdString();
   EXPECT_LT(fs::file_size(GetParam().file(".png")), 80'000U);
   EXPECT_FALSE(page->toPlainText().contains(QLatin1Char('*'))) << "emphasis that is none";
   page->window()->resize(880, 720);
@@ -125,8 +125,8 @@ TEST_P(Help, ShowsItsPictureAndLeavesNoMarkBehind) {
 TEST_P(Help, OfLiveLeadsToTheEffects) {
   if (GetParam().place != "live") GTEST_SKIP() << "speaks of no scene";
   Studio studio;
-  Dresser dresser;
-  dresser.wear({Theme::kLight, QString::fromStdString(GetParam().language)});
+  ProgramAppearance appearance;
+  appearance.apply({Theme::kLight, QString::fromStdString(GetParam().language)});
   studio.window().go_to("live");
   QTest::keyClick(&studio.window(), Qt::Key_F1);
   auto* page = studio.window().findChild<QTextBrowser*>();
@@ -158,8 +158,8 @@ void expect_like_kept(
       return true;
     }) {
   for (const Page& page : {Page{place, "zh_CN"}, Page{place, "de"}, Page{place, "en"}}) {
-    Dresser dresser;
-    dresser.wear({Theme::kLight, QString::fromStdString(page.language)});
+    ProgramAppearance appearance;
+    appearance.apply({Theme::kLight, QString::fromStdString(page.language)});
     QTest::qWait(400);
     ASSERT_TRUE(wait_until(is_calm));
     QTest::qWait(100);  // plots are painted with the next turns of the loop
@@ -221,8 +221,8 @@ TEST(HelpPictures, OfCalibrateIsLikeTheWindow) {
   CalibrateStudio rig(6);
   rig.open();
   rig.go_to_step("Presses");
-  ASSERT_TRUE(wait_until([&] { return rig.desk().presses().size() == 6; }));
-  rig.desk().set_radius(4);
+  ASSERT_TRUE(wait_until([&] { return rig.collection().presses().size() == 6; }));
+  rig.collection().set_radius(4);
   ASSERT_TRUE(rig.wait_until_looked_at(6));
   auto* list = rig.place().findChild<PressesPage*>()->findChild<QListView*>();
   list->setCurrentIndex(list->model()->index(2, 0));
@@ -237,7 +237,7 @@ TEST(HelpPictures, OfInspectIsLikeTheWindow) {
   options.finger = MadeFingers::get().calibrated();
   Studio studio(options);
   studio.window().go_to("inspect");
-  auto& place = *studio.window().findChild<InspectPlace*>();
+  auto& place = *studio.window().findChild<InspectPage*>();
   place.open(MadeFingers::get().touched_pictures());
   ASSERT_TRUE(wait_until([&] { return place.inspection().frame() != nullptr; }));
   ASSERT_TRUE(wait_until([&] { return place.inspection().summaries().size() == 6; }, 20000));
@@ -253,19 +253,19 @@ TEST(HelpPictures, OfAccuracyIsLikeTheWindow) {
   options.finger = MeasuredFinger::get().folder();
   Studio studio(options);
   studio.window().go_to("accuracy");
-  auto& place = *studio.window().findChild<AccuracyPlace*>();
+  auto& place = *studio.window().findChild<AccuracyPage*>();
   ASSERT_TRUE(wait_until([&] { return place.run().study() != nullptr; }));
   expect_like_kept(studio.window(), "accuracy");
 }
 
 TEST(HelpPictures, OfTwoPlacesOrLanguagesAreUnlike) {
-  const auto picture = [](const Page& page) {
+  const auto image = [](const Page& page) {
     return QImage(QString::fromStdString(page.file(".png").string()));
   };
   for (const Page& a : pages())
     for (const Page& b : pages()) {
       if (a.name() == b.name()) continue;
-      const double unlike = unlike_part(picture(a), picture(b));
+      const double unlike = unlike_part(image(a), image(b));
       EXPECT_GT(unlike, a.place == b.place ? 0.005 : kMostUnlike) << a.name() << ", " << b.name();
     }
 }

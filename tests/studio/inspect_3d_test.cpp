@@ -2,7 +2,7 @@
 // is exported, and pictures to look at.
 #include "tests/studio/standing_view.h"
 #include "tests/studio/two_fingers.h"
-#include "widgets/inspect/face_places.h"
+#include "widgets/inspect/face_positions.h"
 #include "widgets/inspect/reading_text.h"
 
 #include <QComboBox>
@@ -22,7 +22,7 @@ class InspectIn3DView : public testing::Test {
     studio_.emplace(options);
     studio_->window().go_to("inspect");
   }
-  InspectPlace& place() { return *studio_->window().findChild<InspectPlace*>(); }
+  InspectPage& place() { return *studio_->window().findChild<InspectPage*>(); }
   const InspectedFrame& frame() { return *place().inspection().frame(); }
   bool open(const std::filesystem::path& recording) {
     place().open(recording);
@@ -56,7 +56,7 @@ TEST_F(InspectIn3DView, TellsUnderThePointerTheDepthThatIsExported) {
       EXPECT_TRUE(is_told(QStringLiteral("Point at the face"))) << label->text().toStdString();
       continue;
     }
-    const float depth = depth_mm.at<float>(cv::Point(whole_pixel(*pixel)));
+    const float depth = depth_mm.at<float>(cv::Point(nearest_pixel(*pixel)));
     if (!std::isfinite(depth)) continue;
     ++told;
     const float without_sign = std::abs(depth) < 0.005F ? 0.F : depth;  // no "-0.00"
@@ -68,7 +68,7 @@ TEST_F(InspectIn3DView, TellsUnderThePointerTheDepthThatIsExported) {
 
 TEST_F(InspectIn3DView, AClickPutsAPointThatStaysOnTheFinger) {
   ASSERT_TRUE(open(TwoFingers::get().left_video()));
-  const auto middle = view().scene().place_of({450, 270});
+  const auto middle = view().scene().window_pixel_of({450, 270});
   ASSERT_TRUE(middle);
   const double ratio = view().devicePixelRatioF();
   const QPoint at(static_cast<int>(middle->x / ratio), static_cast<int>(middle->y / ratio));
@@ -78,7 +78,8 @@ TEST_F(InspectIn3DView, AClickPutsAPointThatStaysOnTheFinger) {
   // face seen at a slant is several of the camera's.
   double camera_pixels = 0;
   for (const QPoint step : {QPoint(1, 0), QPoint(0, 1), QPoint(1, 1), QPoint(-1, 1)}) {
-    const auto there = view().scene().place_of({450 + 20.0 * step.x(), 270 + 20.0 * step.y()});
+    const auto there =
+        view().scene().window_pixel_of({450 + 20.0 * step.x(), 270 + 20.0 * step.y()});
     ASSERT_TRUE(there);
     camera_pixels = std::max(camera_pixels,
                              std::sqrt(2.0) * 20 * std::hypot(step.x(), step.y()) /
@@ -96,27 +97,26 @@ TEST_F(InspectIn3DView, Pictures) {
   ASSERT_TRUE(wait_until([&] { return place().inspection().summaries().size() == 6; }, 20000));
   for (const char* button : {"deepest", "across"})
     place().findChild<QPushButton*>(QLatin1String(button))->click();
-  Dresser dresser;
+  ProgramAppearance appearance;
   for (const auto& [size, name] : {std::pair{QSize(1024, 700), "1024"},
                                    {QSize(1280, 800), "1280"},
                                    {QSize(1440, 900), "1440"}})
     for (const auto& [theme, look] : {std::pair{Theme::kLight, "light"}, {Theme::kDark, "dark"}}) {
-      dresser.wear({theme, QStringLiteral("en")});
+      appearance.apply({theme, QStringLiteral("en")});
       studio_->window().resize(size);
       save(std::string("inspect_3d_") + name + "_" + look);
     }
-  dresser.wear({Theme::kLight, QStringLiteral("en")});
+  appearance.apply({Theme::kLight, QStringLiteral("en")});
   studio_->window().resize(1280, 800);
   InspectOptions options = place().options();
-  options.scene.times = 5;
+  options.scene.exaggeration = 5;
   place().restore(options, 0);
-  for (const Standpoint standpoint :
-       {Standpoint::kCamera, Standpoint::kOutside, Standpoint::kSide}) {
-    options.standpoint = standpoint;
+  for (const Viewpoint viewpoint : {Viewpoint::kCamera, Viewpoint::kOutside, Viewpoint::kSide}) {
+    options.viewpoint = viewpoint;
     place().restore(options, 0);
-    save("inspect_3d_from_" + std::to_string(static_cast<int>(standpoint)));
+    save("inspect_3d_from_" + std::to_string(static_cast<int>(viewpoint)));
   }
-  options.standpoint = Standpoint::kTilted;
+  options.viewpoint = Viewpoint::kTilted;
   options.comparison = Comparison::kDifference;
   place().restore(options, 0);
   ASSERT_TRUE(wait_until([&] { return frame().other.has_value(); }, 20000));

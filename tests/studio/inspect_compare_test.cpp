@@ -2,7 +2,7 @@
 #include "core/recording/video_file.h"
 #include "core/sensing/measures.h"
 #include "tests/studio/two_fingers.h"
-#include "widgets/inspect/face_places.h"
+#include "widgets/inspect/face_positions.h"
 #include "widgets/inspect/view_box.h"
 
 #include <QComboBox>
@@ -30,7 +30,7 @@ class InspectMore : public testing::Test {
   }
   InspectMore() : studio_(options()) { studio_.window().go_to("inspect"); }
 
-  InspectPlace& place() { return *studio_.window().findChild<InspectPlace*>(); }
+  InspectPage& place() { return *studio_.window().findChild<InspectPage*>(); }
   const InspectedFrame& frame() { return *place().inspection().frame(); }
   bool open(const fs::path& recording) {
     place().open(recording);
@@ -72,11 +72,11 @@ TEST_F(InspectMore, NeverShowsOrdinaryDepthUnderTheTitleOfADifference) {
   auto* map = studio_.find<ImageView>("Picture");
   change([](InspectOptions& options) { options.comparison = Comparison::kDifference; });
   if (!frame().other) {
-    EXPECT_TRUE(map->picture().empty());
+    EXPECT_TRUE(map->image().empty());
     EXPECT_THAT(map->accessibleDescription().toStdString(), HasSubstr("being measured"));
   }
   ASSERT_TRUE(wait_until([&] { return frame().other.has_value(); }));
-  EXPECT_FALSE(map->picture().empty());
+  EXPECT_FALSE(map->image().empty());
 }
 
 TEST_F(InspectMore, ComparesWithAnotherSetting) {
@@ -163,15 +163,15 @@ TEST_F(InspectMore, TellsUnderThePointerWhatTheCommandLineWrites) {
 TEST_F(InspectMore, PointsStayOnTheFingerAndNotOnTheNextOne) {
   ASSERT_TRUE(open(TwoFingers::get().left_video()));
   studio_.click("Deepest");
-  const FacePlace place_before = *place().options().a;
+  const FacePosition place_before = *place().options().a;
   const cv::Point2d pixel_before = *pixel_of(frame(), place_before);
   studio_.find<QSlider>("Frame of the recording")->setValue(5);
   ASSERT_TRUE(wait_until([&] { return frame().number == 5; }));
   EXPECT_EQ(*place().options().a, place_before);
   const cv::Point2d pixel = *pixel_of(frame(), place().options().a);
   EXPECT_NE(pixel, pixel_before) << "the finger has bent, and the picture of the place moved";
-  EXPECT_NEAR(place_of(frame(), pixel)->along_mm, place_before.along_mm, 1e-6);
-  EXPECT_NEAR(place_of(frame(), pixel)->across_mm, place_before.across_mm, 1e-6);
+  EXPECT_NEAR(position_of(frame(), pixel)->along_mm, place_before.along_mm, 1e-6);
+  EXPECT_NEAR(position_of(frame(), pixel)->across_mm, place_before.across_mm, 1e-6);
   studio_.window().open_finger(TwoFingers::get().right());
   ASSERT_TRUE(wait_until(
       [&] { return studio_.session().status().finger.folder == TwoFingers::get().right(); }));
@@ -189,7 +189,7 @@ TEST_F(InspectMore, LooksThroughTheRecordingForItsEvents) {
   for (const FrameSummary& summary : place().inspection().summaries()) {
     EXPECT_NEAR(summary.deepest_mm.value(), 0.8, 0.1) << "as the scene says";
     EXPECT_GT(summary.area_mm2.value(), 5);
-    EXPECT_TRUE(summary.is_touched);
+    EXPECT_TRUE(summary.has_contact);
   }
   EXPECT_EQ(frame().number, 0U) << "what is shown stays";
 }

@@ -14,21 +14,21 @@ class InspectAfterACrash : public testing::Test {
   SessionState kept() {
     SessionState state;
     state.finger = TwoFingers::get().left();
-    state.place = "inspect";
+    state.page = "inspect";
     InspectOptions& options = state.inspect.options;
     options.recording = TwoFingers::get().left_video();
     options.second = SecondFinger{TwoFingers::get().right(), TwoFingers::get().right_video()};
     options.scene.top_mm = 0.7;
-    options.a = FacePlace{43.5, -1.25};
+    options.a = FacePosition{43.5, -1.25};
     options.with = {OtherMethod::kSetting, "smoothing-px", "0"};
     options.scene.body = false;
     options.scene.difference_top_mm = 0.02;
-    options.look = Look{{1, -90, -120}, {0, 0, 60}, {0, -1, 0}};
+    options.view_pose = ViewPose{{1, -90, -120}, {0, 0, 60}, {0, -1, 0}};
     state.inspect.frame = 4;
     return state;
   }
   void leave(const SessionState& state) {
-    { SessionKeeper(folder_ / "session").keep(state); }
+    { SessionStore(folder_ / "session").keep(state); }
     leave_as_after_a_crash(folder_ / "session");
   }
   StudioOptions options() {
@@ -43,7 +43,7 @@ TEST_F(InspectAfterACrash, WhatWasInspectedComesBack) {
   leave(kept());
   Studio studio(options());
   studio.click("Go on with it");
-  auto& place = *studio.window().findChild<InspectPlace*>();
+  auto& place = *studio.window().findChild<InspectPage*>();
   ASSERT_TRUE(wait_until([&] { return place.pair().frames().has_value(); }, 20000));
   EXPECT_TRUE(wait_until([&] { return place.inspection().frame()->number == 4; }));
   EXPECT_TRUE(wait_until([&] { return place.pair().frames()->second->number == 8; }));
@@ -75,14 +75,14 @@ TEST_F(InspectAfterACrash, WhatIsShownIsKeptWhileOneWorks) {
     with.finger = TwoFingers::get().left();
     Studio studio(with);
     studio.window().go_to("inspect");
-    auto& place = *studio.window().findChild<InspectPlace*>();
+    auto& place = *studio.window().findChild<InspectPage*>();
     place.open(TwoFingers::get().left_video());
     ASSERT_TRUE(wait_until([&] { return place.inspection().frame() != nullptr; }, 20000));
     studio.find<QSlider>("Frame of the recording")->setValue(2);
     ASSERT_TRUE(wait_until([&] { return place.inspection().frame()->number == 2; }));
     studio.click("Deepest");
     const auto written = [&] {
-      const SessionKeeper other(folder_ / "session");
+      const SessionStore other(folder_ / "session");
       return other.last() ? other.last()->inspect : InspectState();
     };
     EXPECT_TRUE(wait_until([&] { return written().frame == 2 && written().options.a; }))

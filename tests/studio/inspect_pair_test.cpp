@@ -1,6 +1,6 @@
 // Two fingers in the place Inspect, and the view that is turned by hand.
 #include "core/finger/finger.h"
-#include "core/io/picture.h"
+#include "core/io/image_file.h"
 #include "tests/studio/standing_view.h"
 #include "tests/studio/two_fingers.h"
 #include "widgets/inspect/gripper_dialog.h"
@@ -20,9 +20,9 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-void put_in_gripper(const fs::path& folder, const std::optional<RigidTransform>& place) {
+void put_in_gripper(const fs::path& folder, const std::optional<RigidTransform>& mount) {
   Finger finger = Finger::load(folder).value();
-  finger.gripper_from_camera = place;
+  finger.gripper_from_camera = mount;
   ASSERT_TRUE(finger.save(folder));
 }
 
@@ -38,12 +38,12 @@ class InspectPair : public testing::Test {
     put_in_gripper(two_.left(), std::nullopt);
     put_in_gripper(two_.right(), std::nullopt);
   }
-  InspectPlace& place() { return *studio_.window().findChild<InspectPlace*>(); }
-  const FingerPair& pair() { return place().pair(); }
+  InspectPage& mount() { return *studio_.window().findChild<InspectPage*>(); }
+  const FingerPair& pair() { return mount().pair(); }
   bool open_both() {
-    place().open(two_.left_video());
-    place().open_second(SecondFinger{two_.right(), two_.right_video()});
-    return wait_until([&] { return pair().frames() && pair().place(true) != nullptr; }, 20000);
+    mount().open(two_.left_video());
+    mount().open_second(SecondFinger{two_.right(), two_.right_video()});
+    return wait_until([&] { return pair().frames() && pair().mount(true) != nullptr; }, 20000);
   }
   std::string text(const QString& label) {
     return studio_.find<QLabel>(label)->text().toStdString();
@@ -68,7 +68,7 @@ TEST_F(InspectPair, JoinsFramesByTheirTimes) {
 
 TEST_F(InspectPair, SaysWhatIsMissingAndTakesThePlaceThatIsTyped) {
   ASSERT_TRUE(open_both());
-  EXPECT_FALSE(pair().is_placed());
+  EXPECT_FALSE(pair().has_both_poses());
   EXPECT_THAT(studio_.problems(), HasSubstr("camera of calibrated sits in the gripper is not"));
   studio_.click("Place of the second finger in the gripper");
   auto* dialog = studio_.window().findChild<GripperDialog*>();
@@ -79,7 +79,7 @@ TEST_F(InspectPair, SaysWhatIsMissingAndTakesThePlaceThatIsTyped) {
   const auto written = [&] { return Finger::load(two_.right()).value().gripper_from_camera; };
   ASSERT_TRUE(wait_until([&] { return written().has_value(); }));
   EXPECT_EQ(written()->translation_mm, Eigen::Vector3d(12.5, 0, 0));
-  ASSERT_TRUE(wait_until([&] { return pair().place(true)->gripper_from_camera.has_value(); }));
+  ASSERT_TRUE(wait_until([&] { return pair().mount(true)->gripper_from_camera.has_value(); }));
   EXPECT_EQ(studio_.window().undo_stack().undoText(), "place right in the gripper");
   studio_.window().undo_stack().undo();
   EXPECT_TRUE(wait_until([&] { return !written().has_value(); }));
@@ -93,13 +93,13 @@ TEST_F(InspectPair, TellsTheDistanceOfTheFaces) {
   ASSERT_TRUE(open_both());
   ASSERT_TRUE(wait_until([&] { return pair().gap().has_value(); }));
   // Of points of both contact faces none are nearer, and some are nearly as near.
-  const auto points = [](const InspectedFrame& frame, const RigidTransform& place) {
+  const auto points = [](const InspectedFrame& frame, const RigidTransform& mount) {
     std::vector<Eigen::Vector3d> points;
     const cv::Mat face = contact_face_points_mm(frame.result, frame.face);
     for (int v = 0; v < face.rows; v += 7)
       for (int u = 0; u < face.cols; u += 7)
         if (const auto& p = face.at<cv::Vec3f>(v, u); std::isfinite(p[2]))
-          points.push_back(place.point({p[0], p[1], p[2]}));
+          points.push_back(mount.point({p[0], p[1], p[2]}));
     return points;
   };
   const auto frames = *pair().frames();
@@ -107,13 +107,13 @@ TEST_F(InspectPair, TellsTheDistanceOfTheFaces) {
   const auto right = points(*frames.second, TwoFingers::place_of_right());
   for (const auto& p : points(*frames.first, TwoFingers::place_of_left()))
     for (const auto& q : right) nearest = std::min(nearest, (p - q).norm());
-  const double said = pair().gap()->distance();
-  EXPECT_GT(said, 1);
-  EXPECT_LE(said, nearest + 0.1);
-  EXPECT_GT(said, nearest - 4.5)
+  const double press_set = pair().gap()->distance();
+  EXPECT_GT(press_set, 1);
+  EXPECT_LE(press_set, nearest + 0.1);
+  EXPECT_GT(press_set, nearest - 4.5)
       << "seven pixels are one to two millimetres at the tips, where the faces are nearest";
   EXPECT_THAT(text("Distance between the faces"),
-              HasSubstr(QLocale().toString(said, 'f', 2).toStdString() + " mm"));
+              HasSubstr(QLocale().toString(press_set, 'f', 2).toStdString() + " mm"));
   EXPECT_EQ(studio_.problems(), "");
 }
 
@@ -121,10 +121,10 @@ TEST_F(InspectPair, SavesBothInTheGrippersFrame) {
   put_in_gripper(two_.left(), TwoFingers::place_of_left());
   put_in_gripper(two_.right(), TwoFingers::place_of_right());
   ASSERT_TRUE(open_both());
-  ASSERT_TRUE(wait_until([&] { return pair().is_placed(); }));
+  ASSERT_TRUE(wait_until([&] { return pair().has_both_poses(); }));
   const TemporaryFolder out;
-  place().save(out / "both.ply");
-  ASSERT_TRUE(wait_until([&] { return !place().is_saving(); }));
+  mount().save(out / "both.ply");
+  ASSERT_TRUE(wait_until([&] { return !mount().is_saving(); }));
   EXPECT_FALSE(fs::exists(out / "both.ply"));
   const auto frames = *pair().frames();
   for (const auto& [name, frame, at] :
@@ -148,8 +148,8 @@ TEST_F(InspectPair, SavesBothInTheGrippersFrame) {
 }
 
 TEST_F(InspectPair, IsOpenedByItsDialogAndClosedByUndo) {
-  place().open(two_.left_video());
-  ASSERT_TRUE(wait_until([&] { return place().inspection().frame() != nullptr; }));
+  mount().open(two_.left_video());
+  ASSERT_TRUE(wait_until([&] { return mount().inspection().frame() != nullptr; }));
   studio_.click("Second finger…");
   auto* dialog = studio_.window().findChild<SecondFingerDialog*>();
   ASSERT_NE(dialog, nullptr);
@@ -166,14 +166,14 @@ TEST_F(InspectPair, IsOpenedByItsDialogAndClosedByUndo) {
   EXPECT_TRUE(wait_until([&] { return pair().frames().has_value(); }));
   studio_.click("Live finger");
   EXPECT_FALSE(pair().is_open());
-  EXPECT_TRUE(place().options().recording.empty());
+  EXPECT_TRUE(mount().options().recording.empty());
   studio_.window().undo_stack().undo();
   EXPECT_TRUE(wait_until([&] { return pair().frames().has_value(); }));
 }
 
 TEST_F(InspectPair, SaysWhyTheSecondCannotBeShown) {
-  place().open(two_.left_video());
-  place().open_second(SecondFinger{"/nowhere/finger", "/nowhere/b.mkv"});
+  mount().open(two_.left_video());
+  mount().open_second(SecondFinger{"/nowhere/finger", "/nowhere/b.mkv"});
   ASSERT_TRUE(
       wait_until([&] { return studio_.problems().find("/nowhere/finger") != std::string::npos; }));
   ASSERT_TRUE(
@@ -188,7 +188,7 @@ class InspectIn3D : public InspectPair {
   }
   FacePane& view() { return *studio_.window().findChild<FacePane*>(); }
   bool open_one() {
-    place().open(two_.left_video());
+    mount().open(two_.left_video());
     return wait_for_standing_view(studio_);
   }
   void drag(QPoint from, QPoint to) {
@@ -209,63 +209,63 @@ class InspectIn3D : public InspectPair {
     }
   }
   QUndoStack& stack() { return studio_.window().undo_stack(); }
-  void expect_look(const Look& look) {
-    EXPECT_LT((view().scene().look().eye - look.eye).norm(), 1e-6);
-    EXPECT_LT((view().scene().look().at - look.at).norm(), 1e-6);
+  void expect_view_pose(const ViewPose& pose) {
+    EXPECT_LT((view().scene().view_pose().eye - pose.eye).norm(), 1e-6);
+    EXPECT_LT((view().scene().view_pose().at - pose.at).norm(), 1e-6);
   }
 };
 
 TEST_F(InspectIn3D, ADragIsOneStepBack) {
   ASSERT_TRUE(open_one());
   const int before = stack().count();
-  const Look first = view().scene().look();
+  const ViewPose first = view().scene().view_pose();
   drag({200, 200}, {320, 240});
-  const Look second = view().scene().look();
+  const ViewPose second = view().scene().view_pose();
   EXPECT_GT((second.eye - first.eye).norm(), 1);
   drag({200, 200}, {150, 260});
-  const Look third = view().scene().look();
+  const ViewPose third = view().scene().view_pose();
   EXPECT_EQ(stack().count(), before + 2);
   EXPECT_EQ(stack().undoText(), "turn the 3D view");
   stack().undo();
-  expect_look(second);
+  expect_view_pose(second);
   stack().undo();
-  expect_look(first);
+  expect_view_pose(first);
   stack().redo();
   stack().redo();
-  expect_look(third);
+  expect_view_pose(third);
 }
 
 TEST_F(InspectIn3D, StepsOfTheWheelAndOfKeysBelongTogetherForAMoment) {
   ASSERT_TRUE(open_one());
   const int before = stack().count();
-  const Look first = view().scene().look();
+  const ViewPose first = view().scene().view_pose();
   roll(3);
   EXPECT_EQ(stack().count(), before + 1);
   QTest::qWait(800);
-  const Look closer = view().scene().look();
+  const ViewPose closer = view().scene().view_pose();
   view().setFocus();
   for (int i = 0; i < 3; ++i) QTest::keyClick(&view(), Qt::Key_Left);
   EXPECT_EQ(stack().count(), before + 2);
-  EXPECT_GT((view().scene().look().eye - closer.eye).norm(), 1);
+  EXPECT_GT((view().scene().view_pose().eye - closer.eye).norm(), 1);
   stack().undo();
-  expect_look(closer);
+  expect_view_pose(closer);
   stack().undo();
-  expect_look(first);
+  expect_view_pose(first);
   roll(1);
   QTest::keyClick(&view(), Qt::Key_0);
   EXPECT_EQ(stack().undoText(), "show all again");
-  expect_look(first);
+  expect_view_pose(first);
   stack().undo();
-  EXPECT_GT((view().scene().look().eye - first.eye).norm(), 0.1);
+  EXPECT_GT((view().scene().view_pose().eye - first.eye).norm(), 0.1);
 }
 
 TEST_F(InspectIn3D, AClickThatTremblesTurnsNothing) {
   ASSERT_TRUE(open_one());
-  const Look first = view().scene().look();
+  const ViewPose first = view().scene().view_pose();
   const int before = stack().count();
   const QPoint middle = view().rect().center();
   drag(middle, middle + QPoint(1, 1));
-  expect_look(first);
+  expect_view_pose(first);
   EXPECT_LE(stack().count(), before + 1) << "a point perhaps, no turn";
   EXPECT_NE(stack().undoText(), "turn the 3D view");
 }
@@ -276,7 +276,7 @@ TEST_F(InspectIn3D, ShowsBothInOnePicture) {
   ASSERT_TRUE(open_both());
   ASSERT_TRUE(wait_until([&] { return pair().gap().has_value(); }));
   int panes = 0;
-  for (const InspectPane* pane : place().findChildren<InspectPane*>()) panes += pane->isVisible();
+  for (const InspectPane* pane : mount().findChildren<InspectPane*>()) panes += pane->isVisible();
   EXPECT_EQ(panes, 1);
   QTest::qWait(300);
   fs::create_directories(ALLTACT_SCREENS);

@@ -1,12 +1,12 @@
 // The place Inspect, as a person uses it. On Qt's offscreen platform it shows height maps; 3D is
 // looked at on a screen (see tests/scene3d).
 #include "core/finger/finger_store.h"
-#include "core/io/picture.h"
+#include "core/io/image_file.h"
 #include "core/recording/video_file.h"
 #include "core/sensing/measures.h"
 #include "core/sources/open/open_source.h"
 #include "tests/studio/studio_rig.h"
-#include "widgets/inspect/face_places.h"
+#include "widgets/inspect/face_positions.h"
 #include "widgets/inspect/surface_readings.h"
 
 #include <QAccessible>
@@ -34,7 +34,7 @@ class Inspect : public testing::Test {
   }
   Inspect() : studio_(options()) { studio_.window().go_to("inspect"); }
 
-  InspectPlace& place() { return *studio_.window().findChild<InspectPlace*>(); }
+  InspectPage& place() { return *studio_.window().findChild<InspectPage*>(); }
   const InspectedFrame& frame() { return *place().inspection().frame(); }
   bool open_pictures() {
     place().open(MadeFingers::get().touched_pictures());
@@ -129,8 +129,8 @@ TEST_F(Inspect, TellsHowFarTwoPointsAreApart) {
   set("Point A, across it", -2.5);
   set("Point B, along the finger", 47.25);
   set("Point B, across it", 3);
-  EXPECT_EQ(place().options().a, (FacePlace{30, -2.5}));
-  EXPECT_EQ(place().options().b, (FacePlace{47.25, 3}));
+  EXPECT_EQ(place().options().a, (FacePosition{30, -2.5}));
+  EXPECT_EQ(place().options().b, (FacePosition{47.25, 3}));
   const auto a = pixel_of(frame(), place().options().a), b = pixel_of(frame(), place().options().b);
   ASSERT_TRUE(a && b);
   const auto distance = distance_between(frame().result, frame().face, *a, *b);
@@ -138,8 +138,8 @@ TEST_F(Inspect, TellsHowFarTwoPointsAreApart) {
   EXPECT_THAT(
       text("Measured at the points"),
       HasSubstr(QLocale().toString(distance->straight_mm, 'f', 2).toStdString() + " mm straight"));
-  EXPECT_GE(distance->over_face_mm, distance->straight_mm);
-  EXPECT_LT(distance->over_face_mm, 1.05 * distance->straight_mm);
+  EXPECT_GE(distance->along_face_mm, distance->straight_mm);
+  EXPECT_LT(distance->along_face_mm, 1.05 * distance->straight_mm);
   // What the command line writes of the pixels around.
   const cv::Mat points = contact_face_points_mm(frame().result, frame().face);
   const cv::Vec3d apart = points.at<cv::Vec3f>(cv::Point(*b)) - points.at<cv::Vec3f>(cv::Point(*a));
@@ -170,8 +170,8 @@ TEST_F(Inspect, MeasuresWhatLiesBetweenThePoints) {
   studio_.click("Deepest");
   const cv::Point2d deepest = *pixel_of(frame(), place().options().a);
   InspectOptions box = place().options();
-  box.a = place_of(frame(), deepest - cv::Point2d(14, 26));
-  box.b = place_of(frame(), deepest + cv::Point2d(14, 26));
+  box.a = position_of(frame(), deepest - cv::Point2d(14, 26));
+  box.b = position_of(frame(), deepest + cv::Point2d(14, 26));
   place().restore(box, frame().number);
   auto* table = studio_.find<QTableWidget>("Measured between the points");
   ASSERT_NE(table, nullptr);
@@ -283,9 +283,9 @@ TEST_F(Inspect, SavesAPictureAndAFilm) {
   const TemporaryFolder out;
   place().save(out / "view.png");
   ASSERT_TRUE(wait_until([&] { return !place().is_saving(); }));
-  const QImage picture(QString::fromStdString((out / "view.png").string()));
-  EXPECT_NEAR(picture.width(), 2008, 2) << "17 cm of 300 dots an inch";
-  EXPECT_NEAR(picture.dotsPerMeterX(), 300 / 0.0254, 1);
+  const QImage image(QString::fromStdString((out / "view.png").string()));
+  EXPECT_NEAR(image.width(), 2008, 2) << "17 cm of 300 dots an inch";
+  EXPECT_NEAR(image.dotsPerMeterX(), 300 / 0.0254, 1);
   place().save(out / "film.mkv");
   ASSERT_TRUE(wait_until([&] { return !place().is_saving(); }, 60000));
   auto film = VideoFile::open(out / "film.mkv");

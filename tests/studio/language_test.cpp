@@ -1,7 +1,7 @@
 // What the libraries say, in German, in Chinese and in English.
 #include "widgets/language.h"
 
-#include "app/studio/dresser.h"
+#include "app/studio/program_appearance.h"
 #include "calibration/report/press_residuals.h"
 #include "calibration/verdict/verdict.h"
 #include "core/result.h"
@@ -24,9 +24,9 @@ class InLanguage : public testing::Test {
  protected:
   ~InLanguage() override { speak("en"); }
   void speak(const char* language) {
-    dresser_.wear({Theme::kLight, QString::fromLatin1(language)});
+    appearance_.apply({Theme::kLight, QString::fromLatin1(language)});
   }
-  static std::string said(const Message& message) {
+  static std::string press_set(const Message& message) {
     return in_window_language(message).toStdString();
   }
   static std::vector<TsMessage> all_said(const char* language) {
@@ -37,13 +37,13 @@ class InLanguage : public testing::Test {
     EXPECT_GT(messages.size(), 700U);
     return messages;
   }
-  Dresser dresser_;
+  ProgramAppearance appearance_;
 };
 
 TEST_F(InLanguage, EnglishIsAsTheSourcesSayIt) {
   speak("en");
   const Message verdict = en::say("good");
-  EXPECT_EQ(said(verdict), "good");
+  EXPECT_EQ(press_set(verdict), "good");
   EXPECT_EQ(window_sentence(en::say("the disk is full")).toStdString(), "The disk is full.");
   EXPECT_EQ(window_sentence(en::say("The disk is full.")).toStdString(), "The disk is full.");
   EXPECT_EQ(window_sentence(en::say("is it there?")).toStdString(), "Is it there?");
@@ -67,17 +67,17 @@ TEST_F(InLanguage, WhatSomebodyTypedStaysAsItIs) {
   for (const char* language : {"de", "zh_CN"}) {
     SCOPED_TRACE(language);
     speak(language);
-    EXPECT_NE(said(en::say("left")), "left");
+    EXPECT_NE(press_set(en::say("left")), "left");
     const std::string press = "left";
     const Message no_face = en::say("no face was found");
-    EXPECT_EQ(said(en::at(Message::typed(press), no_face)).rfind("left: ", 0), 0U);
+    EXPECT_EQ(press_set(en::at(Message::typed(press), no_face)).rfind("left: ", 0), 0U);
     const std::filesystem::path folder = "no face was found";
     const Error error{no_face, folder, en::say("another frame")};
-    EXPECT_EQ(said(error.message()).rfind("no face was found: ", 0), 0U);
-    EXPECT_THAT(said(error.message()), Not(HasSubstr("another frame")));
+    EXPECT_EQ(press_set(error.message()).rfind("no face was found: ", 0), 0U);
+    EXPECT_THAT(press_set(error.message()), Not(HasSubstr("another frame")));
     const Message twice = en::say("two presses are called '{}'", press);
-    EXPECT_THAT(said(twice), HasSubstr("left"));
-    EXPECT_THAT(said(twice), Not(HasSubstr(said(en::say("left")))));
+    EXPECT_THAT(press_set(twice), HasSubstr("left"));
+    EXPECT_THAT(press_set(twice), Not(HasSubstr(press_set(en::say("left")))));
   }
 }
 
@@ -87,8 +87,8 @@ TEST_F(InLanguage, NoTemplateIsTranslatedWhereItWasTyped) {
     speak(language);
     for (const TsMessage& message : all_said(language)) {
       const std::string words = message.source.toStdString();
-      EXPECT_EQ(said(Message::typed(words)), words);
-      EXPECT_EQ(said(en::say("{}: {}", words, en::say("stopped"))).rfind(words + ":", 0), 0U)
+      EXPECT_EQ(press_set(Message::typed(words)), words);
+      EXPECT_EQ(press_set(en::say("{}: {}", words, en::say("stopped"))).rfind(words + ":", 0), 0U)
           << words;
     }
   }
@@ -110,20 +110,19 @@ TEST_F(InLanguage, EveryTemplateIsSaidAsItsTranslation) {
       const std::string words = message.source.toStdString();
       const std::string comment = message.comment.toStdString();
       const auto filled = [&](const QString& form) {
-        return Message::put_together(Message::Kind::kSaid, form.toStdString(), {}, -1, parts)
+        return Message::compose(Message::Kind::kTemplate, form.toStdString(), {}, -1, parts)
             .english();
       };
       if (!message.is_counted) {
-        const Message whole =
-            Message::put_together(Message::Kind::kSaid, words, comment, -1, parts);
-        EXPECT_EQ(said(whole), filled(message.translations.first()));
+        const Message whole = Message::compose(Message::Kind::kTemplate, words, comment, -1, parts);
+        EXPECT_EQ(press_set(whole), filled(message.translations.first()));
         continue;
       }
       for (const int count : {0, 1, 2}) {
         const bool is_one = count == 1 && language == std::string("de");
         const Message whole =
-            Message::put_together(Message::Kind::kCounted, words, comment, count, parts);
-        EXPECT_EQ(said(whole),
+            Message::compose(Message::Kind::kCounted, words, comment, count, parts);
+        EXPECT_EQ(press_set(whole),
                   filled(is_one ? message.translations.first() : message.translations.last()));
       }
     }
@@ -162,7 +161,9 @@ TEST_F(InLanguage, NoEnglishIsLeftInWhatIsPutTogether) {
 }
 
 TEST_F(InLanguage, CountsAreSaidOfNoneOneAndMore) {
-  const auto frames = [](int count) { return said(en::count("{} frames", "{} frame", count)); };
+  const auto frames = [](int count) {
+    return press_set(en::count("{} frames", "{} frame", count));
+  };
   speak("en");
   EXPECT_EQ(frames(0), "0 frames");
   EXPECT_EQ(frames(1), "1 frame");
@@ -182,12 +183,12 @@ TEST_F(InLanguage, EveryCountIsRightInEnglishWithoutATranslation) {
   for (const TsMessage& message : all_said("de")) {
     if (!message.is_counted) continue;
     for (const int count : {0, 1, 2}) {
-      const Message whole = Message::put_together(Message::Kind::kCounted,
-                                                  message.source.toStdString(),
-                                                  message.comment.toStdString(),
-                                                  count,
-                                                  {Message::typed("N"), Message::typed("A")});
-      EXPECT_EQ(said(whole), whole.english());
+      const Message whole = Message::compose(Message::Kind::kCounted,
+                                             message.source.toStdString(),
+                                             message.comment.toStdString(),
+                                             count,
+                                             {Message::typed("N"), Message::typed("A")});
+      EXPECT_EQ(press_set(whole), whole.english());
     }
   }
 }

@@ -1,9 +1,9 @@
 #include "tests/studio/layout_rig.h"
 
-#include "widgets/picture/image_view.h"
+#include "widgets/image/image_view.h"
 #include "widgets/plots/plot.h"
 #include "widgets/recording/coverage_view.h"
-#include "widgets/shell/one_line.h"
+#include "widgets/shell/elided_label.h"
 
 #include <QAbstractButton>
 #include <QAbstractScrollArea>
@@ -82,7 +82,8 @@ QSize lacking(const QSize& wanted, const QSize& given) {
 
 QSize lack_of_label(const QLabel& label) {
   if (label.text().isEmpty()) return {0, 0};
-  if (const auto* line = qobject_cast<const OneLine*>(&label); line != nullptr && line->is_cut())
+  if (const auto* line = qobject_cast<const ElidedLabel*>(&label);
+      line != nullptr && line->is_elided())
     return is_told_by_tip(label, label.text()) ? QSize(0, 0) : QSize(1, 0);
   if (!label.wordWrap()) return lacking(label.sizeHint(), label.size());
   return lacking({label.minimumSizeHint().width(), label.heightForWidth(label.width())},
@@ -254,7 +255,7 @@ QRect content_of_view(const QAbstractItemView& view) {
 /// In the widget's own pixels; empty for what only holds others.
 QRect content_of(const QWidget& widget) {
   if (const auto* view = qobject_cast<const ImageView*>(&widget))
-    return view->picture().empty() ? QRect() : view->rect();
+    return view->image().empty() ? QRect() : view->rect();
   if (shows_picture(widget)) return widget.rect();
   if (const auto* label = qobject_cast<const QLabel*>(&widget))
     return label->text().isEmpty() && label->pixmap(Qt::ReturnByValue).isNull()

@@ -1,7 +1,7 @@
 // Two fingers watched at once in the place Live.
 #include "core/finger/finger_store.h"
 #include "core/io/atomic_file.h"
-#include "core/io/picture.h"
+#include "core/io/image_file.h"
 #include "tests/core/gripper/gripper_files.h"
 #include "tests/studio/studio_rig.h"
 #include "widgets/pair/second_camera_dialog.h"
@@ -30,9 +30,9 @@ class SteadyCamera : public Source {
   SteadyCamera(std::string name, std::int64_t first_ns, const std::atomic<bool>* is_stuck)
       : name_(std::move(name)), first_ns_(first_ns), is_stuck_(is_stuck) {
     for (int i = 0; i < 6; ++i)
-      pictures_.push_back(read_grey_picture(MadeFingers::get().touched_pictures() /
-                                            fmt::format("frame_{:05}.png", i))
-                              .value());
+      pictures_.push_back(
+          read_grey_image(MadeFingers::get().touched_pictures() / fmt::format("frame_{:05}.png", i))
+              .value());
   }
   Result<FramePtr> next() override {
     auto frame = std::make_shared<Frame>();
@@ -63,7 +63,7 @@ class TwoCameras : public testing::Test {
  protected:
   static constexpr double kKnownAt_turns = 5.0;
   static RigidTransform place(bool is_second) {
-    return {rotation_of_degrees({0, 60, is_second ? 180.0 : 0.0}),
+    return {rotation_from_rpy_deg({0, 60, is_second ? 180.0 : 0.0}),
             Eigen::Vector3d(is_second ? 150 : -150, 0, 0)};
   }
 
@@ -100,7 +100,7 @@ class TwoCameras : public testing::Test {
             has_gripper ? gripper_file() : fs::path(),
             has_gripper ? std::optional(kKnownAt_turns) : std::nullopt};
   }
-  static LivePlace& live(Studio& studio) { return *studio.window().findChild<LivePlace*>(); }
+  static LivePage& live(Studio& studio) { return *studio.window().findChild<LivePage*>(); }
   static bool wait_for_pair(Studio& studio) {
     return wait_until(
         [&] {
@@ -110,7 +110,7 @@ class TwoCameras : public testing::Test {
         },
         40000);
   }
-  static std::string said(Studio& studio, const QString& label) {
+  static std::string press_set(Studio& studio, const QString& label) {
     return studio.find<QLabel>(label)->text().toStdString();
   }
 
@@ -140,13 +140,13 @@ TEST_F(TwoCameras, ShowsBothPicturesOfOneMoment) {
       },
       20000))
       << seen;
-  EXPECT_THAT(said(studio, "Whether both pictures are of one moment"), HasSubstr("In time"));
+  EXPECT_THAT(press_set(studio, "Whether both pictures are of one moment"), HasSubstr("In time"));
   // Side by side, each as large as the other, and neither squashed.
-  const auto panels = live(studio).findChildren<PicturePanel*>();
+  const auto panels = live(studio).findChildren<ImagePanel*>();
   ASSERT_EQ(panels.size(), 2);
   EXPECT_NEAR(panels[0]->width(), panels[1]->width(), 2);
   EXPECT_GE(panels[1]->view().width(), 300);
-  EXPECT_FALSE(panels[1]->view().picture().empty());
+  EXPECT_FALSE(panels[1]->view().image().empty());
   EXPECT_LT(panels[0]->mapToGlobal(QPoint()).x(), panels[1]->mapToGlobal(QPoint()).x());
 
   QTest::keyClick(&studio.window(), Qt::Key_Z, Qt::ControlModifier);
@@ -165,7 +165,7 @@ TEST_F(TwoCameras, SaysWhenOneOfThemStandsStillAndGoesOnWithTheOther) {
   const auto before = live(studio).pair().pair()->views[0];
   EXPECT_TRUE(wait_until([&] { return live(studio).pair().pair()->views[0] != before; }));
   EXPECT_TRUE(wait_until([&] {
-    return said(studio, "Whether both pictures are of one moment").find("Not in time") !=
+    return press_set(studio, "Whether both pictures are of one moment").find("Not in time") !=
            std::string::npos;
   }));
   is_second_stuck_ = false;
@@ -231,12 +231,12 @@ TEST_F(TwoCameras, TellsTheGapAndTheWidthOfWhatIsHeld) {
   EXPECT_GT(*reading.gap->sd_mm, 0);
 
   ASSERT_TRUE(reading.width);
-  const double width_mm = std::abs(place(true).point(second.regions.front().place_mm).x() -
-                                   place(false).point(first.regions.front().place_mm).x());
+  const double width_mm = std::abs(place(true).point(second.regions.front().position_mm).x() -
+                                   place(false).point(first.regions.front().position_mm).x());
   EXPECT_NEAR(reading.width->mm, width_mm, 1e-6);
   ASSERT_TRUE(wait_until(
-      [&] { return said(studio, "Gap and width").find("Held width") != std::string::npos; }));
-  EXPECT_THAT(said(studio, "Gap and width"), HasSubstr("±"));
+      [&] { return press_set(studio, "Gap and width").find("Held width") != std::string::npos; }));
+  EXPECT_THAT(press_set(studio, "Gap and width"), HasSubstr("±"));
 
   // Another motor position is another gap, and can be taken back.
   auto* motor = studio.find<QDoubleSpinBox>("Motor position in turns");
@@ -266,7 +266,7 @@ TEST_F(TwoCameras, SaysWhatIsWrongWithSecondFingerCameraAndGripper) {
   wrong.source = {"no camera"};
   EXPECT_THAT(problem_of(wrong), HasSubstr("there is no such camera"));
   EXPECT_TRUE(wait_until([&] {
-    return said(studio, "Whether both pictures are of one moment").find("no such camera") !=
+    return press_set(studio, "Whether both pictures are of one moment").find("no such camera") !=
            std::string::npos;
   }));
   wrong = second(true);

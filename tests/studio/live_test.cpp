@@ -67,7 +67,7 @@ TEST(Live, ReadsOutTheGreyValueUnderTheProbe) {
   QTest::keyClick(view, Qt::Key_Right, Qt::ShiftModifier);
   const auto at = view->probe();
   ASSERT_TRUE(at);
-  const int grey = view->picture().at<std::uint8_t>(at->y(), at->x());
+  const int grey = view->image().at<std::uint8_t>(at->y(), at->x());
   const QString text = studio.find<QLabel>("Under the probe")->text();
   EXPECT_THAT(text.toStdString(),
               HasSubstr("u " + std::to_string(at->x()) + " px, v " + std::to_string(at->y()) +
@@ -100,10 +100,10 @@ TEST(Live, EveryOverlayChangesWhatIsPainted) {
                           1.0,
                           PushedFace::kContact};
   const auto painted = [&](const ViewOptions& options) {
-    ImageView picture;
-    picture.resize(960, 540);
-    picture.show_picture(view.result.grey, overlays_for(view, options));
-    return picture.grab().toImage();
+    ImageView image;
+    image.resize(960, 540);
+    image.show_image(view.result.grey, overlays_for(view, options));
+    return image.grab().toImage();
   };
   ViewOptions none;
   none.edges = none.markers = none.direction = none.depth = none.faults = false;
@@ -248,7 +248,7 @@ TEST(Live, GoesOnAfterACrashWithWhatWasKept) {
   kept.finger = MadeFingers::get().calibrated();
   kept.source = {MadeFingers::get().touched()};
   kept.view.edges = false;
-  { SessionKeeper(options.session_folder).keep(kept); }
+  { SessionStore(options.session_folder).keep(kept); }
   leave_as_after_a_crash(options.session_folder);
   Studio studio(options);
   EXPECT_THAT(studio.problems(), HasSubstr("ended unexpectedly"));

@@ -48,7 +48,7 @@ inline constexpr MadeUpTrade kMadeUpTrades[] = {{"edge-method", "integer", -0.05
           median_mm *= trade.error_factor;
         }
     row.depth = ErrorSpread{median_mm, 3.2 * median_mm};
-    row.place_mm = 0.08;
+    row.position_mm = 0.08;
     study.rows.push_back(row);
   }
   return study;
@@ -67,7 +67,7 @@ class MeasuredFinger {
     std::filesystem::copy(
         MadeFingers::get().calibrated(), folder(), std::filesystem::copy_options::recursive);
     const FingerPtr finger = open_finger(folder()).value();
-    must(keep_study(finger, made_up_study({}, finger->finger), program_version()));
+    must(store_study(finger, made_up_study({}, finger->finger), program_version()));
   }
   TemporaryFolder folder_;
 };

@@ -1,6 +1,6 @@
 // Numbers typed into every field of the window, in three languages: the value that a person means,
 // or a refusal that stays in sight; never another value.
-#include "app/studio/dresser.h"
+#include "app/studio/program_appearance.h"
 #include "core/typed_number.h"
 #include "tests/studio/studio_rig.h"
 #include "tests/support/typed_numbers.h"
@@ -119,9 +119,9 @@ CameraControl exposure() {
 
 class Numbers : public testing::TestWithParam<const char*> {
  protected:
-  Numbers() { dresser_.wear({Theme::kLight, QLatin1String(GetParam())}); }
-  ~Numbers() override { dresser_.wear({Theme::kLight, QStringLiteral("en")}); }
-  Dresser dresser_;
+  Numbers() { appearance_.apply({Theme::kLight, QLatin1String(GetParam())}); }
+  ~Numbers() override { appearance_.apply({Theme::kLight, QStringLiteral("en")}); }
+  ProgramAppearance appearance_;
 };
 INSTANTIATE_TEST_SUITE_P(Language, Numbers, testing::Values("en", "de", "zh_CN"));
 
@@ -131,7 +131,7 @@ TEST_P(Numbers, InEveryFieldMeanWhatAPersonMeansOrAreRefused) {
   options.source = {MadeFingers::get().touched()};
   Studio studio(options);
   for (const char* language : {"en", GetParam()})  // anew, whatever the window has set
-    dresser_.wear({Theme::kLight, QLatin1String(language)});
+    appearance_.apply({Theme::kLight, QLatin1String(language)});
   ASSERT_TRUE(studio.wait_for_picture());
   for (const char* place : {"calibrate", "record", "inspect", "accuracy", "live"})
     studio.window().go_to(place);
@@ -148,7 +148,7 @@ TEST_P(Numbers, InEveryFieldMeanWhatAPersonMeansOrAreRefused) {
         part->setEnabled(true);
       if (auto* number = qobject_cast<NumberField*>(field))
         expect_meanings(*number, GetParam(), taken);
-      else if (auto* whole = qobject_cast<WholeNumberField*>(field))
+      else if (auto* whole = qobject_cast<IntegerField*>(field))
         expect_meanings(*whole, GetParam(), taken);
       else
         ADD_FAILURE() << field->accessibleName().toStdString() << " is no NumberField but "

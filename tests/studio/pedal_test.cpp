@@ -51,7 +51,7 @@ TEST_F(PedalInWindow, StartsAndStopsARecording) {
   Studio studio(simulated());
   ASSERT_TRUE(studio.wait_for_picture());
   studio.window().go_to("record");
-  auto* place = studio.window().findChild<RecordPlace*>();
+  auto* place = studio.window().findChild<RecordPage*>();
   const auto& recording = studio.session().status().recording;
   QTest::qWait(500);  // the device is being opened
   place->set_file(QString::fromStdString((studio.folder() / "a.mkv").string()));
@@ -76,12 +76,12 @@ TEST_F(PedalInWindow, TakesAPress) {
   ASSERT_TRUE(rig.studio().wait_for_picture());
   auto* take = rig.studio().find<QPushButton>("Take a press (Space)");
   ASSERT_TRUE(wait_until([&] { return take->isEnabled(); }));
-  const std::size_t before = rig.desk().presses().size();
+  const std::size_t before = rig.collection().presses().size();
   QTest::qWait(300);
   press();
-  ASSERT_TRUE(wait_until([&] { return rig.desk().presses().size() == before + 1; }));
+  ASSERT_TRUE(wait_until([&] { return rig.collection().presses().size() == before + 1; }));
   QTest::qWait(200);
-  EXPECT_EQ(rig.desk().presses().size(), before + 1) << "one press, one picture";
+  EXPECT_EQ(rig.collection().presses().size(), before + 1) << "one press, one picture";
 }
 
 TEST_F(PedalInWindow, UnpluggedIsSaidAndComingBackIsHeard) {
@@ -98,7 +98,7 @@ TEST_F(PedalInWindow, UnpluggedIsSaidAndComingBackIsHeard) {
   plug_in(1);  // another node, the same device
   ASSERT_TRUE(
       wait_until([&] { return studio.problems().find("foot pedal") == std::string::npos; }));
-  auto* place = studio.window().findChild<RecordPlace*>();
+  auto* place = studio.window().findChild<RecordPage*>();
   place->set_file(QString::fromStdString((studio.folder() / "b.mkv").string()));
   press();
   EXPECT_TRUE(wait_until(

@@ -4,7 +4,7 @@
 #include "tests/studio/calibrate_rig.h"
 #include "tests/studio/loop_watch_rig.h"
 #include "tests/studio/measured_finger.h"
-#include "widgets/places/accuracy_place.h"
+#include "widgets/pages/accuracy_page.h"
 
 #include <QComboBox>
 #include <QPushButton>
@@ -19,7 +19,7 @@ void inspect(LoopWatch& watch) {
   options.finger = MadeFingers::get().calibrated();
   Studio studio(options);
   MainWindow& window = studio.window();
-  auto& place = *window.findChild<InspectPlace*>();
+  auto& place = *window.findChild<InspectPage*>();
   ASSERT_TRUE(wait_until([&] { return studio.session().status().finger.has_reference; }, 30000));
   QTest::qWait(300);
   watch.during(
@@ -66,7 +66,7 @@ void accuracy(LoopWatch& watch) {
   options.finger = MeasuredFinger::get().folder();
   Studio studio(options);
   MainWindow& window = studio.window();
-  auto& place = *window.findChild<AccuracyPlace*>();
+  auto& place = *window.findChild<AccuracyPage*>();
   ASSERT_TRUE(wait_until([&] { return place.run().study() != nullptr; }, 30000));
   watch.during(
       "the place", [&] { window.go_to("accuracy"); }, 300);
@@ -89,7 +89,7 @@ void calibrate(LoopWatch& watch) {
   watch.during(
       "the presses", [&] { rig.go_to_step(QStringLiteral("Presses")); }, 500);
   watch.during(
-      "the ball's radius", [&] { rig.desk().set_radius(4); }, 300);
+      "the ball's radius", [&] { rig.collection().set_radius(4); }, 300);
   ASSERT_TRUE(rig.wait_until_looked_at(3));
   auto* list = rig.studio().find<QListView>(QStringLiteral("Presses"));
   watch.during(

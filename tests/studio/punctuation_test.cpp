@@ -1,5 +1,5 @@
 // Words are put together, and written down, with the punctuation of their language.
-#include "app/studio/dresser.h"
+#include "app/studio/program_appearance.h"
 #include "tests/support/program.h"
 #include "tests/support/ts_file.h"
 #include "widgets/joined_words.h"
@@ -17,9 +17,9 @@ class Punctuation : public testing::Test {
  protected:
   ~Punctuation() override { speak("en"); }
   void speak(const char* language) {
-    dresser_.wear({Theme::kLight, QString::fromLatin1(language)});
+    appearance_.apply({Theme::kLight, QString::fromLatin1(language)});
   }
-  Dresser dresser_;
+  ProgramAppearance appearance_;
 };
 
 TEST_F(Punctuation, IsThatOfTheWindowsLanguage) {
@@ -27,14 +27,14 @@ TEST_F(Punctuation, IsThatOfTheWindowsLanguage) {
   for (const char* language : {"en", "de"}) {
     speak(language);
     EXPECT_EQ(joined(words).toStdString(), "A, B");
-    EXPECT_EQ(set_apart({"A", "B"}).toStdString(), "A; B");
+    EXPECT_EQ(joined_clauses({"A", "B"}).toStdString(), "A; B");
     EXPECT_EQ(listed({"A", "B", "C"}).toStdString(), "A, B, C");
     EXPECT_EQ(labelled("A", "B").toStdString(), "A: B");
     EXPECT_EQ(as_sentence(QStringLiteral("a")).toStdString(), "a.");
   }
   speak("zh_CN");
   EXPECT_EQ(joined(words).toStdString(), "A，B");
-  EXPECT_EQ(set_apart({"A", "B"}).toStdString(), "A；B");
+  EXPECT_EQ(joined_clauses({"A", "B"}).toStdString(), "A；B");
   EXPECT_EQ(listed({"A", "B", "C"}).toStdString(), "A、B、C");
   EXPECT_EQ(labelled("A", "B").toStdString(), "A：B");
   EXPECT_EQ(as_sentence(QStringLiteral("好")).toStdString(), "好。");

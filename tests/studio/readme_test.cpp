@@ -3,7 +3,7 @@
 #include "tests/studio/studio_rig.h"
 #include "tests/support/same_everywhere.h"
 #include "tests/support/unlike_part.h"
-#include "widgets/picture/overlays.h"
+#include "widgets/image/overlays.h"
 
 #include <QPainter>
 
@@ -55,12 +55,12 @@ TEST(ReadmePictures, APressAndItsDepthAreAsMeasured) {
   both.fill(Qt::white);
   QPainter painter(&both);
   const auto draw = [&](const cv::Mat& grey, std::vector<Overlay> overlays, int x) {
-    ImageView picture;
-    picture.setAttribute(Qt::WA_DontShowOnScreen);
-    picture.resize(kHalf);
-    picture.show_picture(grey, std::move(overlays));
-    picture.show();
-    painter.drawPixmap(x, 0, picture.grab());
+    ImageView image;
+    image.setAttribute(Qt::WA_DontShowOnScreen);
+    image.resize(kHalf);
+    image.show_image(grey, std::move(overlays));
+    image.show();
+    painter.drawPixmap(x, 0, image.grab());
   };
   const cv::Mat& grey = view->result.grey;
   draw(grey, {}, 0);

@@ -27,7 +27,7 @@ class RecordOffer : public testing::Test {
     studio_->window().go_to("record");
   }
   void record(const std::filesystem::path& file) {
-    auto* place = studio_->window().findChild<RecordPlace*>();
+    auto* place = studio_->window().findChild<RecordPage*>();
     place->set_file(QString::fromStdString(file.string()));
     studio_->click("Start recording");
     const auto& recording = studio_->session().status().recording;

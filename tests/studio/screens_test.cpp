@@ -1,7 +1,7 @@
 // Pictures of every place, for people to look at: below the build's folder, screens/.
 #include "tests/studio/calibrate_rig.h"
 #include "tests/studio/measured_finger.h"
-#include "widgets/places/accuracy_place.h"
+#include "widgets/pages/accuracy_page.h"
 
 #include <QComboBox>
 #include <QPixmap>
@@ -21,17 +21,17 @@ struct Look {
 class Screens : public testing::TestWithParam<Look> {
  protected:
   void save(Studio& studio, const std::string& name) {
-    Dresser dresser;
-    dresser.wear({GetParam().theme, QLatin1String(GetParam().language)});
+    ProgramAppearance appearance;
+    appearance.apply({GetParam().theme, QLatin1String(GetParam().language)});
     QTest::qWait(400);
-    const QPixmap picture = studio.window().grab();
+    const QPixmap image = studio.window().grab();
     const std::filesystem::path folder = std::filesystem::path(ALLTACT_SCREENS);
     std::filesystem::create_directories(folder);
     const double ratio = studio.window().devicePixelRatioF();
     const std::string file =
         (folder / (name + "_" + GetParam().name + (ratio > 1 ? "_2x" : "") + ".png")).string();
-    ASSERT_TRUE(picture.save(QString::fromStdString(file)));
-    EXPECT_EQ(picture.size(), QSize(1280, 800) * ratio);
+    ASSERT_TRUE(image.save(QString::fromStdString(file)));
+    EXPECT_EQ(image.size(), QSize(1280, 800) * ratio);
   }
 };
 /// All in thorough runs. Else one, and the light one at scale 2, where it is asked for by name.
@@ -82,7 +82,7 @@ TEST_P(Screens, Inspect) {
   options.finger = MadeFingers::get().calibrated();
   Studio studio(options);
   studio.window().go_to("inspect");
-  auto& place = *studio.window().findChild<InspectPlace*>();
+  auto& place = *studio.window().findChild<InspectPage*>();
   QTest::qWait(300);
   save(studio, "inspect_empty");
   place.open(MadeFingers::get().touched_pictures());
@@ -106,7 +106,7 @@ TEST_P(Screens, Accuracy) {
   Studio studio(options);
   ASSERT_TRUE(studio.wait_for_picture());
   studio.window().go_to("accuracy");
-  auto& place = *studio.window().findChild<AccuracyPlace*>();
+  auto& place = *studio.window().findChild<AccuracyPage*>();
   ASSERT_TRUE(wait_until([&] { return place.run().study() != nullptr; }));
   save(studio, "accuracy");
   place.findChild<QTabWidget*>()->setCurrentIndex(1);
@@ -145,17 +145,17 @@ TEST_P(Screens, CalibratePresses) {
   CalibrateStudio rig(6);
   rig.open();
   rig.go_to_step("Presses");
-  ASSERT_TRUE(wait_until([&] { return rig.desk().presses().size() == 6; }));
+  ASSERT_TRUE(wait_until([&] { return rig.collection().presses().size() == 6; }));
   save(rig.studio(), "calibrate_presses_first");
-  rig.desk().set_radius(4);
+  rig.collection().set_radius(4);
   ASSERT_TRUE(rig.wait_until_looked_at(6));
   save(rig.studio(), "calibrate_presses");
   auto* list = rig.place().findChild<PressesPage*>()->findChild<QListView*>();
   list->setCurrentIndex(list->model()->index(2, 0));
   auto* editor = rig.place().findChild<OutlineEditor*>();
-  const auto place = outline_place(*editor->ball()).value();
+  const auto place = image_outline(*editor->ball()).value();
   const QPoint hand = editor->transform().to_widget({place.right_u, place.centre.y()}).toPoint();
-  rig.desk().take_out("press_05", "glove in the picture");
+  rig.collection().leave_out("press_05", "glove in the picture");
   QTest::mousePress(editor, Qt::LeftButton, {}, hand);
   QTest::mouseMove(editor, hand + QPoint(3, 1));
   save(rig.studio(), "calibrate_outline");

@@ -25,13 +25,13 @@ class SecondDay : public testing::Test {
   /// The day before, once for all tests.
   static void SetUpTestSuite() {
     yesterday_ = new CalibrateStudio(6);
-    PressSet said;
-    said.ball_radius_mm = 4;
-    must(said.save(yesterday_->finger()));
+    PressSet press_set;
+    press_set.ball_radius_mm = 4;
+    must(press_set.save(yesterday_->finger()));
     FingerCalibrationInput input;
     input.folder = yesterday_->finger();
     input.presses.files = {yesterday_->finger() / kPressFolder};
-    input.said = said;
+    input.press_set = press_set;
     input.program_version = "0.1.0";
     auto made = calibrate_finger(input, Job());
     must(made ? Status() : Status(made.error()));
@@ -167,18 +167,18 @@ TEST_F(SecondDay, APressIsTheSameInEveryPlotAndCanBeLeftOutThere) {
   rig_.go_to_step("Mapping");
   auto* page = rig_.place().findChild<MappingPage*>();
   auto* errors = page->findChild<PressErrorPlot*>();
-  const auto pictures = [&] {
+  const auto images = [&] {
     std::vector<QImage> all;
     for (auto* plot : page->findChildren<Plot*>())
-      if (plot->isVisible()) all.push_back(plot->picture(plot->size()));
+      if (plot->isVisible()) all.push_back(plot->image(plot->size()));
     return all;
   };
-  const auto before = pictures();
+  const auto before = images();
   ASSERT_EQ(before.size(), 4U);
   QTest::keyClick(errors, Qt::Key_Down);
   const std::string worst = errors->chosen();
   EXPECT_TRUE(says(rig_.studio(), (worst + ": its points").c_str()));
-  const auto chosen = pictures();
+  const auto chosen = images();
   for (std::size_t i = 0; i < before.size(); ++i) EXPECT_NE(before[i], chosen[i]) << i;
   rig_.studio().click("Take out");
   EXPECT_EQ(rig_.run().state(), CalibrationState::kStale);
@@ -195,21 +195,21 @@ TEST_F(SecondDay, APressIsTheSameInEveryPlotAndCanBeLeftOutThere) {
 TEST_F(SecondDay, KnowsTheVerdictBeforeThePressesAreRead) {
   rig_.open();
   QUndoStack undo;
-  PressDesk desk(undo);
-  CalibrationRun run(desk, undo, "1");
+  PressCollection collection(undo);
+  CalibrationRun run(collection, undo, "1");
   std::vector<CalibrationState> states;
   QObject::connect(&run, &CalibrationRun::changed, [&] {
     if (!run.finger()) return;
     states.push_back(run.state());
     EXPECT_EQ(run.command_line().contains("--ball-radius-mm 0"), false);
   });
-  QObject::connect(&desk, &PressDesk::changed, [&] {
+  QObject::connect(&collection, &PressCollection::changed, [&] {
     if (!run.finger()) return;
     states.push_back(run.state());
   });
-  desk.open(rig_.finger());
+  collection.open(rig_.finger());
   run.reload();
-  ASSERT_TRUE(wait_until([&] { return run.result() && desk.is_ready(); }, 30000));
+  ASSERT_TRUE(wait_until([&] { return run.result() && collection.is_ready(); }, 30000));
   ASSERT_FALSE(states.empty());
   for (const CalibrationState state : states) EXPECT_EQ(state, CalibrationState::kCurrent);
 }

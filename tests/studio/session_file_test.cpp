@@ -1,7 +1,7 @@
 // The kept session: there and back, kind to damage, and honest about a crash.
 #include "app/studio/session_file.h"
 
-#include "app/studio/session_keeper.h"
+#include "app/studio/session_store.h"
 #include "core/io/atomic_file.h"
 #include "tests/fuzz/mutations.h"
 #include "tests/studio/studio_rig.h"
@@ -19,7 +19,7 @@ SessionState example() {
   SessionState state;
   state.finger = "/fingers/left \"7\"";
   state.source = {"/scenes/a.yaml"};
-  state.place = "record";
+  state.page = "record";
   state.view.depth = false;
   state.view.depth_top_mm = 2.5;
   state.is_locked = false;
@@ -43,7 +43,7 @@ TEST(SessionFile, WhatIsImpossibleBecomesTheDefault) {
       "a test");
   ASSERT_TRUE(state) << state.error().sentence();
   SessionState expected;
-  expected.place = "moon";  // a later version may have it; which there are the window knows
+  expected.page = "moon";  // a later version may have it; which there are the window knows
   expected.view.markers = false;
   EXPECT_EQ(*state, expected);
 }
@@ -80,25 +80,25 @@ TEST(SessionFile, OfAPlaceThatTheWindowDoesNotHaveOpensTheFirst) {
   options.session_folder = folder / "session";
   SessionState kept;
   kept.source = {MadeFingers::get().bending()};
-  kept.place = "moon";
-  { SessionKeeper(options.session_folder).keep(kept); }
+  kept.page = "moon";
+  { SessionStore(options.session_folder).keep(kept); }
   Studio studio(options);
   studio.window().go_to("record");
   studio.window().go_to("moon");
   EXPECT_TRUE(studio.find<QToolButton>("Live")->isChecked());
   studio.click("Go on with source bending.yaml");
   ASSERT_TRUE(studio.wait_for_picture());
-  EXPECT_TRUE(studio.window().findChild<LivePlace*>()->isVisible());
+  EXPECT_TRUE(studio.window().findChild<LivePage*>()->isVisible());
   EXPECT_TRUE(wait_until([&] {
-    const SessionKeeper other(options.session_folder);
-    return other.last() && other.last()->source == kept.source && other.last()->place == "live";
+    const SessionStore other(options.session_folder);
+    return other.last() && other.last()->source == kept.source && other.last()->page == "live";
   }));
 }
 
-TEST(SessionKeeper, KeepsTheLatest) {
+TEST(SessionStore, KeepsTheLatest) {
   const TemporaryFolder folder;
   {
-    SessionKeeper keeper(folder / "session");
+    SessionStore keeper(folder / "session");
     EXPECT_FALSE(keeper.last());
     for (int i = 1; i <= 50; ++i) {
       SessionState state = example();
@@ -106,27 +106,27 @@ TEST(SessionKeeper, KeepsTheLatest) {
       keeper.keep(state);
     }
   }
-  SessionKeeper again(folder / "session");
+  SessionStore again(folder / "session");
   ASSERT_TRUE(again.last());
   EXPECT_DOUBLE_EQ(again.last()->view.depth_top_mm, 5.0);
   EXPECT_FALSE(again.has_crashed());
 }
 
-TEST(SessionKeeper, NoticesThatTheLastProgramDied) {
+TEST(SessionStore, NoticesThatTheLastProgramDied) {
   const TemporaryFolder folder;
-  { SessionKeeper(folder / "session").keep(example()); }
+  { SessionStore(folder / "session").keep(example()); }
   leave_as_after_a_crash(folder / "session");
-  const SessionKeeper keeper(folder / "session");
+  const SessionStore keeper(folder / "session");
   EXPECT_TRUE(keeper.has_crashed());
   EXPECT_EQ(*keeper.last(), example());
 }
 
-TEST(SessionKeeper, ASecondProgramNeitherWritesNorClaimsACrash) {
+TEST(SessionStore, ASecondProgramNeitherWritesNorClaimsACrash) {
   const TemporaryFolder folder;
-  SessionKeeper first(folder / "session");
+  SessionStore first(folder / "session");
   first.keep(example());
   {
-    SessionKeeper second(folder / "session");
+    SessionStore second(folder / "session");
     EXPECT_FALSE(second.has_crashed());
     second.keep(SessionState());
   }
@@ -136,10 +136,10 @@ TEST(SessionKeeper, ASecondProgramNeitherWritesNorClaimsACrash) {
   EXPECT_EQ(*text, session_to_json(example()));
 }
 
-TEST(SessionKeeper, SaysWhyItCannotKeep) {
+TEST(SessionStore, SaysWhyItCannotKeep) {
   const TemporaryFolder folder;
   ASSERT_TRUE(write_file_atomically(folder / "file", "not a folder"));
-  const SessionKeeper keeper(folder / "file/session");
+  const SessionStore keeper(folder / "file/session");
   ASSERT_TRUE(keeper.problem());
   EXPECT_NE(keeper.problem()->where.english().find("file/session"), std::string::npos);
 }

@@ -1,11 +1,10 @@
 // The live picture with two settings, and what more presses would bring, as a person sees them.
-#include "widgets/accuracy/side_by_side.h"
-
 #include "calibration/finger/measuring_settings.h"
 #include "tests/studio/calibrate_rig.h"
 #include "tests/studio/measured_finger.h"
-#include "widgets/accuracy/more_box.h"
-#include "widgets/places/accuracy_place.h"
+#include "widgets/accuracy/more_data_box.h"
+#include "widgets/accuracy/settings_comparison.h"
+#include "widgets/pages/accuracy_page.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -32,7 +31,7 @@ struct SideBySidePlace : testing::Test {
   TemporaryFolder folder;
   std::unique_ptr<Studio> studio;
 
-  [[nodiscard]] AccuracyPlace& place() { return *studio->window().findChild<AccuracyPlace*>(); }
+  [[nodiscard]] AccuracyPage& place() { return *studio->window().findChild<AccuracyPage*>(); }
   void open() {
     fs::copy(MeasuredFinger::get().folder(), folder / "finger", fs::copy_options::recursive);
     StudioOptions options;
@@ -56,7 +55,7 @@ TEST_F(SideBySidePlace, ShowsBothDepthsOfTheSameFrameAndWhatTheyDifferBy) {
   ASSERT_NE(row, rows.end());
   auto* table = place().findChild<AccuracyTable*>();
   Q_EMIT table->point_picked(static_cast<std::size_t>(row - rows.begin()));
-  SideBySide& sides = place().sides();
+  SettingsComparison& sides = place().sides();
   ASSERT_TRUE(wait_until([&] { return sides.compared() && sides.compared()->median_mm; }, 60000));
   const ComparedFrame& both = *sides.compared();
   EXPECT_EQ(both.now.frame, both.other.frame);
@@ -101,7 +100,7 @@ TEST_F(SideBySidePlace, SaysWhatToDoWhereThereIsNothingToCompare) {
 }
 
 TEST(MoreThanThereIs, IsToldOfTheCalibrationAndGoesWithIt) {
-  MoreBox box;
+  MoreDataBox box;
   EXPECT_FALSE(box.isVisibleTo(nullptr) && box.study());
   box.show();
   box.set_finger(open_finger(MadeFingers::get().calibrated()).value());
@@ -115,10 +114,10 @@ TEST(MoreThanThereIs, IsToldOfTheCalibrationAndGoesWithIt) {
             choice_of_finger(open_finger(MadeFingers::get().calibrated()).value()->finger).presses);
   QString words;
   for (const QLabel* label : box.findChildren<QLabel*>()) words += label->text();
-  for (const Message& sentence : what_more_brings(study, study.rows.front().choice))
+  for (const Message& sentence : benefit_of_more_data(study, study.rows.front().choice))
     EXPECT_TRUE(words.contains(QString::fromStdString(sentence.english()).mid(1)))
         << sentence.english();
-  EXPECT_FALSE(what_more_brings(study, study.rows.front().choice).empty());
+  EXPECT_FALSE(benefit_of_more_data(study, study.rows.front().choice).empty());
   EXPECT_FALSE(start->isVisible());
   box.set_finger(nullptr);
   EXPECT_EQ(box.study(), nullptr);

@@ -49,7 +49,7 @@ class Spoken : public testing::Test {
   void in_every_language(Studio& studio, const QString& name, const Check& check) {
     for (const char* language : {"de", "zh_CN"}) {
       SCOPED_TRACE(language);
-      dresser_.wear({Theme::kLight, QLatin1String(language)});
+      appearance_.apply({Theme::kLight, QLatin1String(language)});
       QTest::qWait(400);
       const QString texts = texts_of(studio.window());
       EXPECT_TRUE(words_left(texts).isEmpty()) << words_left(texts).join("; ").toStdString();
@@ -60,7 +60,7 @@ class Spoken : public testing::Test {
           QStringLiteral(ALLTACT_SCREENS "/spoken_%1_%2.png").arg(name, QLatin1String(language)));
     }
   }
-  Dresser dresser_;
+  ProgramAppearance appearance_;
 };
 
 TEST_F(Spoken, AFingerThatCannotBeReadAndACameraThatIsNotThere) {
@@ -76,18 +76,20 @@ TEST_F(Spoken, AFingerThatCannotBeReadAndACameraThatIsNotThere) {
   options.source = {"/dev/video77"};
   Studio studio(options);
   ASSERT_TRUE(wait_until([&] {
-    const std::string said = studio.problems();
-    return said.find("layer_mm") != std::string::npos && said.find("camera") != std::string::npos;
+    const std::string press_set = studio.problems();
+    return press_set.find("layer_mm") != std::string::npos &&
+           press_set.find("camera") != std::string::npos;
   })) << studio.problems();
   in_every_language(studio, "problems", [&](const std::string& language, const std::string& texts) {
-    const std::string said = studio.problems();
-    EXPECT_THAT(said, HasSubstr("face.layer_mm"));
-    EXPECT_THAT(said, HasSubstr(in(language, "a length in mm")));
-    EXPECT_THAT(said, HasSubstr("/dev/video77"));
-    EXPECT_THAT(QString::fromStdString(said).toLower().toStdString(),
+    const std::string press_set = studio.problems();
+    EXPECT_THAT(press_set, HasSubstr("face.layer_mm"));
+    EXPECT_THAT(press_set, HasSubstr(in(language, "a length in mm")));
+    EXPECT_THAT(press_set, HasSubstr("/dev/video77"));
+    EXPECT_THAT(QString::fromStdString(press_set).toLower().toStdString(),
                 HasSubstr(in(language, "it is not there")));
     EXPECT_THAT(
-        said, HasSubstr(in(language, "plug the camera in; 'alltact devices' lists what is found")));
+        press_set,
+        HasSubstr(in(language, "plug the camera in; 'alltact devices' lists what is found")));
     // The newest stands there, the other one unfolds.
     EXPECT_THAT(QString::fromStdString(texts).toLower().toStdString(),
                 HasSubstr(in(language, "it is not there")));
@@ -97,7 +99,7 @@ TEST_F(Spoken, AFingerThatCannotBeReadAndACameraThatIsNotThere) {
 TEST_F(Spoken, TheVerdictTheAdviceAndTheRemarks) {
   CalibrateStudio rig(3);
   rig.open();
-  rig.desk().set_radius(4);
+  rig.collection().set_radius(4);
   ASSERT_TRUE(rig.wait_until_looked_at(3));
   rig.run().start();
   ASSERT_TRUE(wait_until([&] { return rig.run().result() != nullptr; }, 60000));

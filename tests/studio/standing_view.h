@@ -19,10 +19,10 @@ inline bool wait_for_standing_view(Studio& studio) {
   if (!wait_until([&] { return shown() != nullptr; }, kPatience_ms)) return false;
   const FacePane& view = *shown();
   for (int i = 0; i < kTries; ++i) {
-    const Look before = view.scene().look();
+    const ViewPose before = view.scene().view_pose();
     const QSize size = view.size();
     QTest::qWait(kMoment_ms);
-    if (view.size() == size && view.scene().look() == before) return true;
+    if (view.size() == size && view.scene().view_pose() == before) return true;
   }
   return false;
 }

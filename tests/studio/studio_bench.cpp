@@ -5,7 +5,7 @@
 #include "core/simulation/plan.h"
 #include "tests/studio/studio_rig.h"
 #include "tests/support/own_cache.h"
-#include "widgets/picture/outline_editor.h"
+#include "widgets/image/outline_editor.h"
 #include "widgets/scene3d/vtk_view.h"
 
 #include <QApplication>
@@ -91,7 +91,7 @@ void age_of_full_hd(benchmark::State& state) {
   const Status saved = save_camera(description.camera, plan.finger().camera);
   auto finger = make_finger(description);
   if (!saved || !finger) return state.SkipWithError("no finger");
-  if (has_reference && (!give_reference(description.finger, {folder / "hd.yaml"}, Job()) ||
+  if (has_reference && (!set_reference(description.finger, {folder / "hd.yaml"}, Job()) ||
                         !give_mapping(description.finger)))
     return state.SkipWithError("no reference");
   for ([[maybe_unused]] const auto _ : state) {
@@ -156,10 +156,10 @@ void drag_of_an_outline(benchmark::State& state) {
   editor.show();
   cv::Mat grey(1080, 1920, CV_8UC1);
   cv::randu(grey, 0, 255);
-  editor.show_picture(grey, {});
+  editor.show_image(grey, {});
   editor.set_ball(ShownBall{Camera::create(lens).value(), 4, {9, -4, 52}, true});
   QImage screen(1920, 1080, QImage::Format_ARGB32_Premultiplied);
-  const auto place = outline_place(*editor.ball()).value();
+  const auto place = image_outline(*editor.ball()).value();
   const QPoint rim = editor.transform().to_widget({place.right_u, place.centre.y()}).toPoint();
   QTest::mousePress(&editor, Qt::LeftButton, {}, rim);
   std::vector<double> times_ms;

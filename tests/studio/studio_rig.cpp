@@ -1,11 +1,11 @@
 #include "tests/studio/studio_rig.h"
 
-#include "app/studio/place_hint.h"
+#include "app/studio/page_hint.h"
 #include "calibration/reference/new_reference.h"
 #include "core/finger/finger_store.h"
 #include "core/finger/new_finger.h"
 #include "core/io/atomic_file.h"
-#include "core/io/picture.h"
+#include "core/io/image_file.h"
 #include "core/simulation/plan.h"
 #include "core/sources/open/open_source.h"
 #include "tests/support/sanitized.h"
@@ -82,7 +82,7 @@ MadeFingers::MadeFingers() {
   const auto source = open_source({touched()}).value();
   for (int i = 0; i < 6; ++i) {
     const FramePtr frame = source->next().value();
-    must(write_picture(touched_pictures() / (frame->name + ".png"), frame->grey));
+    must(write_image(touched_pictures() / (frame->name + ".png"), frame->grey));
   }
   for (const auto& folder : {described(), calibrated()}) {
     NewFinger wanted;
@@ -94,7 +94,7 @@ MadeFingers::MadeFingers() {
     auto finger = make_finger(wanted);
     must(finger ? Status() : Status(finger.error()));
     if (folder != calibrated()) continue;
-    const auto report = give_reference(folder, {bending()}, Job());
+    const auto report = set_reference(folder, {bending()}, Job());
     must(report ? Status() : Status(report.error()));
     // What the demonstration's calibration gives of the same silicone.
     MappingParameters mapping;
@@ -116,7 +116,7 @@ SourceOpener with_camera(FakeCamera& fake) {
   return [&fake](const std::vector<std::filesystem::path>& inputs,
                  const SourceOptions& options) -> Result<std::unique_ptr<Source>> {
     if (inputs.front() != "camera") return open_remembered(inputs, options);
-    CameraPlace place;
+    CameraAccess place;
     place.calls = &fake;
     place.identity = "camera";
     place.find_node = [&fake]() -> Result<std::string> {
@@ -158,10 +158,10 @@ Studio::Studio(StudioOptions options) {
   if (const Open* open = options.opener.target<Open>(); open && *open == &open_source)
     options.opener = &open_remembered;
   if (!options.lister) options.lister = [] { return std::vector<FoundCamera>{}; };
-  dresser_.wear({Theme::kLight, QStringLiteral("en")});
+  appearance_.apply({Theme::kLight, QStringLiteral("en")});
   for (const char* place : {"live", "calibrate", "record", "inspect", "accuracy"})
-    QSettings().setValue(PlaceHint::key(place), true);  // somebody who was here before
-  window_ = std::make_unique<MainWindow>(options, dresser_);
+    QSettings().setValue(PageHint::key(place), true);  // somebody who was here before
+  window_ = std::make_unique<MainWindow>(options, appearance_);
   window_->resize(1280, 800);
   window_->show();
   QApplication::setActiveWindow(window_.get());  // a bare X server has nothing that would do it

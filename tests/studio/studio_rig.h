@@ -4,9 +4,9 @@
 #include "app/studio/main_window.h"
 #include "tests/rigs/fake_camera.h"
 #include "tests/support/program.h"
-#include "widgets/places/inspect_place.h"
-#include "widgets/places/live_place.h"
-#include "widgets/places/record_place.h"
+#include "widgets/pages/inspect_page.h"
+#include "widgets/pages/live_page.h"
+#include "widgets/pages/record_page.h"
 
 #include <QAbstractButton>
 #include <QTest>
@@ -99,7 +99,7 @@ class Studio {
  private:
   static QString text_of(const QWidget& widget);
   TemporaryFolder folder_;
-  Dresser dresser_;
+  ProgramAppearance appearance_;
   std::unique_ptr<MainWindow> window_;
 };
 

@@ -33,7 +33,7 @@ bool wait_for_force(Studio& studio) {
       40000);
 }
 
-std::string said(Studio& studio, const QString& label) {
+std::string press_set(Studio& studio, const QString& label) {
   return studio.find<QLabel>(label)->text().toStdString();
 }
 
@@ -58,11 +58,11 @@ TEST(LiveTouch, TellsTheForceThatTheMarkersTell) {
   }));
   ASSERT_GE(compared, 20);
   EXPECT_GE(covered, 0.8 * compared) << "frames that follow one another share their error";
-  EXPECT_THAT(said(studio, "Force now"), HasSubstr("Fx"));
+  EXPECT_THAT(press_set(studio, "Force now"), HasSubstr("Fx"));
   EXPECT_TRUE(wait_until([&] {  // frames out of range tell none
-    return said(studio, "Force now").find("±") != std::string::npos;
+    return press_set(studio, "Force now").find("±") != std::string::npos;
   }));
-  EXPECT_THAT(said(studio, "Force now"), Not(HasSubstr("Fz")));
+  EXPECT_THAT(press_set(studio, "Force now"), Not(HasSubstr("Fz")));
   auto* plot = studio.find<ForcePlot>("Force over the last half minute");
   ASSERT_NE(plot, nullptr);
   EXPECT_TRUE(plot->isVisible());
@@ -102,7 +102,7 @@ TEST(LiveTouch, TakesThePresentReadingAsZeroAndGivesItBack) {
   ASSERT_TRUE(zero);
   EXPECT_LE(std::abs(zero->since.secsTo(QDateTime::currentDateTime())), 5);
   EXPECT_TRUE(wait_until([&] {
-    return said(studio, "From which zero forces count").find("Zero: the reading of") !=
+    return press_set(studio, "From which zero forces count").find("Zero: the reading of") !=
            std::string::npos;
   }));
   EXPECT_EQ(studio.window().undo_stack().undoText(), "re-zero the force");
@@ -126,9 +126,10 @@ TEST(LiveTouch, SaysHowAFingerGetsAForceModel) {
   Studio studio(simulated());
   ASSERT_TRUE(studio.wait_for_picture());
   ASSERT_TRUE(wait_for_finger(studio));
-  ASSERT_TRUE(wait_until(
-      [&] { return said(studio, "Force now").find("no force model yet") != std::string::npos; }));
-  EXPECT_THAT(said(studio, "Force now"), HasSubstr("alltact force calibrated TABLE.csv"));
+  ASSERT_TRUE(wait_until([&] {
+    return press_set(studio, "Force now").find("no force model yet") != std::string::npos;
+  }));
+  EXPECT_THAT(press_set(studio, "Force now"), HasSubstr("alltact force calibrated TABLE.csv"));
 }
 
 TEST(LiveTouch, SaysThatAForceModelIsBroken) {
@@ -143,8 +144,8 @@ TEST(LiveTouch, SaysThatAForceModelIsBroken) {
   ASSERT_TRUE(studio.wait_for_picture());
   ASSERT_TRUE(wait_for_finger(studio));
   EXPECT_TRUE(wait_until([&] {
-    return said(studio, "Force now").find("broken or cut off") != std::string::npos;
-  })) << said(studio, "Force now");
+    return press_set(studio, "Force now").find("broken or cut off") != std::string::npos;
+  })) << press_set(studio, "Force now");
 }
 
 TEST(LiveTouch, TellsWhereTheBallTouches) {
@@ -152,17 +153,18 @@ TEST(LiveTouch, TellsWhereTheBallTouches) {
   ASSERT_TRUE(wait_until(
       [&] {
         const auto& view = studio.session().view();
-        return view && view->result.contact && view->result.contact->place;
+        return view && view->result.contact && view->result.contact->position;
       },
       40000));
   const FingerContact contact = *studio.session().view()->result.contact;
   EXPECT_EQ(contact.face, PushedFace::kContact);
-  EXPECT_NEAR(contact.place->along_mm, 46.0, 1.0);  // as the scene says
-  EXPECT_NEAR(contact.place->across_mm.value(), 0.0, 0.2);
-  EXPECT_NEAR(contact.place->depth_mm.value(), 0.8, 0.1);
-  ASSERT_TRUE(wait_until(
-      [&] { return said(studio, "What touches the finger").find("Along") != std::string::npos; }));
-  const std::string words = said(studio, "What touches the finger");
+  EXPECT_NEAR(contact.position->along_mm, 46.0, 1.0);  // as the scene says
+  EXPECT_NEAR(contact.position->across_mm.value(), 0.0, 0.2);
+  EXPECT_NEAR(contact.position->depth_mm.value(), 0.8, 0.1);
+  ASSERT_TRUE(wait_until([&] {
+    return press_set(studio, "What touches the finger").find("Along") != std::string::npos;
+  }));
+  const std::string words = press_set(studio, "What touches the finger");
   EXPECT_THAT(words, HasSubstr("Touched on the contact face"));
   EXPECT_THAT(words, HasSubstr("±"));
   EXPECT_THAT(words, HasSubstr("Direction"));
@@ -188,7 +190,8 @@ TEST(LiveTouch, SaysThatNothingTouchesAnUntouchedFinger) {
       },
       40000));
   EXPECT_TRUE(wait_until([&] {
-    return said(studio, "What touches the finger").find("Nothing touches") != std::string::npos;
+    return press_set(studio, "What touches the finger").find("Nothing touches") !=
+           std::string::npos;
   }));
 }
 
@@ -197,20 +200,21 @@ TEST(InspectTouch, TellsOfARecordingsFrameWhatItTellsLive) {
   options.finger = ForceFinger::get().folder();
   Studio studio(options);
   studio.window().go_to("inspect");
-  auto& place = *studio.window().findChild<InspectPlace*>();
-  place.open(MadeFingers::get().touched_pictures());
+  auto& position = *studio.window().findChild<InspectPage*>();
+  position.open(MadeFingers::get().touched_pictures());
   ASSERT_TRUE(wait_until(
       [&] {
-        const auto& frame = place.inspection().frame();
+        const auto& frame = position.inspection().frame();
         return frame && frame->result.force;
       },
       40000));
-  const Force force = *place.inspection().frame()->result.force;
+  const Force force = *position.inspection().frame()->result.force;
   ASSERT_TRUE(
-      wait_until([&] { return said(studio, "Force now").find("Fx") != std::string::npos; }));
-  EXPECT_THAT(said(studio, "Force now"),
+      wait_until([&] { return press_set(studio, "Force now").find("Fx") != std::string::npos; }));
+  EXPECT_THAT(press_set(studio, "Force now"),
               HasSubstr(QString::number(force.force_N.x(), 'f', 2).toStdString() + " ± "));
-  EXPECT_THAT(said(studio, "What touches the finger"), HasSubstr("Touched on the contact face"));
+  EXPECT_THAT(press_set(studio, "What touches the finger"),
+              HasSubstr("Touched on the contact face"));
   EXPECT_FALSE(studio.find<QPushButton>("Re-zero")->isEnabled());
 }
 

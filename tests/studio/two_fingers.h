@@ -25,10 +25,10 @@ class TwoFingers {
   [[nodiscard]] std::filesystem::path right_video() const { return folder_ / "right.mkv"; }
   /// The faces look at each other.
   static RigidTransform place_of_left() {
-    return {rotation_of_degrees({0, 60, 0}), Eigen::Vector3d(-150, 0, 0)};
+    return {rotation_from_rpy_deg({0, 60, 0}), Eigen::Vector3d(-150, 0, 0)};
   }
   static RigidTransform place_of_right() {
-    return {rotation_of_degrees({0, 60, 180}), Eigen::Vector3d(150, 0, 0)};
+    return {rotation_from_rpy_deg({0, 60, 180}), Eigen::Vector3d(150, 0, 0)};
   }
 
  private:

@@ -1,5 +1,5 @@
 // One stack of steps for the session: finger and source can be taken back like everything else.
-#include "app/studio/dresser.h"
+#include "app/studio/program_appearance.h"
 #include "core/sources/open/open_source.h"
 #include "tests/studio/studio_rig.h"
 
@@ -115,11 +115,11 @@ TEST(Undo, SaysWhatWasDoneInTheLanguageOfNow) {
   studio.window().open_finger(MadeFingers::get().described());
   EXPECT_TRUE(undo_line(studio).endsWith("open finger described"))
       << undo_line(studio).toStdString();
-  Dresser dresser;
-  dresser.wear({Theme::kLight, QStringLiteral("de")});
+  ProgramAppearance appearance;
+  appearance.apply({Theme::kLight, QStringLiteral("de")});
   EXPECT_TRUE(wait_until([&] { return undo_line(studio).endsWith("Finger described öffnen"); }))
       << undo_line(studio).toStdString();
-  dresser.wear({Theme::kLight, QStringLiteral("en")});
+  appearance.apply({Theme::kLight, QStringLiteral("en")});
   EXPECT_TRUE(wait_until([&] { return undo_line(studio).endsWith("open finger described"); }));
 }
 
@@ -199,7 +199,7 @@ TEST(Undo, TakesBackGoingOnWithTheLastSessionInOneStep) {
   SessionState kept;
   kept.finger = made.calibrated();
   kept.source = {made.bending()};
-  { SessionKeeper(options.session_folder).keep(kept); }
+  { SessionStore(options.session_folder).keep(kept); }
   Studio studio(options);
   studio.click("Go on with finger calibrated, source bending.yaml");
   ASSERT_TRUE(wait_for_source(studio, made.bending()));

@@ -62,20 +62,20 @@ void use_window(LoopWatch& watch) {
       "another finger", [&] { window.open_finger(made.described()); }, 500);
   during(
       "undo", [&] { window.undo_stack().undo(); }, 500);
-  Dresser dresser;
+  ProgramAppearance appearance;
   during(
       "a dark window",
       [&] {
-        dresser.wear({Theme::kDark, QStringLiteral("en")});
+        appearance.apply({Theme::kDark, QStringLiteral("en")});
       },
       300);
   during(
       "German",
       [&] {
-        dresser.wear({Theme::kDark, QStringLiteral("de")});
+        appearance.apply({Theme::kDark, QStringLiteral("de")});
       },
       300);
-  dresser.wear({Theme::kLight, QStringLiteral("en")});
+  appearance.apply({Theme::kLight, QStringLiteral("en")});
   QTest::qWait(100);
   const auto choose = [&](const char* entry) {
     for (QAction* action : window.findChildren<QAction*>())

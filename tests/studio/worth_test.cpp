@@ -5,7 +5,7 @@
 #include "calibration/checks/check_history.h"
 #include "core/finger/finger_store.h"
 #include "core/io/atomic_file.h"
-#include "core/io/picture.h"
+#include "core/io/image_file.h"
 #include "tests/studio/calibrate_rig.h"
 #include "widgets/calibrating/verdict_sheet.h"
 #include "widgets/shell/finger_card_words.h"
@@ -30,13 +30,13 @@ void calibrate(const CalibrateStudio& rig, const std::vector<int>& frames) {
   fs::remove_all(rig.finger() / kPressFolder);
   fs::create_directories(rig.finger() / kPressFolder);
   for (std::size_t i = 0; i < frames.size(); ++i)
-    must(write_picture(rig.finger() / kPressFolder / fmt::format("press_{:02}.png", i + 1),
-                       remembered_frame(rig.folder() / "pressing.yaml", frames[i])));
+    must(write_image(rig.finger() / kPressFolder / fmt::format("press_{:02}.png", i + 1),
+                     remembered_frame(rig.folder() / "pressing.yaml", frames[i])));
   FingerCalibrationInput input;
   input.folder = rig.finger();
   input.presses.files = {rig.finger() / kPressFolder};
-  input.said.ball_radius_mm = 4;
-  must(input.said.save(rig.finger()));
+  input.press_set.ball_radius_mm = 4;
+  must(input.press_set.save(rig.finger()));
   input.program_version = "0.1.0";
   const auto made = calibrate_finger(input, Job());
   must(made ? Status() : Status(made.error()));
@@ -88,7 +88,9 @@ class Worth : public testing::Test {
   void open(const char* step) {
     rig_.open();
     ASSERT_TRUE(wait_until(
-        [&] { return rig_.run().worth() && rig_.run().result() && !rig_.desk().is_looking(); },
+        [&] {
+          return rig_.run().worth() && rig_.run().result() && !rig_.collection().is_analysing();
+        },
         60000));
     rig_.go_to_step(step);
   }
@@ -251,8 +253,8 @@ TEST_F(Worth, LooksAsItShould) {
              {"chinese_small", {1024, 700}, Theme::kLight, "zh_CN"}};
   const auto save = [&](const std::string& name) {
     for (const Look& look : looks) {
-      Dresser dresser;
-      dresser.wear({look.theme, QLatin1String(look.language)});
+      ProgramAppearance appearance;
+      appearance.apply({look.theme, QLatin1String(look.language)});
       rig_.studio().window().resize(look.size);
       QTest::qWait(400);
       fs::create_directories(ALLTACT_SCREENS);
@@ -264,8 +266,8 @@ TEST_F(Worth, LooksAsItShould) {
               << file << " clips: " << label->text().toStdString();
         }
     }
-    Dresser dresser;
-    dresser.wear({Theme::kLight, QStringLiteral("en")});
+    ProgramAppearance appearance;
+    appearance.apply({Theme::kLight, QStringLiteral("en")});
   };
   const auto look_at = [&](const CalibrateStudio& as,
                            const std::string& name,
@@ -324,15 +326,15 @@ TEST_F(Worth, LooksAsItShould) {
   auto* cards = studio.window().findChild<FingerCards*>();
   ASSERT_TRUE(wait_until([&] { return cards->cards().size() == 4; }));
   for (const Look& look : looks) {
-    Dresser dresser;
-    dresser.wear({look.theme, QLatin1String(look.language)});
+    ProgramAppearance appearance;
+    appearance.apply({look.theme, QLatin1String(look.language)});
     studio.window().resize(look.size);
     QTest::qWait(400);
     ASSERT_TRUE(studio.window().grab().save(
         QString::fromStdString(fmt::format("{}/worth_start_{}.png", ALLTACT_SCREENS, look.name))));
   }
-  Dresser dresser;
-  dresser.wear({Theme::kLight, QStringLiteral("en")});
+  ProgramAppearance appearance;
+  appearance.apply({Theme::kLight, QStringLiteral("en")});
   FingerListDialog dialog(folders);
   dialog.show();
   ASSERT_TRUE(wait_until([&] { return dialog.cards().size() == 4; }));

@@ -138,16 +138,16 @@ class BoardPainter {
       const double far = -from.z() / way.z();
       return far > 0 ? ink(from.x() + far * way.x(), from.y() + far * way.y()) : 60.0;
     };
-    cv::Mat picture(size_, CV_32F);
+    cv::Mat image(size_, CV_32F);
     for (int v = 0; v < size_.height; ++v)
       for (int u = 0; u < size_.width; ++u)
-        picture.at<float>(v, u) = static_cast<float>(mean_in(u, v, seen));
-    cv::GaussianBlur(picture, picture, {5, 5}, 0.7);
+        image.at<float>(v, u) = static_cast<float>(mean_in(u, v, seen));
+    cv::GaussianBlur(image, image, {5, 5}, 0.7);
     cv::Mat noise(size_, CV_32F);
     cv::RNG random(seed);
     random.fill(noise, cv::RNG::NORMAL, 0, noise_sd);
     cv::Mat grey;
-    cv::Mat(picture + noise).convertTo(grey, CV_8U);
+    cv::Mat(image + noise).convertTo(grey, CV_8U);
     return grey;
   }
 

@@ -11,7 +11,7 @@ inline FingerCalibrationInput flat_calibration(const FlatFinger& flat) {
   FingerCalibrationInput input;
   input.folder = flat.finger();
   input.presses.files.assign(flat.presses.begin(), flat.presses.end());
-  input.said.ball_radius_mm = 4;
+  input.press_set.ball_radius_mm = 4;
   input.reference = flat.file("ref.png");
   input.program_version = "0.1.0";
   return input;

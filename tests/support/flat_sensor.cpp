@@ -20,11 +20,11 @@ template <class Level>
 cv::Mat noisy_picture(std::uint64_t seed, Level level) {
   std::mt19937_64 random(seed);
   std::normal_distribution<double> noise(0.0, 0.7);
-  cv::Mat picture(FlatSensor::kHeight, FlatSensor::kWidth, CV_8UC1);
-  for (int v = 0; v < picture.rows; ++v)
-    for (int u = 0; u < picture.cols; ++u)
-      picture.at<std::uint8_t>(v, u) = cv::saturate_cast<std::uint8_t>(level(u, v) + noise(random));
-  return picture;
+  cv::Mat image(FlatSensor::kHeight, FlatSensor::kWidth, CV_8UC1);
+  for (int v = 0; v < image.rows; ++v)
+    for (int u = 0; u < image.cols; ++u)
+      image.at<std::uint8_t>(v, u) = cv::saturate_cast<std::uint8_t>(level(u, v) + noise(random));
+  return image;
 }
 
 }  // namespace

@@ -156,7 +156,7 @@ struct MarkedFinger {
   [[nodiscard]] cv::Mat clean(const Bend& bend,
                               const std::vector<int>& hidden = {},
                               const std::vector<Extra>& extras = {}) const {
-    cv::Mat picture(height, width, CV_32FC1, cv::Scalar(dark_level));
+    cv::Mat image(height, width, CV_32FC1, cv::Scalar(dark_level));
     auto up = edge(bend, -1, 0), low = edge(bend, 1, 0);
     const auto end = up;
     hold_ends(up);
@@ -177,7 +177,7 @@ struct MarkedFinger {
         };
         const double face = std::isfinite(end[i]) ? covered(up[i], low[i]) : 0.0,
                      side = covered(top, up[i]) + covered(low[i], bottom);
-        picture.at<float>(v, u) = static_cast<float>(
+        image.at<float>(v, u) = static_cast<float>(
             face * face_level * light + side * side_level * shine + (1 - face - side) * dark_level);
       }
     }
@@ -185,20 +185,20 @@ struct MarkedFinger {
     for (std::size_t m = 0; m < all.size(); ++m) {
       if (std::find(hidden.begin(), hidden.end(), static_cast<int>(m)) != hidden.end()) continue;
       const double shine = 1.2 - 0.4 * all[m].u / width;
-      paint(picture, all[m], (side_level + dot_contrast) * shine);
+      paint(image, all[m], (side_level + dot_contrast) * shine);
     }
-    for (const Extra& extra : extras) paint(picture, extra.disc, extra.level);
-    cv::GaussianBlur(picture, picture, cv::Size(0, 0), blur);
-    return picture;
+    for (const Extra& extra : extras) paint(image, extra.disc, extra.level);
+    cv::GaussianBlur(image, image, cv::Size(0, 0), blur);
+    return image;
   }
 
-  static void paint(cv::Mat& picture, const Disc& d, double level) {
+  static void paint(cv::Mat& image, const Disc& d, double level) {
     constexpr int kSub = 8;
     for (int v = std::max(0, static_cast<int>(d.v - d.radius_v - 1));
-         v <= std::min(picture.rows - 1, static_cast<int>(d.v + d.radius_v + 2));
+         v <= std::min(image.rows - 1, static_cast<int>(d.v + d.radius_v + 2));
          ++v)
       for (int u = std::max(0, static_cast<int>(d.u - d.radius_u - 1));
-           u <= std::min(picture.cols - 1, static_cast<int>(d.u + d.radius_u + 2));
+           u <= std::min(image.cols - 1, static_cast<int>(d.u + d.radius_u + 2));
            ++u) {
         int inside = 0;
         for (int a = 0; a < kSub; ++a)
@@ -208,18 +208,18 @@ struct MarkedFinger {
             inside += x * x + y * y < 1;
           }
         const float share = static_cast<float>(inside) / (kSub * kSub);
-        float& pixel = picture.at<float>(v, u);
+        float& pixel = image.at<float>(v, u);
         pixel += share * (static_cast<float>(level) - pixel);
       }
   }
 
-  [[nodiscard]] cv::Mat with_noise(const cv::Mat& picture, std::mt19937& random) const {
+  [[nodiscard]] cv::Mat with_noise(const cv::Mat& image, std::mt19937& random) const {
     std::normal_distribution<double> normal(0.0, noise);
-    cv::Mat grey(picture.size(), CV_8UC1);
-    for (int v = 0; v < picture.rows; ++v)
-      for (int u = 0; u < picture.cols; ++u)
+    cv::Mat grey(image.size(), CV_8UC1);
+    for (int v = 0; v < image.rows; ++v)
+      for (int u = 0; u < image.cols; ++u)
         grey.at<std::uint8_t>(v, u) = cv::saturate_cast<std::uint8_t>(
-            picture.at<float>(v, u) + (noise > 0 ? normal(random) : 0.0));
+            image.at<float>(v, u) + (noise > 0 ? normal(random) : 0.0));
     return grey;
   }
 

@@ -12,18 +12,18 @@ namespace alltact::test {
 
 class MemorySource : public Source {
  public:
-  std::vector<cv::Mat> pictures;
+  std::vector<cv::Mat> images;
   std::shared_ptr<const std::string> settings;
   Result<FramePtr> next() override {
-    if (at_ >= pictures.size()) return FramePtr{};
+    if (at_ >= images.size()) return FramePtr{};
     auto frame = std::make_shared<Frame>();
-    frame->grey = pictures[at_];
+    frame->grey = images[at_];
     frame->name = "frame";
     frame->controls = settings;
     frame->sequence = at_++;
     return FramePtr(frame);
   }
-  std::optional<std::size_t> count() const override { return pictures.size(); }
+  std::optional<std::size_t> count() const override { return images.size(); }
   bool is_continuous() const override { return true; }
 
  private:

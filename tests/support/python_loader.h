@@ -42,7 +42,7 @@ struct DepthDifference {
 /// Exports the finger, has Python reconstruct the pictures, and compares with NAME.depth.tiff in
 /// `results`.
 inline DepthDifference python_against_program(const std::string& finger,
-                                              const std::vector<std::filesystem::path>& pictures,
+                                              const std::vector<std::filesystem::path>& images,
                                               const std::filesystem::path& results) {
   namespace fs = std::filesystem;
   const TemporaryFolder folder;
@@ -53,22 +53,22 @@ inline DepthDifference python_against_program(const std::string& finger,
                                     kPython,
                                     ALLTACT_SOURCE_DIR,
                                     (folder / "finger.zip").string());
-  for (const fs::path& picture : pictures) {
-    const fs::path copy = folder / picture.filename().string();
-    fs::copy_file(picture, copy);
+  for (const fs::path& image : images) {
+    const fs::path copy = folder / image.filename().string();
+    fs::copy_file(image, copy);
     command += " '" + copy.string() + "'";
   }
   const ProgramRun run = run_shell(command);
   EXPECT_EQ(run.status, 0) << run.errors;
 
   DepthDifference difference;
-  for (const fs::path& picture : pictures) {
+  for (const fs::path& image : images) {
     const cv::Mat theirs = cv::imread(
-        (folder / (picture.filename().string() + ".depth.tiff")).string(), cv::IMREAD_UNCHANGED);
-    const cv::Mat ours = cv::imread((results / (picture.stem().string() + ".depth.tiff")).string(),
+        (folder / (image.filename().string() + ".depth.tiff")).string(), cv::IMREAD_UNCHANGED);
+    const cv::Mat ours = cv::imread((results / (image.stem().string() + ".depth.tiff")).string(),
                                     cv::IMREAD_UNCHANGED);
-    EXPECT_EQ(theirs.type(), CV_32FC1) << picture;
-    EXPECT_EQ(theirs.size(), ours.size()) << picture;
+    EXPECT_EQ(theirs.type(), CV_32FC1) << image;
+    EXPECT_EQ(theirs.size(), ours.size()) << image;
     if (theirs.type() != CV_32FC1 || theirs.size() != ours.size()) continue;
     for (int v = 0; v < ours.rows; ++v)
       for (int u = 0; u < ours.cols; ++u) {

@@ -36,12 +36,12 @@ struct SyntheticFace {
     if (blur_px > 0.0) cv::GaussianBlur(exact, exact, {}, blur_px);
     std::mt19937 engine(seed);
     std::normal_distribution<double> noise(0.0, 1.0);
-    cv::Mat picture(height, width, CV_8UC1);
+    cv::Mat image(height, width, CV_8UC1);
     for (int v = 0; v < height; ++v)
       for (int u = 0; u < width; ++u)
-        picture.at<std::uint8_t>(v, u) = cv::saturate_cast<std::uint8_t>(
+        image.at<std::uint8_t>(v, u) = cv::saturate_cast<std::uint8_t>(
             std::lround(static_cast<double>(exact.at<float>(v, u)) + noise_sd * noise(engine)));
-    return picture;
+    return image;
   }
 };
 

@@ -54,19 +54,19 @@ inline cv::Mat two_effects_by_hand(const PixelRays& rays, const Face& face) {
   FaceCurve curve({-25, 0, 28}, 34 * std::numbers::pi / 180, 116);
   curve.integrate();
   const FrameGeometry geometry(rays, face, std::move(curve));
-  cv::Mat picture(rays.camera().size(), CV_8UC1);
-  RowScratch scratch(picture.cols);
-  RowView row(picture.cols, scratch);
-  for (int v = 0; v < picture.rows; ++v) {
+  cv::Mat image(rays.camera().size(), CV_8UC1);
+  RowScratch scratch(image.cols);
+  RowView row(image.cols, scratch);
+  for (int v = 0; v < image.rows; ++v) {
     scratch.rewind();
     row.v = v;
     geometry.fill(row);
-    std::uint8_t* bytes = picture.ptr(v);
+    std::uint8_t* bytes = image.ptr(v);
     std::fill(bytes, bytes + row.face.first, std::uint8_t{0});
     two_effects_row(row.face, row.surfaces.front(), bytes);
-    std::fill(bytes + row.face.last, bytes + picture.cols, std::uint8_t{0});
+    std::fill(bytes + row.face.last, bytes + image.cols, std::uint8_t{0});
   }
-  return picture;
+  return image;
 }
 
 }  // namespace alltact

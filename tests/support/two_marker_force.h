@@ -15,7 +15,7 @@ inline ForceModel two_marker_force() {
   range.mean_px = Eigen::VectorXd::Zero(4);
   range.components = Eigen::MatrixXd::Identity(4, 2);
   range.component_sd_px = Eigen::Vector2d(5, 5);
-  range.noise_px = 0.1, range.most_t2 = 9, range.most_beside_px = 8, range.least_seen = 1;
+  range.noise_px = 0.1, range.max_t2 = 9, range.max_residual_px = 8, range.min_seen = 1;
   for (const double off : {-0.005, 0.005}) {
     ForceMember member;
     member.basis.mean_px = Eigen::VectorXd::Zero(4);

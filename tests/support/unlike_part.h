@@ -11,8 +11,8 @@ namespace alltact::test {
 /// Figures run and the finger moves while the picture is taken; panels and words stand still.
 inline double unlike_part(const QImage& a, const QImage& b) {
   const QSize size(400, 250);
-  const auto even = [&](const QImage& picture) {
-    return picture.convertToFormat(QImage::Format_RGB888)
+  const auto even = [&](const QImage& image) {
+    return image.convertToFormat(QImage::Format_RGB888)
         .scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
   };
   const QImage left = even(a), right = even(b);

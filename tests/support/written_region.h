@@ -7,11 +7,11 @@ namespace alltact::test {
 
 inline ContactRegion written_region() {
   ContactRegion region;
-  region.place_mm = {3.1, -0.2, 48.0};
-  region.place_px = {100, 100};
-  region.deepest_point_mm = region.place_mm;
+  region.position_mm = {3.1, -0.2, 48.0};
+  region.position_px = {100, 100};
+  region.deepest_point_mm = region.position_mm;
   region.deepest_mm = 0.8;
-  region.place_covariance_mm2 = Eigen::Vector3d(0.01, 0.02, 0.04).asDiagonal();
+  region.position_covariance_mm2 = Eigen::Vector3d(0.01, 0.02, 0.04).asDiagonal();
   region.angle_deg = 12.5, region.angle_sd_deg = 0.25;
   region.axis = Eigen::Vector3d(0.6, 0, 0.8);
   region.normal = Eigen::Vector3d(-0.8, 0, 0.6);

@@ -1,7 +1,7 @@
 // The picture view as hand and keys use it; where pixels lie is known from the definition.
-#include "widgets/picture/image_view.h"
+#include "widgets/image/image_view.h"
 
-#include "widgets/picture/overlays.h"
+#include "widgets/image/overlays.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -29,7 +29,7 @@ RC_GTEST_PROP(ImageTransform, GoesThereAndBack, ()) {
   };
   const ImageTransform transform{number(1, 400), {number(-9999, 9999), number(-9999, 9999)}};
   const QPointF pixel(number(-999, 9999), number(-999, 9999));
-  const QPointF back = transform.to_picture(transform.to_widget(pixel));
+  const QPointF back = transform.to_image(transform.to_widget(pixel));
   RC_ASSERT(std::hypot(back.x() - pixel.x(), back.y() - pixel.y()) < 1e-8);
 }
 
@@ -40,7 +40,7 @@ RC_GTEST_PROP(ImageTransform, ZoomsAboutThePointer, ()) {
   const ImageTransform before{number(1, 400), {number(-9999, 9999), number(-9999, 9999)}};
   const QPointF pointer(number(0, 9999), number(0, 9999));
   const auto after = before.zoomed(number(1, 400), pointer);
-  const QPointF difference = after.to_widget(before.to_picture(pointer)) - pointer;
+  const QPointF difference = after.to_widget(before.to_image(pointer)) - pointer;
   RC_ASSERT(std::hypot(difference.x(), difference.y()) < 1e-6);
 }
 
@@ -53,7 +53,7 @@ class ImageViewTest : public testing::Test {
     view_.resize(640, 480);
     view_.show();
     static_cast<void>(QTest::qWaitForWindowExposed(&view_));
-    view_.show_picture(grey_, {});
+    view_.show_image(grey_, {});
   }
   void hover(QPoint at) { QTest::mouseMove(&view_, at); }
   void wheel(QPointF at, int notches) {
@@ -81,9 +81,9 @@ TEST_F(ImageViewTest, FitsAtFirstAndAfterAnotherSize) {
   EXPECT_DOUBLE_EQ(view_.transform().scale, 4);
   key(Qt::Key_Plus);
   EXPECT_FALSE(view_.is_fitted());
-  view_.show_picture(grey_.clone(), {});
+  view_.show_image(grey_.clone(), {});
   EXPECT_FALSE(view_.is_fitted()) << "the zoom stays from frame to frame";
-  view_.show_picture(cv::Mat(45, 80, CV_8UC1, cv::Scalar(7)), {});
+  view_.show_image(cv::Mat(45, 80, CV_8UC1, cv::Scalar(7)), {});
   EXPECT_TRUE(view_.is_fitted());
 }
 
@@ -98,15 +98,15 @@ TEST_F(ImageViewTest, PaintsEveryPixelWhereItLies) {
 }
 
 TEST_F(ImageViewTest, DoesNotCopyThePicture) {
-  EXPECT_EQ(view_.picture().data, grey_.data);
+  EXPECT_EQ(view_.image().data, grey_.data);
 }
 
 TEST_F(ImageViewTest, WheelZoomsAboutThePointer) {
   const QPointF pointer(200, 250);
-  const QPointF before = view_.transform().to_picture(pointer);
+  const QPointF before = view_.transform().to_image(pointer);
   wheel(pointer, 3);
   EXPECT_NEAR(view_.transform().scale, 4 * std::pow(1.2, 3), 1e-9);
-  const QPointF after = view_.transform().to_picture(pointer);
+  const QPointF after = view_.transform().to_image(pointer);
   EXPECT_NEAR(after.x(), before.x(), 1e-9);
   EXPECT_NEAR(after.y(), before.y(), 1e-9);
 }
@@ -158,7 +158,7 @@ TEST_F(ImageViewTest, AReducedPictureLiesWhereItsTransformSays) {
     for (int u = 0; u < slope.cols; ++u)
       slope.at<std::uint8_t>(v, u) =
           static_cast<std::uint8_t>(std::lround(level_at(QPointF(u, v))));
-  view_.show_picture(slope, {});
+  view_.show_image(slope, {});
   for (const QSize size : {QSize(640, 480), QSize(701, 397), QSize(333, 511), QSize(1500, 901)}) {
     view_.resize(size);
     view_.fit();
@@ -172,7 +172,7 @@ TEST_F(ImageViewTest, AReducedPictureLiesWhereItsTransformSays) {
         for (int x = 3; x + 3 < image.width(); x += 3) {
           const QPointF centre(x + 0.5, y + 0.5);
           if (!covered.adjusted(2, 2, -2, -2).contains(centre)) continue;
-          const double level = level_at(view_.transform().to_picture(centre));
+          const double level = level_at(view_.transform().to_image(centre));
           ASSERT_NEAR(qGray(image.pixel(x, y)), level, 1.6) << x << ", " << y;
           ++seen;
         }
@@ -185,8 +185,8 @@ TEST_F(ImageViewTest, AReducedPictureLiesWhereItsTransformSays) {
 TEST_F(ImageViewTest, APartOfALayerLiesWhereThePictureShowsIt) {
   const cv::Rect part(300, 520, 640, 128);
   const cv::Mat red(part.size(), CV_8UC4, cv::Scalar(0, 0, 255, 255));
-  view_.show_picture(cv::Mat(1080, 1920, CV_8UC1, cv::Scalar(0)),
-                     {layer_overlay(red, part.tl()), layer_overlay(cv::Mat())});
+  view_.show_image(cv::Mat(1080, 1920, CV_8UC1, cv::Scalar(0)),
+                   {layer_overlay(red, part.tl()), layer_overlay(cv::Mat())});
   for (const QSize size : {QSize(640, 480), QSize(701, 397), QSize(2500, 1500)}) {
     view_.resize(size);
     view_.fit();
@@ -230,7 +230,7 @@ TEST_F(ImageViewTest, HasNoProbeOutsideThePicture) {
 
 TEST_F(ImageViewTest, SaysWhyThereIsNoPicture) {
   view_.show_message(QStringLiteral("Nothing is open."));
-  EXPECT_TRUE(view_.picture().empty());
+  EXPECT_TRUE(view_.image().empty());
   EXPECT_FALSE(view_.probe());
   EXPECT_EQ(view_.accessibleDescription(), QStringLiteral("Nothing is open."));
   key(Qt::Key_Plus);
@@ -240,8 +240,8 @@ TEST_F(ImageViewTest, SaysWhyThereIsNoPicture) {
 
 TEST_F(ImageViewTest, SeenAndEstimatedMarkersDifferInShape) {
   const auto picture_of = [this](bool is_seen) {
-    view_.show_picture(cv::Mat(90, 160, CV_8UC1, cv::Scalar(0)),
-                       {markers_overlay({{80, 45, is_seen, 0.1}, {80, 80, is_seen, 0.1}})});
+    view_.show_image(cv::Mat(90, 160, CV_8UC1, cv::Scalar(0)),
+                     {markers_overlay({{80, 45, is_seen, 0.1}, {80, 80, is_seen, 0.1}})});
     QImage image = painted();
     // Colour taken away: what is left is shape.
     return image.convertToFormat(QImage::Format_Grayscale8)

@@ -1,6 +1,6 @@
 // The ball's outline as hand and keys move it. Where it has to lie then is reckoned by other means:
 // the line of sight through a pixel touches the ball.
-#include "widgets/picture/outline_editor.h"
+#include "widgets/image/outline_editor.h"
 
 #include "widgets/value_change.h"
 
@@ -102,7 +102,7 @@ TEST_P(OutlineGeometry, RimGoesExactlyWhereItIsPutAndTheCentreStays) {
 
 TEST_P(OutlineGeometry, PlaceIsThatOfTheOutline) {
   const ShownBall ball{make(), kRadiusMm, {12, -7, 52}, false};
-  const auto place = outline_place(ball);
+  const auto place = image_outline(ball);
   ASSERT_TRUE(place);
   EXPECT_GT(place->radius_px(), 20);
   EXPECT_NEAR(beside_mm(ball.camera, {place->right_u, place->centre.y()}, ball.centre_mm), 0, 2e-5);
@@ -123,7 +123,7 @@ class OutlineEditorTest : public testing::Test {
     editor_.resize(960, 540);
     editor_.show();
     static_cast<void>(QTest::qWaitForWindowExposed(&editor_));
-    editor_.show_picture(grey_, {});
+    editor_.show_image(grey_, {});
     QObject::connect(
         &editor_,
         &OutlineEditor::ball_moved,
@@ -140,7 +140,7 @@ class OutlineEditorTest : public testing::Test {
   void put(const Eigen::Vector3d& centre) {
     editor_.set_ball(ShownBall{camera_, kRadiusMm, centre, true});
   }
-  [[nodiscard]] OutlinePlace place() const { return outline_place(*editor_.ball()).value(); }
+  [[nodiscard]] ImageOutline place() const { return image_outline(*editor_.ball()).value(); }
   [[nodiscard]] QPoint on_screen(QPointF pixel) const {
     return editor_.transform().to_widget(pixel).toPoint();
   }
@@ -171,7 +171,7 @@ TEST_F(OutlineEditorTest, DraggingTheCentreMovesItWithTheHandToAFractionOfAPixel
   for (int i = 0; i < 9; ++i) wheel(on_screen(place().centre), 1);  // five screen pixels each
   const double scale = editor_.transform().scale;
   ASSERT_GT(scale, 4);
-  const OutlinePlace before = place();
+  const ImageOutline before = place();
   const QPoint from = on_screen(before.centre) + QPoint(2, -1);  // beside the cross' middle
   drag(from, from + QPoint(7, -3));
   EXPECT_NEAR(place().centre.x() - before.centre.x(), 7 / scale, 1e-6);
@@ -180,7 +180,7 @@ TEST_F(OutlineEditorTest, DraggingTheCentreMovesItWithTheHandToAFractionOfAPixel
 }
 
 TEST_F(OutlineEditorTest, DraggingTheRimChangesTheSizeByTheHandsWay) {
-  const OutlinePlace before = place();
+  const ImageOutline before = place();
   const QPoint rim = on_screen({before.right_u, before.centre.y()});
   drag(rim, rim + QPoint(6, 0));
   EXPECT_NEAR(place().right_u - before.right_u, 6, 0.02);
@@ -204,7 +204,7 @@ TEST_F(OutlineEditorTest, ADragIsOneStepToUndo) {
 }
 
 TEST_F(OutlineEditorTest, KeysMoveAndResizeByATenthOrByAPixel) {
-  const OutlinePlace before = place();
+  const ImageOutline before = place();
   QTest::keyClick(&editor_, Qt::Key_Right);
   QTest::keyClick(&editor_, Qt::Key_Up);
   EXPECT_NEAR(place().centre.x() - before.centre.x(), 0.1, 1e-6);
@@ -222,7 +222,7 @@ TEST_F(OutlineEditorTest, KeysMoveAndResizeByATenthOrByAPixel) {
 }
 
 TEST_F(OutlineEditorTest, TheWheelResizesOverTheRimAndZoomsElsewhere) {
-  const OutlinePlace before = place();
+  const ImageOutline before = place();
   const QPointF rim = on_screen({before.right_u, before.centre.y()});
   wheel(rim, 3);
   EXPECT_NEAR(place().radius_px() - before.radius_px(), 0.3, 1e-3);
@@ -268,11 +268,11 @@ TEST_F(OutlineEditorTest, TheMagnifierNeverHidesWhatIsMoved) {
 
 TEST_F(OutlineEditorTest, TheMagnifierShowsThePixelsUnderTheHand) {
   cv::Mat grey(540, 960, CV_8UC1, cv::Scalar(40));
-  const OutlinePlace at = place();
+  const ImageOutline at = place();
   const QPoint pixel(static_cast<int>(std::lround(at.centre.x())) + 4,
                      static_cast<int>(std::lround(at.centre.y())) + 4);
   grey.at<std::uint8_t>(pixel.y(), pixel.x()) = 240;
-  editor_.show_picture(grey, {});
+  editor_.show_image(grey, {});
   QTest::mousePress(&editor_, Qt::LeftButton, {}, on_screen(at.centre));
   const QRectF loupe = editor_.magnifier();
   const QImage image = editor_.grab(loupe.toAlignedRect()).toImage();

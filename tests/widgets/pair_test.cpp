@@ -28,20 +28,20 @@ TEST_F(GripperForm, TellsWhatWasTyped) {
   type(dialog, "Place, x", "-42.5");
   type(dialog, "Place, z", "18");
   type(dialog, "Turned about y", "90");
-  const RigidTransform place = dialog.place();
+  const RigidTransform place = dialog.pose();
   EXPECT_EQ(place.translation_mm, Eigen::Vector3d(-42.5, 0, 18));
   // What lies 30 mm before the camera lies 30 mm along the gripper's x.
   EXPECT_LT((place.point({0, 0, 30}) - Eigen::Vector3d(-12.5, 0, 18)).norm(), 1e-12);
 }
 
 TEST_F(GripperForm, KeepsTheDigitsOfWhatNobodyTouched) {
-  const RigidTransform known{rotation_of_degrees({12.345678, -33.3333333, 170.0001}),
+  const RigidTransform known{rotation_from_rpy_deg({12.345678, -33.3333333, 170.0001}),
                              {1.23456789, 0, -7.00000001}};
   GripperDialog dialog(QStringLiteral("left-07"), known);
-  EXPECT_EQ(dialog.place(), known);
+  EXPECT_EQ(dialog.pose(), known);
   type(dialog, "Place, y", "5");
-  EXPECT_EQ(dialog.place().rotation.coeffs(), known.rotation.coeffs());
-  EXPECT_EQ(dialog.place().translation_mm, Eigen::Vector3d(1.23456789, 5, -7.00000001));
+  EXPECT_EQ(dialog.pose().rotation.coeffs(), known.rotation.coeffs());
+  EXPECT_EQ(dialog.pose().translation_mm, Eigen::Vector3d(1.23456789, 5, -7.00000001));
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ QString AccuracyModel::title(int column) {
       return tr("Depth error, half within (mm)");
     case kP95:
       return tr("Depth error, 95 % within (mm)");
-    case kPlace:
+    case kPosition:
       return tr("Place error, half within (mm)");
     default:
       return tr("Standing");
@@ -51,8 +51,8 @@ QVariant AccuracyModel::number(const AccuracyPoint& point, int column) const {
       return point.median_mm;
     case kP95:
       return point.p95_mm;
-    case kPlace:
-      return point.place_mm ? QVariant(*point.place_mm) : QVariant();
+    case kPosition:
+      return point.position_mm ? QVariant(*point.position_mm) : QVariant();
     default:
       return {};
   }
@@ -64,8 +64,8 @@ QString AccuracyModel::standing(const AccuracyPoint& point) const {
     words = tr("best for its time");
   else if (!point.is_proven)
     words = tr("what it loses is not in these pictures");
-  else if (point.worse_than)
-    words = tr("worse than: %1").arg(points_[*point.worse_than].words);
+  else if (point.dominated_by)
+    words = tr("worse than: %1").arg(points_[*point.dominated_by].words);
   else
     words = tr("not in every picture");
   return point.is_in_use ? tr("in use now; %1").arg(words) : words;
@@ -75,7 +75,7 @@ QVariant AccuracyModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
   const AccuracyPoint& point = points_[static_cast<std::size_t>(index.row())];
   const int column = index.column();
-  const bool is_number = column >= kTime && column <= kPlace;
+  const bool is_number = column >= kTime && column <= kPosition;
   if (role == kSortRole) {
     if (is_number) return number(point, column);
     return column == kSetting ? point.words : standing(point);
@@ -130,7 +130,7 @@ AccuracyTable::AccuracyTable(QWidget* parent)
             if (!is_picking_ && now.isValid())
               Q_EMIT point_picked(static_cast<std::size_t>(sorted_->mapToSource(now).row()));
           });
-  connect(view_, &QTableView::activated, this, &AccuracyTable::point_taken);
+  connect(view_, &QTableView::activated, this, &AccuracyTable::point_activated);
 }
 
 void AccuracyTable::name_parts() {
@@ -155,7 +155,8 @@ void AccuracyTable::set_points(const std::vector<AccuracyPoint>& points) {
   view_->resizeColumnsToContents();
   view_->setColumnWidth(AccuracyModel::kSetting,
                         std::min(360, view_->columnWidth(AccuracyModel::kSetting)));
-  for (int i = AccuracyModel::kTime; i <= AccuracyModel::kPlace; ++i) view_->setColumnWidth(i, 110);
+  for (int i = AccuracyModel::kTime; i <= AccuracyModel::kPosition; ++i)
+    view_->setColumnWidth(i, 110);
   const int line = view_->fontMetrics().height();
   view_->horizontalHeader()->setFixedHeight(3 * line);
   view_->verticalHeader()->setDefaultSectionSize(line + 8);

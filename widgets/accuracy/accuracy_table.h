@@ -1,4 +1,4 @@
-// The settings of an AccuracyPlot in figures, sortable without a mouse.
+// The settings of an AccuracyPlot as a table, sortable without a mouse.
 #pragma once
 
 #include "widgets/plots/accuracy_plot.h"
@@ -16,7 +16,7 @@ namespace alltact {
 class AccuracyModel : public QAbstractTableModel {
   Q_OBJECT
  public:
-  enum Column { kSetting = 0, kTime, kMedian, kP95, kPlace, kStanding, kColumns };
+  enum Column { kSetting = 0, kTime, kMedian, kP95, kPosition, kStanding, kColumns };
   /// Numbers as such, for sorting.
   static constexpr int kSortRole = Qt::UserRole;
 
@@ -47,7 +47,7 @@ class AccuracyTable : public Translated<QWidget> {
 
  Q_SIGNALS:
   void point_picked(std::size_t point);
-  void point_taken();
+  void point_activated();
 
  private:
   void name_parts();
@@ -58,7 +58,7 @@ class AccuracyTable : public Translated<QWidget> {
   QTableView* view_;
   QLabel* sort_label_;
   QComboBox* sort_;
-  bool is_picking_ = false;  // here, not a person
+  bool is_picking_ = false;  // by the program, not by the user
 };
 
 }  // namespace alltact

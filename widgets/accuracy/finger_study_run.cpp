@@ -8,13 +8,13 @@
 namespace alltact {
 namespace {
 
-/// What a person asked for, in the words of files.
+/// The name in files of the requested settings.
 std::string name_of_use(const PipelineSettings& settings, const PipelineSettings& calibrated) {
   return key_of(settings) == key_of(calibrated) ? std::string()
                                                 : words_of(settings, calibrated).english();
 }
 
-bool says_the_same(const FingerStudy& a, const FingerStudy& b) {
+bool is_same_study(const FingerStudy& a, const FingerStudy& b) {
   const auto flags = [](const FingerStudy& study) {
     return std::array{study.is_of_finger_now,
                       study.is_of_this_computer,
@@ -39,46 +39,46 @@ void FingerStudyRun::open(const std::filesystem::path& folder) {
     folder_ = folder;
     take({});
   }
-  if (!folder.empty()) look();
+  if (!folder.empty()) read_folder();
 }
 
-FingerStudyRun::Looked FingerStudyRun::look_at(const std::filesystem::path& folder) {
-  Looked looked;
+FingerStudyRun::FolderState FingerStudyRun::state_of(const std::filesystem::path& folder) {
+  FolderState folder_state;
   const auto finger = open_finger(folder);
-  if (!finger) return looked;  // the window says so
-  looked.finger = *finger;
-  auto kept = kept_study(*finger);
-  if (!kept)
-    looked.problem = kept.error();
-  else if (*kept)
-    looked.study = std::make_shared<const FingerStudy>(std::move(**kept));
+  if (!finger) return folder_state;  // the window reports it
+  folder_state.finger = *finger;
+  auto stored = stored_study(*finger);
+  if (!stored)
+    folder_state.problem = stored.error();
+  else if (*stored)
+    folder_state.study = std::make_shared<const FingerStudy>(std::move(**stored));
   const auto measuring = presets_of_finger(folder);
   if (measuring)
-    looked.in_use = {measuring->used, measuring->now};
+    folder_state.in_use = {measuring->used, measuring->now};
   else
-    looked.problem = measuring.error();
-  return looked;
+    folder_state.problem = measuring.error();
+  return folder_state;
 }
 
-void FingerStudyRun::look() {
-  looking_.restart([this, folder = folder_](const Job&) {
-    auto looked = std::make_shared<Looked>(look_at(folder));
-    return std::function<void()>([this, folder, looked] {
+void FingerStudyRun::read_folder() {
+  reading_.restart([this, folder = folder_](const Job&) {
+    auto folder_state = std::make_shared<FolderState>(state_of(folder));
+    return std::function<void()>([this, folder, folder_state] {
       if (folder != folder_) return;
-      // What was asked for and is not written yet is what counts.
-      if (!to_write_.empty() || writing_.is_running()) looked->in_use = in_use_;
-      take(*looked);
+      // A request that is not written yet takes precedence.
+      if (!to_write_.empty() || writing_.is_running()) folder_state->in_use = in_use_;
+      take(*folder_state);
     });
   });
 }
 
-void FingerStudyRun::take(const Looked& looked) {
-  finger_ = looked.finger;
-  // The same one again is no other one: what was chosen in it stays.
-  const bool is_same = study_ && looked.study && says_the_same(*study_, *looked.study);
-  if (!is_same) study_ = looked.study;
-  in_use_ = looked.in_use;
-  problem_ = looked.problem;
+void FingerStudyRun::take(const FolderState& folder_state) {
+  finger_ = folder_state.finger;
+  // An unchanged study is not replaced, so that selections in it stay.
+  const bool is_same = study_ && folder_state.study && is_same_study(*study_, *folder_state.study);
+  if (!is_same) study_ = folder_state.study;
+  in_use_ = folder_state.in_use;
+  problem_ = folder_state.problem;
   Q_EMIT changed();
 }
 
@@ -89,12 +89,12 @@ void FingerStudyRun::start(StudyExtent extent) {
     const auto done = study_finger(finger, extent, version, job);
     std::optional<Error> problem;
     if (!done && !job.stop_requested()) problem = done.error();
-    auto looked = std::make_shared<Looked>(look_at(finger->folder));
-    if (problem) looked->problem = problem;
-    return std::function<void()>([this, folder = finger->folder, looked] {
+    auto folder_state = std::make_shared<FolderState>(state_of(finger->folder));
+    if (problem) folder_state->problem = problem;
+    return std::function<void()>([this, folder = finger->folder, folder_state] {
       if (folder != folder_) return;
-      looked->in_use = in_use_;
-      take(*looked);
+      folder_state->in_use = in_use_;
+      take(*folder_state);
     });
   });
   Q_EMIT changed();
@@ -113,33 +113,34 @@ std::optional<std::size_t> FingerStudyRun::row_in_use() const {
 void FingerStudyRun::use(std::size_t row) {
   if (!study_ || row_in_use() == row) return;
   const auto& rows = study_->study.rows;
-  const PipelineSettings& wanted = rows[row].settings;
+  const PipelineSettings& requested = rows[row].settings;
   undo_.push(new ValueChange<InUse>(
       [] { return tr("use other settings"); },
       in_use_,
-      InUse{name_of_use(wanted, rows.front().settings), wanted},
+      InUse{name_of_use(requested, rows.front().settings), requested},
       [this, folder = folder_](const InUse& value) { set_in_use(folder, value); }));
 }
 
-void FingerStudyRun::set_in_use(const std::filesystem::path& folder, const InUse& wanted) {
-  to_write_.emplace_back(folder, wanted);
-  if (folder == folder_) in_use_ = wanted;
+void FingerStudyRun::set_in_use(const std::filesystem::path& folder, const InUse& requested) {
+  to_write_.emplace_back(folder, requested);
+  if (folder == folder_) in_use_ = requested;
   write_next();
   Q_EMIT changed();
 }
 
 void FingerStudyRun::write_next() {
   if (writing_.is_running() || to_write_.empty()) return;
-  const auto [folder, wanted] = to_write_.front();
+  const auto [folder, requested] = to_write_.front();
   to_write_.pop_front();
-  writing_.start([this, folder = folder, wanted = wanted](const Job&) {
+  writing_.start([this, folder = folder, requested = requested](const Job&) {
     const auto store = FingerStore::of(folder);
-    const Status written = wanted.name.empty() ? use_calibrated_settings(*store)
-                                               : use_settings(*store, wanted.settings, wanted.name);
+    const Status written = requested.name.empty()
+                               ? use_calibrated_settings(*store)
+                               : use_settings(*store, requested.settings, requested.name);
     return std::function<void()>([this, folder, written] {
       if (written || folder != folder_) return;
       problem_ = written.error();
-      look();
+      read_folder();
       Q_EMIT changed();
     });
   });

@@ -1,5 +1,5 @@
-// The study of the open finger, and the settings that it measures with: kept with the finger,
-// measured beside the window, changed undoably.
+// The study of the open finger and the settings in use: stored with the finger, measured on a
+// background thread, changed undoably.
 #pragma once
 
 #include "calibration/finger/measuring_presets.h"
@@ -16,12 +16,12 @@ class FingerStudyRun : public QObject {
  public:
   FingerStudyRun(QUndoStack& undo, std::string program_version, QObject* parent = nullptr);
 
-  /// Looks what the finger keeps; an empty folder: none is open. To be called again when what
-  /// stands there has changed.
+  /// Reads the finger's stored study; an empty folder: none is open. Call it again when the
+  /// folder's content has changed.
   void open(const std::filesystem::path& folder);
   /// Measures what is missing. Does nothing while it runs, or without a finger.
   void start(StudyExtent extent);
-  /// What was measured is kept, and the next start() goes on there.
+  /// Rows measured so far are stored, and the next start() continues there.
   void stop() { work_.stop(); }
   [[nodiscard]] bool is_running() const { return work_.is_running(); }
   [[nodiscard]] const BackgroundWork& work() const { return work_; }
@@ -29,9 +29,9 @@ class FingerStudyRun : public QObject {
   /// The finger measures with them from now on, everywhere; undoable. `row` is of study().
   void use(std::size_t row);
 
-  /// As it stands in its folder; null where none is open or it cannot be read.
+  /// The finger as its folder has it; null where none is open or it cannot be read.
   [[nodiscard]] const FingerPtr& finger() const { return finger_; }
-  /// Null where the finger keeps none.
+  /// Null where the finger has none stored.
   [[nodiscard]] const std::shared_ptr<const FingerStudy>& study() const { return study_; }
   /// The row that the finger measures with; nullopt: it is not among the measured ones.
   [[nodiscard]] std::optional<std::size_t> row_in_use() const;
@@ -50,16 +50,16 @@ class FingerStudyRun : public QObject {
       return name == other.name && key_of(settings) == key_of(other.settings);
     }
   };
-  struct Looked {
+  struct FolderState {
     FingerPtr finger;
     std::shared_ptr<const FingerStudy> study;
     InUse in_use;
     std::optional<Error> problem;
   };
-  [[nodiscard]] static Looked look_at(const std::filesystem::path& folder);
-  void look();
-  void take(const Looked& looked);
-  void set_in_use(const std::filesystem::path& folder, const InUse& wanted);
+  [[nodiscard]] static FolderState state_of(const std::filesystem::path& folder);
+  void read_folder();
+  void take(const FolderState& folder_state);
+  void set_in_use(const std::filesystem::path& folder, const InUse& requested);
   void write_next();
 
   QUndoStack& undo_;
@@ -69,8 +69,8 @@ class FingerStudyRun : public QObject {
   std::shared_ptr<const FingerStudy> study_;
   InUse in_use_;
   std::optional<Error> problem_;
-  std::deque<std::pair<std::filesystem::path, InUse>> to_write_;  // in the order of what was done
-  BackgroundWork work_, looking_, writing_;
+  std::deque<std::pair<std::filesystem::path, InUse>> to_write_;  // in the order of the changes
+  BackgroundWork work_, reading_, writing_;
 };
 
 }  // namespace alltact

@@ -1,6 +1,6 @@
 #include "widgets/calibrating/board_overlays.h"
 
-#include "widgets/picture/overlays.h"
+#include "widgets/image/overlays.h"
 
 #include <QPainter>
 #include <QPainterPath>
@@ -8,13 +8,13 @@
 namespace alltact {
 namespace {
 
-const QColor kCorner(255, 214, 64), kKept(47, 199, 155), kGrid(86, 180, 233);
+const QColor kCorner(255, 214, 64), kAccepted(47, 199, 155), kGrid(86, 180, 233);
 constexpr double kCornerRing = 4;  // logical pixels
 constexpr double kGridStep = 0.1;  // of a tangent
-constexpr int kGridLines = 12;     // to either side
+constexpr int kGridLines = 12;     // on each side
 constexpr int kGridPoints = 96;
 
-/// A line of the world at z = 1, broken where the camera does not see it.
+/// A world line at z = 1, interrupted where it is outside the image.
 QPainterPath seen_line(const Camera& camera,
                        double fixed,
                        bool is_upright,
@@ -44,27 +44,27 @@ QPainterPath seen_line(const Camera& camera,
 
 }  // namespace
 
-Overlay corners_overlay(const BoardLook& look) {
-  return [view = *look.view, is_good = look.is_worth_keeping()](QPainter& painter,
-                                                                const ImageTransform& transform) {
+Overlay corners_overlay(const BoardAnalysis& detection) {
+  return [view = *detection.view, is_good = detection.is_useful()](
+             QPainter& painter, const ImageTransform& transform) {
     QPainterPath path;
     for (const Eigen::Vector2d& pixel : view.pixels)
       path.addEllipse(transform.to_widget({pixel.x(), pixel.y()}), kCornerRing, kCornerRing);
-    if (is_good) painter.fillPath(path, kKept);
-    stroke_over(painter, path, is_good ? kKept : kCorner, 1.4);
+    if (is_good) painter.fillPath(path, kAccepted);
+    stroke_over(painter, path, is_good ? kAccepted : kCorner, 1.4);
   };
 }
 
-Overlay unseen_cells_overlay(const BoardCollector::Cells& cells, QSize picture) {
-  return [cells, picture](QPainter& painter, const ImageTransform& transform) {
-    const QRectF whole = transform.covered(picture);
-    const double width = whole.width() / BoardCollector::kColumns;
-    const double height = whole.height() / BoardCollector::kRows;
+Overlay unseen_cells_overlay(const BoardCollector::Cells& cells, QSize image_size) {
+  return [cells, image_size](QPainter& painter, const ImageTransform& transform) {
+    const QRectF area = transform.covered(image_size);
+    const double width = area.width() / BoardCollector::kColumns;
+    const double height = area.height() / BoardCollector::kRows;
     for (int row = 0; row < BoardCollector::kRows; ++row)
       for (int column = 0; column < BoardCollector::kColumns; ++column)
         if (cells[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] == 0)
           painter.fillRect(
-              QRectF(whole.left() + column * width, whole.top() + row * height, width, height)
+              QRectF(area.left() + column * width, area.top() + row * height, width, height)
                   .adjusted(2, 2, -2, -2),
               QBrush(QColor(240, 145, 90, 130), Qt::BDiagPattern));
   };

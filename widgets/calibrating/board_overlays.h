@@ -1,17 +1,18 @@
-// What is drawn over the live picture while a lens is measured, and of a lens that is known.
+// Overlays over the live image: detected board corners, cells without corners, and the grid of a
+// known lens.
 #pragma once
 
 #include "calibration/lens/board_collector.h"
 #include "core/camera/camera.h"
-#include "widgets/picture/image_view.h"
+#include "widgets/image/image_view.h"
 
 namespace alltact {
 
-/// The corners as they were found: rings, filled where the view is worth keeping.
-[[nodiscard]] Overlay corners_overlay(const BoardLook& look);
-/// The cells of a picture in which no kept view shows a corner yet, hatched.
-[[nodiscard]] Overlay unseen_cells_overlay(const BoardCollector::Cells& cells, QSize picture);
-/// Straight lines of the world, evenly spaced in tangents, as this camera shows them.
+/// Detected corners as rings, filled where the view is worth adding.
+[[nodiscard]] Overlay corners_overlay(const BoardAnalysis& detection);
+/// Image cells without a corner in any accepted view, hatched.
+[[nodiscard]] Overlay unseen_cells_overlay(const BoardCollector::Cells& cells, QSize image_size);
+/// Straight lines in the world, evenly spaced in tangents, as projected by this camera.
 [[nodiscard]] Overlay lens_grid_overlay(const Camera& camera);
 
 }  // namespace alltact

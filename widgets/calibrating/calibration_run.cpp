@@ -16,9 +16,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// All that a calibration writes beside the presses and finger.yaml.
+/// Files that a calibration writes, besides the presses and finger.yaml.
 constexpr const char* kWritten[] = {
-    CalibrationInputs::kFileName, kReportFigures, kReportPage, kReportPaper};
+    CalibrationInputs::kFileName, kReportJson, kReportHtml, kReportPdf};
 
 std::map<std::string, std::optional<std::string>> read_written(const fs::path& folder) {
   std::map<std::string, std::optional<std::string>> files;
@@ -46,76 +46,77 @@ Status write_written(const fs::path& folder,
 
 }  // namespace
 
-/// Told on one thread, shown on another.
-struct CalibrationRun::HeardRounds {
+/// Written by the calibrating thread, read by the window's thread.
+struct CalibrationRun::SharedRounds {
   std::mutex mutex;
   std::vector<Round> rounds;
 };
 
-/// A calibration as a step: what was written before it is put back.
+/// Undo step of a calibration: restores the files written before it.
 class CalibrationRun::Undo : public UndoStep {
  public:
-  Undo(CalibrationRun& run, Files before, Made made_before, Made made_after)
+  Undo(CalibrationRun& run, Files before, Outcome outcome_before, Outcome outcome_after)
       : UndoStep([] { return tr("calibrate"); }),
         run_(run),
-        folder_(run.desk_.folder()),
+        folder_(run.collection_.folder()),
         before_(std::move(before)),
-        made_before_(std::move(made_before)),
-        made_after_(std::move(made_after)) {}
+        outcome_before_(std::move(outcome_before)),
+        outcome_after_(std::move(outcome_after)) {}
 
   void undo() override {
-    if (run_.desk_.folder() != folder_) return;
+    if (run_.collection_.folder() != folder_) return;
     run_.report_.stop();
-    run_.desk_.disk()->wait();
+    run_.collection_.disk()->wait();
     after_ = read_written(folder_);
-    run_.restore(before_, made_before_);
+    run_.restore(before_, outcome_before_);
   }
   void redo() override {
-    if (after_.empty() || run_.desk_.folder() != folder_) return;  // the first time it is done
+    if (after_.empty() || run_.collection_.folder() != folder_)
+      return;  // called when the step is pushed
     run_.report_.stop();
-    run_.restore(after_, made_after_);
+    run_.restore(after_, outcome_after_);
   }
 
  private:
   CalibrationRun& run_;
   fs::path folder_;
   Files before_, after_;
-  Made made_before_, made_after_;
+  Outcome outcome_before_, outcome_after_;
 };
 
-CalibrationRun::CalibrationRun(PressDesk& desk,
+CalibrationRun::CalibrationRun(PressCollection& collection,
                                QUndoStack& undo,
                                std::string program_version,
                                QObject* parent)
-    : QObject(parent), desk_(desk), undo_(undo), version_(std::move(program_version)) {
+    : QObject(parent), collection_(collection), undo_(undo), version_(std::move(program_version)) {
   connect(&work_, &BackgroundWork::progressed, this, &CalibrationRun::changed);
   connect(&work_, &BackgroundWork::finished, this, &CalibrationRun::changed);
   connect(&report_, &ReportWriter::finished, this, [this] {
     has_report_ = !report_.problem();
     Q_EMIT changed();
   });
-  // What is asked for comes first: the list of presses and the live picture.
-  connect(&desk_, &PressDesk::changed, this, &CalibrationRun::recall_residuals_once);
+  // Residuals are read last: the list of presses and the live image come first.
+  connect(&collection_, &PressCollection::changed, this, &CalibrationRun::recall_residuals_once);
   connect(&recalling_, &BackgroundWork::finished, this, &CalibrationRun::recall_residuals_once);
 }
 
 void CalibrationRun::reload() {
-  const fs::path folder = desk_.folder();
-  if (folder != looked_at_) {
+  const fs::path folder = collection_.folder();
+  if (folder != loaded_folder_) {
     report_.stop();
     recalling_.stop();
     result_.reset();
-    from_.reset();
+    inputs_.reset();
     finger_.reset();
     worth_.reset();
     problem_.reset();
     recall_problem_.reset();
     lacks_residuals_ = false;
-    looked_at_ = folder;
+    loaded_folder_ = folder;
   }
   if (folder.empty()) return void(Q_EMIT changed());
-  if (is_running()) return;  // which looks when it is done
-  loading_.restart([this, folder, disk = desk_.disk()](const Job&) {
+  if (is_running()) return;  // the running calibration updates everything when done
+  loading_.restart([this, folder, disk = collection_.disk()](const Job&) {
     disk->wait();
     auto inputs = std::make_shared<Result<CalibrationInputs>>(CalibrationInputs::load(folder));
     const auto finger = open_finger(folder);
@@ -123,22 +124,22 @@ void CalibrationRun::reload() {
     std::optional<FingerWorth> worth;
     if (opened) worth = worth_of(*opened, utc_now());
     std::error_code failed;
-    const bool has_report = fs::exists(folder / kReportPage, failed);
+    const bool has_report = fs::exists(folder / kReportHtml, failed);
     std::shared_ptr<const FingerCalibration> recalled;
-    if (auto kept = recall_calibration(folder))
-      recalled = std::make_shared<const FingerCalibration>(std::move(*kept));
+    if (auto stored = recall_calibration(folder))
+      recalled = std::make_shared<const FingerCalibration>(std::move(*stored));
     return std::function<void()>([this, folder, inputs, opened, worth, has_report, recalled] {
-      if (folder != desk_.folder()) return reload();
-      if (*inputs) from_ = **inputs;
+      if (folder != collection_.folder()) return reload();
+      if (*inputs) inputs_ = **inputs;
       if (opened) finger_ = opened, worth_ = worth;
-      if (recalled) take_recalled(recalled);
+      if (recalled) adopt_recalled(recalled);
       if (!is_writing_report()) has_report_ = has_report;
       Q_EMIT changed();
     });
   });
 }
 
-void CalibrationRun::take_recalled(const std::shared_ptr<const FingerCalibration>& recalled) {
+void CalibrationRun::adopt_recalled(const std::shared_ptr<const FingerCalibration>& recalled) {
   if (result_ && result_->inputs.to_yaml() == recalled->inputs.to_yaml()) return;
   result_ = recalled;
   lacks_residuals_ = true;
@@ -146,109 +147,114 @@ void CalibrationRun::take_recalled(const std::shared_ptr<const FingerCalibration
 }
 
 void CalibrationRun::recall_residuals_once() {
-  if (!lacks_residuals_ || recalling_.is_running() || !desk_.is_ready() || desk_.is_looking())
+  if (!lacks_residuals_ || recalling_.is_running() || !collection_.is_ready() ||
+      collection_.is_analysing())
     return;
   lacks_residuals_ = false;
   recall_problem_.reset();
-  recalling_.start([this, folder = desk_.folder(), bare = result_, disk = desk_.disk()](
+  recalling_.start([this, folder = collection_.folder(), bare = result_, disk = collection_.disk()](
                        const Job& job) {
     disk->wait();
-    auto whole = std::make_shared<Result<FingerCalibration>>(recall_residuals(folder, *bare, job));
-    return std::function<void()>([this, bare, whole] {
-      if (result_ != bare) return;  // made anew, or of another finger
-      if (*whole)
-        result_ = std::make_shared<const FingerCalibration>(std::move(**whole));
+    auto complete =
+        std::make_shared<Result<FingerCalibration>>(recall_residuals(folder, *bare, job));
+    return std::function<void()>([this, bare, complete] {
+      if (result_ != bare) return;  // calibrated again, or of another finger
+      if (*complete)
+        result_ = std::make_shared<const FingerCalibration>(std::move(**complete));
       else
-        recall_problem_ = whole->error();
+        recall_problem_ = complete->error();
       Q_EMIT changed();
     });
   });
 }
 
 CalibrationState CalibrationRun::state() const {
-  if (!finger_ || !finger_->mapping || !from_) return CalibrationState::kNone;
+  if (!finger_ || !finger_->mapping || !inputs_) return CalibrationState::kNone;
   if (worth_ && worth_->must_repeat) return CalibrationState::kStale;
-  if (!desk_.is_ready()) return CalibrationState::kCurrent;  // nobody could change anything yet
-  const auto& presses = desk_.presses();
-  const bool same_presses = std::equal(
-      presses.begin(),
-      presses.end(),
-      from_->presses.begin(),
-      from_->presses.end(),
-      [](const DeskPress& press, const KeptPress& kept) { return press.name == kept.name; });
-  return same_presses && input_for(desk_.said()).said == from_->said ? CalibrationState::kCurrent
-                                                                     : CalibrationState::kStale;
+  if (!collection_.is_ready()) return CalibrationState::kCurrent;  // nothing could be changed yet
+  const auto& presses = collection_.presses();
+  const bool same_presses = std::equal(presses.begin(),
+                                       presses.end(),
+                                       inputs_->presses.begin(),
+                                       inputs_->presses.end(),
+                                       [](const CollectedPress& press, const StoredPress& stored) {
+                                         return press.name == stored.name;
+                                       });
+  return same_presses && input_for(collection_.press_set()).press_set == inputs_->press_set
+             ? CalibrationState::kCurrent
+             : CalibrationState::kStale;
 }
 
-FingerCalibrationInput CalibrationRun::input_for(const PressSet& said) const {
+FingerCalibrationInput CalibrationRun::input_for(const PressSet& press_set) const {
   FingerCalibrationInput input;
-  input.folder = desk_.folder();
-  input.presses.files = {desk_.folder() / kPressFolder};
-  if (from_) {  // as this finger was calibrated last
-    input.calibration = from_->calibration;
-    input.pipeline = from_->pipeline;
+  input.folder = collection_.folder();
+  input.presses.files = {collection_.folder() / kPressFolder};
+  if (inputs_) {  // settings of this finger's last calibration
+    input.calibration = inputs_->calibration;
+    input.pipeline = inputs_->pipeline;
   }
   std::set<std::string> presses;
-  for (const DeskPress& press : desk_.presses()) presses.insert(press.name);
-  input.said = said.only(presses);
+  for (const CollectedPress& press : collection_.presses()) presses.insert(press.name);
+  input.press_set = press_set.only(presses);
   input.program_version = version_;
   return input;
 }
 
 QString CalibrationRun::command_line() const {
-  FingerCalibrationInput input = input_for(desk_.said());
+  FingerCalibrationInput input = input_for(collection_.press_set());
   if (state() == CalibrationState::kCurrent) {
-    input = input_for(from_->said);
-    input.date = from_->date;
+    input = input_for(inputs_->press_set);
+    input.date = inputs_->date;
   }
   return QString::fromStdString(calibrate_command(input));
 }
 
 CalibrationInputs CalibrationRun::next_inputs() const {
-  const FingerCalibrationInput input = input_for(desk_.said());
+  const FingerCalibrationInput input = input_for(collection_.press_set());
   CalibrationInputs inputs;
-  inputs.said = input.said;
+  inputs.press_set = input.press_set;
   inputs.calibration = input.calibration;
   inputs.pipeline = input.pipeline;
   return inputs;
 }
 
-void CalibrationRun::take(const Made& made) {
+void CalibrationRun::take(const Outcome& made) {
   result_ = made.result;
-  from_ = made.from;
+  inputs_ = made.inputs;
   finger_ = made.finger;
   worth_ = made.worth;
   problem_.reset();
   recall_problem_.reset();
-  // Undone to one whose presses were not read yet.
+  // The restored calibration may lack residuals.
   lacks_residuals_ = result_ && result_->residuals.empty() && result_->presses.empty();
 }
 
 void CalibrationRun::start() {
   if (is_running()) return;
   report_.stop();
-  FingerCalibrationInput input = input_for(desk_.said());
+  FingerCalibrationInput input = input_for(collection_.press_set());
   input.date = utc_now();
   input.compare_methods = true;
-  // Pictures that were not looked at yet are read from where they are kept.
-  const auto& presses = desk_.presses();
-  if (std::all_of(presses.begin(), presses.end(), [](const DeskPress& one) { return one.frame; }))
-    for (const DeskPress& press : presses) input.presses.frames.push_back(press.frame);
-  rounds_ = std::make_shared<HeardRounds>();
-  input.on_round = [heard = rounds_](const Round& round) {
-    const std::lock_guard lock(heard->mutex);
-    heard->rounds.push_back(round);
+  // Presses without a frame in memory are read from their files.
+  const auto& presses = collection_.presses();
+  if (std::all_of(
+          presses.begin(), presses.end(), [](const CollectedPress& one) { return one.frame; }))
+    for (const CollectedPress& press : presses) input.presses.frames.push_back(press.frame);
+  rounds_ = std::make_shared<SharedRounds>();
+  input.on_round = [shared = rounds_](const Round& round) {
+    const std::lock_guard lock(shared->mutex);
+    shared->rounds.push_back(round);
   };
   struct Done {
     Files files;
-    Made before;
+    Outcome before;
     FingerPtr finger;
     std::optional<FingerWorth> worth;
     std::optional<Result<FingerCalibration>> result;
   };
   auto done = std::make_shared<Done>();
-  done->before = {result_, from_, nullptr, worth_};
-  work_.start([this, input, done, disk = desk_.disk()](const Job& job) {
+  done->before = {result_, inputs_, nullptr, worth_};
+  work_.start([this, input, done, disk = collection_.disk()](const Job& job) {
     disk->wait();
     done->files = read_written(input.folder);
     if (const auto finger = open_finger(input.folder)) done->before.finger = *finger;
@@ -258,13 +264,13 @@ void CalibrationRun::start() {
       done->worth = worth_of(**finger, utc_now());
     }
     return std::function<void()>([this, done, folder = input.folder] {
-      if (folder != desk_.folder()) return;
+      if (folder != collection_.folder()) return;
       if (!*done->result) {
         problem_ = done->result->error();
         return;
       }
       auto result = std::make_shared<const FingerCalibration>(std::move(**done->result));
-      const Made after{result, result->inputs, done->finger, done->worth};
+      const Outcome after{result, result->inputs, done->finger, done->worth};
       take(after);
       has_report_ = false;
       undo_.push(new Undo(*this, std::move(done->files), done->before, after));
@@ -284,10 +290,10 @@ std::vector<Round> CalibrationRun::rounds() const {
   return rounds_->rounds;
 }
 
-void CalibrationRun::restore(const Files& files, const Made& made) {
+void CalibrationRun::restore(const Files& files, const Outcome& made) {
   take(made);
-  has_report_ = files.at(kReportPage).has_value();
-  desk_.disk()->add([folder = desk_.folder(), files, finger = made.finger]() -> Status {
+  has_report_ = files.at(kReportHtml).has_value();
+  collection_.disk()->add([folder = collection_.folder(), files, finger = made.finger]() -> Status {
     if (const Status written = write_written(folder, files); !written || !finger) return written;
     const auto changed = FingerStore::of(folder)->update([&](Finger& now) {
       take_calibration(finger->finger, now);
@@ -295,12 +301,12 @@ void CalibrationRun::restore(const Files& files, const Made& made) {
     });
     return changed ? Status() : changed.error();
   });
-  if (loading_.is_running()) reload();  // which reads what there was before
+  if (loading_.is_running()) reload();  // its result would be of the former files
   Q_EMIT changed();
 }
 
 fs::path CalibrationRun::report() const {
-  return has_report_ && !is_writing_report() ? desk_.folder() / kReportPage : fs::path();
+  return has_report_ && !is_writing_report() ? collection_.folder() / kReportHtml : fs::path();
 }
 
 }  // namespace alltact

@@ -23,15 +23,15 @@ namespace fs = std::filesystem;
 
 constexpr int kCheckSideWidth = 330, kCheckSymbol = 28;
 
-/// As the window's language writes it, in the time of this place.
+/// Local date and time in the window's language.
 QString date_text(const std::string& utc) {
-  const auto seconds = seconds_of(utc);
+  const auto seconds = unix_seconds(utc);
   if (!seconds) return as_text(utc);
   const auto when = QDateTime::fromSecsSinceEpoch(static_cast<qint64>(*seconds));
   return QLocale().toString(when, QLocale::ShortFormat);
 }
 
-/// What one check came to, and the history before and after it.
+/// Result of one check, and the history file before and after it.
 struct Checked {
   std::optional<Error> problem;
   std::optional<PressCheck> check;
@@ -59,8 +59,9 @@ Checked check_frames(const fs::path& folder,
   const auto check = check_with_presses(**finger, presses, {}, job);
   if (!check) return fail(check.error());
   checked.before = content_of(folder / kCheckFile);
-  const Status kept = append_check(folder, entry_of(*check, (*finger)->finger, utc_now(), version));
-  if (!kept) return fail(kept.error());
+  const Status appended =
+      append_check(folder, entry_of(*check, (*finger)->finger, utc_now(), version));
+  if (!appended) return fail(appended.error());
   checked.after = content_of(folder / kCheckFile);
   checked.check = *check;
   return checked;
@@ -69,19 +70,19 @@ Checked check_frames(const fs::path& folder,
 }  // namespace
 
 CheckPage::CheckPage(LiveSession& session,
-                     PressDesk& desk,
+                     PressCollection& collection,
                      const CalibrationRun& run,
                      QUndoStack& undo,
                      std::string program_version,
                      QWidget* parent)
     : StepPage(parent),
       session_(session),
-      desk_(desk),
+      collection_(collection),
       run_(run),
       undo_(undo),
       version_(std::move(program_version)),
       problems_(new ProblemList),
-      live_(new PicturePanel(session)),
+      live_(new ImagePanel(session)),
       take_group_(new QGroupBox),
       verdict_group_(new QGroupBox),
       how_(wrapped_text()),
@@ -98,7 +99,7 @@ CheckPage::CheckPage(LiveSession& session,
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(problems_);
   ViewOptions options;
-  options.direction = options.markers = false;  // nothing lies over the contact but its depth
+  options.direction = options.markers = false;  // only depth is drawn over the contact
   live_->set_options(options);
   auto* row = new QHBoxLayout;
   row->addWidget(live_, 1);
@@ -113,7 +114,7 @@ CheckPage::CheckPage(LiveSession& session,
   connect(&work_, &BackgroundWork::progressed, this, &CheckPage::show_status);
   connect(&work_, &BackgroundWork::finished, this, &CheckPage::show_status);
   connect(&run_, &CalibrationRun::changed, this, [this] {
-    show_verdict();  // perhaps of another calibration
+    show_verdict();  // of another calibration
     show_status();
     Q_EMIT changed();
   });
@@ -165,7 +166,7 @@ QWidget* CheckPage::make_side() {
   inside->addWidget(plot_, 1);
   side.column->addWidget(verdict_group_, 1);
   foot_ = side.foot;
-  return side.whole;
+  return side.root;
 }
 
 const CheckEntry* CheckPage::latest() const {
@@ -177,10 +178,10 @@ StepState CheckPage::state() const {
   if (check == nullptr) return StepState::kToDo;
   const bool holds =
       verdict_now(*check) == CheckVerdict::kPass && run_.state() == CalibrationState::kCurrent;
-  return holds ? StepState::kDone : StepState::kLookAgain;
+  return holds ? StepState::kDone : StepState::kOutdated;
 }
 
-const QPushButton* CheckPage::to_do() const {
+const QPushButton* CheckPage::action_button() const {
   const bool is_just_checked = last_ && taken_.empty();
   if (work_.is_running() || is_just_checked) return nullptr;
   return static_cast<int>(taken_.size()) < kCheckPresses ? take_ : check_;
@@ -218,7 +219,7 @@ void CheckPage::check() {
 }
 
 void CheckPage::write_history(const std::optional<std::string>& content) {
-  desk_.disk()->add([file = folder_ / kCheckFile, content]() -> Status {
+  collection_.disk()->add([file = folder_ / kCheckFile, content]() -> Status {
     if (content) return write_file_atomically(file, *content);
     std::error_code failed;
     fs::remove(file, failed);
@@ -228,7 +229,7 @@ void CheckPage::write_history(const std::optional<std::string>& content) {
 }
 
 void CheckPage::load_history() {
-  loading_.restart([this, folder = folder_, disk = desk_.disk()](const Job&) {
+  loading_.restart([this, folder = folder_, disk = collection_.disk()](const Job&) {
     disk->wait();
     const auto checks = load_checks(folder, nullptr);
     return std::function<void()>([this, checks, folder] {
@@ -245,7 +246,7 @@ void CheckPage::load_history() {
 void CheckPage::show_history() {
   HistoryData data;
   for (const CheckEntry& check : history_) {
-    data.points.push_back({seconds_of(check.time).value_or(0), check.error_mm});
+    data.points.push_back({unix_seconds(check.time).value_or(0), check.error_mm});
     data.drifting_above_mm = check.drifting_above_mm;
     data.recalibrate_above_mm = check.recalibrate_above_mm;
   }
@@ -254,7 +255,7 @@ void CheckPage::show_history() {
 
 QString CheckPage::verdict_words(const CheckEntry& check) const {
   QStringList lines;
-  if (const QString stale = why_again(run_); !stale.isEmpty()) lines << stale;
+  if (const QString stale = recalibration_reason(run_); !stale.isEmpty()) lines << stale;
   if (!last_ || last_->verdict != check.verdict) {
     lines << tr("Checked last on %1 with %n press(es): %2 mm off (passes up to %3 mm).",
                 nullptr,
@@ -297,14 +298,14 @@ void CheckPage::show_verdict() {
 }
 
 void CheckPage::show_status() {
-  if (folder_ != desk_.folder()) {
-    folder_ = desk_.folder();
+  if (folder_ != collection_.folder()) {
+    folder_ = collection_.folder();
     history_.clear();
     forget_taken();
     if (!folder_.empty()) load_history();
     return;
   }
-  const QString reason = why_not_take();
+  const QString reason = take_obstacle();
   const int count = static_cast<int>(taken_.size());
   take_->setEnabled(reason.isEmpty());
   count_->setText(!reason.isEmpty()                            ? reason

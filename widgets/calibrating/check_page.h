@@ -1,12 +1,12 @@
-// The health check: is a calibrated finger still what it was? Three presses of the same ball tell,
-// and the history shows where it is going.
+// Health check: whether a calibrated finger still measures as calibrated. Three presses with the
+// same ball are compared; a plot shows the history of errors.
 #pragma once
 
 #include "calibration/checks/check_history.h"
 #include "calibration/presses/press_taker.h"
 #include "widgets/calibrating/calibration_run.h"
 #include "widgets/calibrating/step_page.h"
-#include "widgets/panels/picture_panel.h"
+#include "widgets/panels/image_panel.h"
 #include "widgets/plots/history_plot.h"
 #include "widgets/shell/problem_list.h"
 #include "widgets/undo_step.h"
@@ -22,7 +22,7 @@ class CheckPage : public StepPage {
   Q_OBJECT
  public:
   CheckPage(LiveSession& session,
-            PressDesk& desk,
+            PressCollection& collection,
             const CalibrationRun& run,
             QUndoStack& undo,
             std::string program_version,
@@ -33,13 +33,13 @@ class CheckPage : public StepPage {
   void press_pedal() override;
   [[nodiscard]] QVBoxLayout* foot() const override { return foot_; }
   [[nodiscard]] QWidget* main_control() const override { return take_; }
-  [[nodiscard]] const QPushButton* to_do() const override;
+  [[nodiscard]] const QPushButton* action_button() const override;
   [[nodiscard]] QString missing() const override { return {}; }
   void show_status();
   [[nodiscard]] const std::vector<CheckEntry>& history() const { return history_; }
 
  Q_SIGNALS:
-  /// A check was added to the finger's.
+  /// A check was added to the finger's history.
   void checked();
 
  protected:
@@ -48,9 +48,9 @@ class CheckPage : public StepPage {
 
  private:
   [[nodiscard]] QWidget* make_side();
-  [[nodiscard]] QString why_not_take() const;
+  [[nodiscard]] QString take_obstacle() const;
   void take();
-  void keep_taken(const PressTaker::Taken& taken);
+  void add_taken(const PressTaker::Taken& taken);
   void watch();
   void follow_source();
   void check();
@@ -61,23 +61,23 @@ class CheckPage : public StepPage {
   void write_history(const std::optional<std::string>& content);
   void show_history();
   void show_verdict();
-  /// Of the calibration in use; null: it was not checked yet.
+  /// Latest check of the calibration in use; null: none yet.
   [[nodiscard]] const CheckEntry* latest() const;
   [[nodiscard]] QString verdict_words(const CheckEntry& check) const;
 
   QVBoxLayout* foot_ = nullptr;
   LiveSession& session_;
-  PressDesk& desk_;
+  PressCollection& collection_;
   const CalibrationRun& run_;
   QUndoStack& undo_;
   std::string version_;
   std::filesystem::path folder_;
   std::vector<FramePtr> taken_;
-  PressTaker taker_;  // of the live picture, for as long as it is watched
+  PressTaker taker_;  // takes presses from the live stream while this page is visible
   std::optional<PressCheck> last_;
   std::vector<CheckEntry> history_;
   ProblemList* problems_;
-  PicturePanel* live_;
+  ImagePanel* live_;
   QGroupBox *take_group_, *verdict_group_;
   QLabel *how_, *count_, *symbol_, *verdict_, *sentence_;
   QPushButton *take_, *again_, *check_;

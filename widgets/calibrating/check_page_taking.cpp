@@ -1,4 +1,4 @@
-// How the step Check takes its presses: as the step Presses does, while they are held still.
+// Taking presses for the step Check, as in the step Presses: while they are held still.
 #include "core/live/source_runner.h"
 #include "widgets/calibrating/check_page.h"
 #include "widgets/value_change.h"
@@ -7,7 +7,7 @@
 
 namespace alltact {
 
-QString CheckPage::why_not_take() const {
+QString CheckPage::take_obstacle() const {
   if (!session_.view()) return tr("There is no live picture: choose a source.");
   if (run_.state() == CalibrationState::kNone) return tr("The finger is not calibrated.");
   if (work_.is_running()) return tr("The check is being made.");
@@ -19,15 +19,15 @@ void CheckPage::press_pedal() {
 }
 
 void CheckPage::take() {
-  if (!why_not_take().isEmpty()) return;
+  if (!take_obstacle().isEmpty()) return;
   live_->freeze(false);
-  const auto taken = taker_.want(monotonic_s());
-  if (taken) keep_taken(*taken);
+  const auto taken = taker_.request(monotonic_s());
+  if (taken) add_taken(*taken);
   follow_source();
   show_status();
 }
 
-void CheckPage::keep_taken(const PressTaker::Taken& taken) {
+void CheckPage::add_taken(const PressTaker::Taken& taken) {
   auto copy = std::make_shared<Frame>(*taken.frame);
   copy->name = "check_" + std::to_string(taken_.size() + 1);
   copy->jpeg.reset();
@@ -43,13 +43,13 @@ void CheckPage::watch() {
   const FrameResult& result = session_.view()->result;
   const auto waited = taker_.state();
   if (const auto taken = taker_.see(result.frame, dark_patch(result), monotonic_s()))
-    keep_taken(*taken);
+    add_taken(*taken);
   if (taker_.state() != waited) show_status();
 }
 
 void CheckPage::follow_source() {
   if (session_.status().source.state != SourceState::kEnded) return;
-  if (const auto last = taker_.end()) keep_taken(*last);
+  if (const auto last = taker_.end()) add_taken(*last);
 }
 
 void CheckPage::hideEvent(QHideEvent* event) {
@@ -62,9 +62,9 @@ void CheckPage::set_taken(const StepWords& what, std::vector<FramePtr> frames) {
       what,
       taken_,
       std::move(frames),
-      [this, folder = folder_](const std::vector<FramePtr>& wanted) {
+      [this, folder = folder_](const std::vector<FramePtr>& restored) {
         if (folder != folder_) return;
-        taken_ = wanted;
+        taken_ = restored;
         show_status();
       }));
 }

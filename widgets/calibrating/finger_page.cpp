@@ -29,9 +29,9 @@ QString geometry_text(const Finger& finger) {
       .arg(finger.markers.per_row);
 }
 
-/// The frame becomes the sensor's untouched picture.
-Status install_untouched(const std::filesystem::path& folder, const Frame& frame) {
-  const auto warnings = give_untouched_picture(
+/// Stores the frame as the sensor's contact-free reference image.
+Status install_reference_image(const std::filesystem::path& folder, const Frame& frame) {
+  const auto warnings = set_untouched_image(
       folder,
       {frame.grey, frame.controls ? *frame.controls : std::string(), en::say("the camera")});
   return warnings ? Status() : warnings.error();
@@ -43,7 +43,7 @@ FingerPage::FingerPage(LiveSession& session, QUndoStack& undo, QWidget* parent)
     : StepPage(parent),
       session_(session),
       undo_(undo),
-      live_(new PicturePanel(session)),
+      live_(new ImagePanel(session)),
       problems_(new ProblemList),
       geometry_group_(new QGroupBox),
       reference_group_(new QGroupBox),
@@ -52,7 +52,7 @@ FingerPage::FingerPage(LiveSession& session, QUndoStack& undo, QWidget* parent)
       make_(new QPushButton),
       open_(new QPushButton),
       record_(new QPushButton),
-      untouched_(new QPushButton),
+      reference_image_(new QPushButton),
       width_label_(new QLabel),
       layer_label_(new QLabel),
       width_(new NumberField),
@@ -95,18 +95,18 @@ QWidget* FingerPage::make_side() {
   side.column->addWidget(geometry_group_);
   auto* reference = new QVBoxLayout(reference_group_);
   reference->addWidget(reference_);
-  for (QPushButton* button : {record_, untouched_}) reference->addWidget(button);
+  for (QPushButton* button : {record_, reference_image_}) reference->addWidget(button);
   side.column->addWidget(reference_group_);
   side.column->addStretch();
   foot_ = side.foot;
-  return side.whole;
+  return side.root;
 }
 
 void FingerPage::connect_parts() {
   connect(make_, &QPushButton::clicked, this, &FingerPage::make_finger);
-  connect(open_, &QPushButton::clicked, this, &FingerPage::open_finger_wanted);
-  connect(record_, &QPushButton::clicked, this, &FingerPage::record_wanted);
-  connect(untouched_, &QPushButton::clicked, this, &FingerPage::take_untouched);
+  connect(open_, &QPushButton::clicked, this, &FingerPage::open_finger_requested);
+  connect(record_, &QPushButton::clicked, this, &FingerPage::record_requested);
+  connect(reference_image_, &QPushButton::clicked, this, &FingerPage::take_reference_image);
   connect(change_, &QPushButton::clicked, this, &FingerPage::change_sizes);
   for (NumberField* size : {width_, layer_})
     connect(size, &NumberField::text_changed, this, &FingerPage::show_sizes);
@@ -118,7 +118,7 @@ void FingerPage::name_parts() {
   make_->setText(tr("&Make the finger's folder…"));
   open_->setText(tr("&Open a finger…"));
   record_->setText(tr("&Go to Record"));
-  untouched_->setText(tr("Take the &untouched picture now"));
+  reference_image_->setText(tr("Take the &untouched picture now"));
   width_label_->setText(tr("&Width of the face"));
   width_->setAccessibleName(tr("Width of the face"));
   layer_label_->setText(tr("&Layer's thickness"));
@@ -129,11 +129,11 @@ void FingerPage::name_parts() {
   show_status();
 }
 
-/// What somebody typed stays until it is taken.
+/// A typed value stays in its field until it is applied.
 void FingerPage::show_sizes() {
-  if (is_read_again()) return change_->setEnabled(false);  // there, and waits
-  sizes_->setVisible(is_own());
-  if (!is_own()) return;
+  if (is_reloading()) return change_->setEnabled(false);  // saved, waiting to be loaded
+  sizes_->setVisible(has_folder());
+  if (!has_folder()) return;
   const Face& face = session_.status().finger.finger->face;
   width_->setVisible(face.kind == FaceKind::kFinRay);
   width_label_->setVisible(face.kind == FaceKind::kFinRay);
@@ -144,16 +144,16 @@ void FingerPage::show_sizes() {
 }
 
 void FingerPage::change_sizes() {
-  if (!is_own()) return;
+  if (!has_folder()) return;
   const FingerStatus& finger = session_.status().finger;
   const Face& face = finger.finger->face;
   const auto width = width_->typed(), layer = layer_->typed();
   if (!width || !layer) return;
-  const Sizes wanted(face.kind == FaceKind::kFinRay ? *width : face.width_mm, *layer);
+  const Sizes requested(face.kind == FaceKind::kFinRay ? *width : face.width_mm, *layer);
   undo_.push(new ValueChange<Sizes>(
       [] { return tr("change the finger's sizes"); },
       Sizes(face.width_mm, face.layer_mm),
-      wanted,
+      requested,
       [this, folder = finger.folder](const Sizes& sizes) { write_sizes(folder, sizes); }));
 }
 
@@ -168,20 +168,20 @@ void FingerPage::write_sizes(const std::filesystem::path& folder, const Sizes& s
   });
 }
 
-bool FingerPage::is_own() const {
+bool FingerPage::has_folder() const {
   const FingerStatus& finger = session_.status().finger;
   return finger.state == FingerState::kReady && !finger.folder.empty() && finger.finger;
 }
 
-const QPushButton* FingerPage::to_do() const {
+const QPushButton* FingerPage::action_button() const {
   const FingerStatus& finger = session_.status().finger;
   if (finger.state == FingerState::kLoading) return nullptr;
-  if (!is_own()) return make_;
+  if (!has_folder()) return make_;
   if (finger.has_reference) return nullptr;
-  return finger.finger->face.kind == FaceKind::kFlat ? untouched_ : record_;
+  return finger.finger->face.kind == FaceKind::kFlat ? reference_image_ : record_;
 }
 
-bool FingerPage::is_read_again() const {
+bool FingerPage::is_reloading() const {
   return was_complete_ && session_.status().finger.state == FingerState::kLoading;
 }
 
@@ -191,9 +191,9 @@ StepState FingerPage::state() const {
 
 QString FingerPage::missing() const {
   const FingerStatus& finger = session_.status().finger;
-  if (is_read_again()) return {};
+  if (is_reloading()) return {};
   if (finger.state == FingerState::kLoading) return tr("The finger is being loaded.");
-  if (!is_own()) return tr("The finger needs a folder of its own: make one, or open one.");
+  if (!has_folder()) return tr("The finger needs a folder of its own: make one, or open one.");
   if (finger.has_reference) return {};
   return finger.finger->face.kind == FaceKind::kFlat
              ? tr("Its untouched picture is missing.")
@@ -202,15 +202,16 @@ QString FingerPage::missing() const {
 
 void FingerPage::show_status() {
   const FingerStatus& finger = session_.status().finger;
-  if (is_read_again()) return show_sizes();
+  if (is_reloading()) return show_sizes();
   if (finger.state != FingerState::kLoading) was_complete_ = missing().isEmpty();
-  make_->setVisible(!is_own());
+  make_->setVisible(!has_folder());
   geometry_->setText(
-      is_own() ? geometry_text(*finger.finger)
-               : tr("Width and layer are measured with a caliper, dots are counted. All that is "
-                    "known of one finger is kept in one folder."));
-  reference_group_->setVisible(is_own());
-  if (!is_own()) return show_sizes();
+      has_folder()
+          ? geometry_text(*finger.finger)
+          : tr("Width and layer are measured with a caliper, dots are counted. All that is "
+               "known of one finger is kept in one folder."));
+  reference_group_->setVisible(has_folder());
+  if (!has_folder()) return show_sizes();
   const Sizes sizes(finger.finger->face.width_mm, finger.finger->face.layer_mm);
   if (shown_folder_ != finger.folder || shown_sizes_ != sizes) {
     const QSignalBlocker quiet_width(width_), quiet_layer(layer_);
@@ -220,11 +221,12 @@ void FingerPage::show_status() {
     shown_sizes_ = sizes;
   }
   show_sizes();
-  if (const auto unkept = disk_.problem()) problems_->set_problems({Problem::of(*unkept)});
+  if (const auto write_problem = disk_.problem())
+    problems_->set_problems({Problem::of(*write_problem)});
   const bool is_flat = finger.finger->face.kind == FaceKind::kFlat;
   record_->setVisible(!is_flat);
-  untouched_->setVisible(is_flat);
-  untouched_->setEnabled(session_.view() != nullptr && !work_.is_running());
+  reference_image_->setVisible(is_flat);
+  reference_image_->setEnabled(session_.view() != nullptr && !work_.is_running());
   if (finger.has_reference)
     reference_->setText(is_flat ? tr("Its untouched picture is there.")
                                 : tr("Its reference recording is installed."));
@@ -239,22 +241,22 @@ void FingerPage::make_finger() {
   NewFinger known;
   known.camera = camera_file_;
   const FingerStatus& finger = session_.status().finger;
-  if (finger.finger && finger.folder.empty()) {  // a simulated one: a scene says what it is like
+  if (finger.finger && finger.folder.empty()) {  // a simulated finger, described by its scene
     known.kind = finger.finger->face.kind;
     known.width_mm = finger.finger->face.width_mm;
     known.layer_mm = finger.finger->face.layer_mm;
     known.plane_z_mm = finger.finger->face.plane_z_mm;
     known.per_row = finger.finger->markers.per_row;
   }
-  Q_EMIT new_finger_wanted(known);
+  Q_EMIT new_finger_requested(known);
 }
 
-void FingerPage::take_untouched() {
-  if (!is_own() || !session_.view()) return;
+void FingerPage::take_reference_image() {
+  if (!has_folder() || !session_.view()) return;
   const FramePtr frame = session_.view()->result.frame;
   if (!frame) return;
   work_.start([this, frame, folder = session_.status().finger.folder](const Job&) {
-    const Status status = install_untouched(folder, *frame);
+    const Status status = install_reference_image(folder, *frame);
     return std::function<void()>([this, status] {
       problems_->set_problems(status ? std::vector<Problem>()
                                      : std::vector{Problem::of(status.error())});

@@ -13,7 +13,7 @@ NumberField* number(double low, double high, int decimals, double value) {
   return box;
 }
 
-/// What is typed counts before it is finished.
+/// The typed number, also before editing is finished.
 template <class Field>
 auto now(const Field* field) {
   return field->typed().value_or(field->value());
@@ -26,8 +26,8 @@ LensForm::LensForm(QWidget* parent)
       form_(new QFormLayout(this)),
       pattern_(new QComboBox),
       model_(new QComboBox),
-      columns_(new WholeNumberField),
-      rows_(new WholeNumberField),
+      columns_(new IntegerField),
+      rows_(new IntegerField),
       square_(number(0.01, 1000, 3, 5)),
       distance_(number(1, 10000, 1, LensSettings().distance_mm)),
       gap_(number(0, 1000, 2, 0)),
@@ -50,7 +50,7 @@ LensForm::LensForm(QWidget* parent)
   form_->setRowWrapPolicy(QFormLayout::WrapLongRows);
   for (int i = 0; i < 3; ++i) pattern_->addItem({});
   for (int i = 0; i < 2; ++i) model_->addItem({});
-  for (WholeNumberField* count : {columns_, rows_}) count->setRange(3, 100);
+  for (IntegerField* count : {columns_, rows_}) count->setRange(3, 100);
   columns_->setValue(9);
   rows_->setValue(6);
   auto* size = new QHBoxLayout;
@@ -73,8 +73,8 @@ LensForm::LensForm(QWidget* parent)
   size_label_->setBuddy(columns_);
   square_label_->setBuddy(square_);
   connect(pattern_, &QComboBox::currentIndexChanged, this, &LensForm::board_changed);
-  for (WholeNumberField* count : {columns_, rows_})
-    connect(count, &WholeNumberField::valueChanged, this, &LensForm::board_changed);
+  for (IntegerField* count : {columns_, rows_})
+    connect(count, &IntegerField::valueChanged, this, &LensForm::board_changed);
   connect(square_, &NumberField::valueChanged, this, &LensForm::board_changed);
   connect(has_port_, &QCheckBox::toggled, this, &LensForm::show_port);
   say([this] { name_parts(); });
@@ -153,7 +153,7 @@ std::optional<FlatPort> LensForm::port() const {
 QString LensForm::refusal() const {
   for (const NumberField* field : findChildren<NumberField*>())
     if (field->isVisibleTo(this) && !field->typed()) return field->refusal();
-  for (const WholeNumberField* field : findChildren<WholeNumberField*>())
+  for (const IntegerField* field : findChildren<IntegerField*>())
     if (field->isVisibleTo(this) && !field->typed()) return field->refusal();
   return {};
 }

@@ -1,4 +1,5 @@
-// Which board, and what lies between lens and finger that the board was not seen through.
+// Form for the calibration board, and for a window between lens and finger that the board was not
+// seen through.
 #pragma once
 
 #include "calibration/lens/calibrate_lens.h"
@@ -20,13 +21,14 @@ class LensForm : public Translated<QWidget> {
   explicit LensForm(QWidget* parent = nullptr);
   [[nodiscard]] Board board() const;
   [[nodiscard]] LensSettings settings() const;
-  /// nullopt: there is no window.
+  /// nullopt: no window.
   [[nodiscard]] std::optional<FlatPort> port() const;
-  /// Why a number in sight is refused; empty: none is. The others above are then those of before.
+  /// Why a visible number is refused; empty: none is. board(), settings() and port() then hold the
+  /// last valid numbers.
   [[nodiscard]] QString refusal() const;
 
  Q_SIGNALS:
-  /// Another board.
+  /// The board was changed.
   void board_changed();
 
  private:
@@ -35,7 +37,7 @@ class LensForm : public Translated<QWidget> {
 
   QFormLayout* form_;
   QComboBox *pattern_, *model_;
-  WholeNumberField *columns_, *rows_;
+  IntegerField *columns_, *rows_;
   NumberField *square_, *distance_, *gap_, *plate_, *plate_index_, *medium_index_;
   QCheckBox* has_port_;
   QLabel *pattern_label_, *size_label_, *square_label_, *by_label_, *model_label_, *distance_label_;

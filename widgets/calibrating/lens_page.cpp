@@ -19,9 +19,9 @@ namespace alltact {
 namespace {
 
 constexpr int kLensSideWidth = 280, kGroupMargin = 0;
-constexpr int kLongestLine = 28;  // letters: longer ones would widen the column
+constexpr int kLongestLine = 28;  // letters; longer lines widen the column
 
-/// Broken at the space nearest to its middle, where it is long.
+/// Breaks a long text at the space nearest to its middle.
 QString in_two_lines(QString text) {
   if (text.size() <= kLongestLine) return text;
   const auto middle = text.size() / 2;
@@ -47,10 +47,10 @@ QString model_text(CameraModel model) {
   return LensPage::tr("a lens with parallel rays");
 }
 
-/// In words that can be translated, where the program that wrote it kept them.
+/// As a translatable message where the writing program stored one.
 Message verdict_in(const LensRecord& record) {
-  if (const auto kept = record.find("verdict_message"); kept != record.end()) {
-    const auto json = nlohmann::ordered_json::parse(kept->second, nullptr, false);
+  if (const auto stored = record.find("verdict_message"); stored != record.end()) {
+    const auto json = nlohmann::ordered_json::parse(stored->second, nullptr, false);
     if (json.is_object()) return message_of(json);
   }
   const auto verdict = record.find("verdict");
@@ -85,26 +85,26 @@ LensPage::LensPage(LiveSession& session,
       session_(session),
       measurer_(std::move(measurer)),
       work_folder_(std::move(work_folder)),
-      live_(new PicturePanel(session)),
+      live_(new ImagePanel(session)),
       summary_(wrapped_text()),
       problems_(new ProblemList),
       file_group_(new QGroupBox),
       board_group_(new QGroupBox),
       live_group_(new QGroupBox),
       file_(new QLineEdit),
-      pictures_(new QLineEdit),
+      images_(new QLineEdit),
       choose_file_(new QPushButton),
-      choose_pictures_(new QPushButton),
+      choose_images_(new QPushButton),
       simulated_(new QPushButton),
       measure_(new QPushButton),
       stop_(new QPushButton),
       form_(new LensForm),
-      pictures_label_(new QLabel),
+      images_label_(new QLabel),
       outcome_(wrapped_text()),
       bar_(new QProgressBar),
       take_(new QPushButton),
       forget_(new QPushButton),
-      by_itself_(new QCheckBox),
+      automatic_(new QCheckBox),
       guide_(wrapped_text()),
       forecast_(wrapped_text()),
       views_(new QListWidget) {
@@ -118,7 +118,7 @@ LensPage::LensPage(LiveSession& session,
   ViewOptions options;
   options.direction = options.depth = options.markers = options.edges = false;
   live_->set_options(options);
-  live_->set_more([this](const LiveView& view) { return overlays(view); });
+  live_->set_extra_overlays([this](const LiveView& view) { return overlays(view); });
   new SpaceKey(*this, [this] { press_pedal(); });
   connect_parts();
   say([this] { name_parts(); });
@@ -129,7 +129,7 @@ QWidget* LensPage::make_side() {
   side.column->addWidget(summary_);
   auto* live = new QVBoxLayout(live_group_);
   live->addWidget(take_);
-  live->addWidget(by_itself_);
+  live->addWidget(automatic_);
   live->addWidget(guide_);
   side.column->addWidget(live_group_);
   views_->setMinimumHeight(100);
@@ -151,43 +151,43 @@ QWidget* LensPage::make_side() {
   run->addWidget(stop_);
   board->addLayout(run);
   board->addWidget(outcome_);
-  auto* pictures = new QHBoxLayout;
-  pictures->addWidget(pictures_, 1);
-  pictures->addWidget(choose_pictures_);
-  board->addWidget(pictures_label_);
-  board->addLayout(pictures);
+  auto* images = new QHBoxLayout;
+  images->addWidget(images_, 1);
+  images->addWidget(choose_images_);
+  board->addWidget(images_label_);
+  board->addLayout(images);
   board->addWidget(form_);
   side.column->addWidget(board_group_);
   side.column->addStretch();
-  for (QVBoxLayout* inside : {live, file, board}) {  // the picture beside them needs the room
-    const QMargins usual = inside->contentsMargins();
-    inside->setContentsMargins(kGroupMargin, usual.top(), kGroupMargin, usual.bottom());
+  for (QVBoxLayout* inside : {live, file, board}) {  // leaves more width to the image next to them
+    const QMargins margins = inside->contentsMargins();
+    inside->setContentsMargins(kGroupMargin, margins.top(), kGroupMargin, margins.bottom());
   }
-  pictures_label_->setBuddy(pictures_);
+  images_label_->setBuddy(images_);
   foot_ = side.foot;
-  return side.whole;
+  return side.root;
 }
 
 void LensPage::connect_parts() {
   connect(file_, &QLineEdit::editingFinished, this, [this] {
     if (!file_->text().trimmed().isEmpty()) take_file(file_->text().trimmed().toStdString());
   });
-  for (QLineEdit* line : {file_, pictures_}) show_text_as_tip(*line);
+  for (QLineEdit* line : {file_, images_}) show_text_as_tip(*line);
   connect(choose_file_, &QPushButton::clicked, this, &LensPage::choose_file);
-  connect(choose_pictures_, &QPushButton::clicked, this, &LensPage::choose_pictures);
+  connect(choose_images_, &QPushButton::clicked, this, &LensPage::choose_images);
   connect(simulated_, &QPushButton::clicked, this, &LensPage::use_simulated);
   connect(measure_, &QPushButton::clicked, this, &LensPage::measure);
   connect(stop_, &QPushButton::clicked, &work_, &BackgroundWork::stop);
-  connect(take_, &QPushButton::clicked, this, &LensPage::want_board);
-  connect(forget_, &QPushButton::clicked, this, &LensPage::forget_board);
-  connect(by_itself_, &QCheckBox::toggled, this, &LensPage::show_boards);
+  connect(take_, &QPushButton::clicked, this, &LensPage::request_board);
+  connect(forget_, &QPushButton::clicked, this, &LensPage::remove_chosen_view);
+  connect(automatic_, &QCheckBox::toggled, this, &LensPage::show_boards);
   connect(views_, &QListWidget::currentRowChanged, this, &LensPage::show_boards);
   connect(form_, &LensForm::board_changed, this, &LensPage::begin_boards);
   connect(&work_, &BackgroundWork::progressed, this, &LensPage::show_progress);
   connect(&work_, &BackgroundWork::finished, this, &LensPage::show_progress);
-  connect(&looking_, &BackgroundWork::finished, this, &LensPage::look_at_frame);
+  connect(&analysing_, &BackgroundWork::finished, this, &LensPage::analyse_frame);
   connect(&fitting_, &BackgroundWork::finished, this, &LensPage::fit_boards);
-  connect(&session_, &LiveSession::view_ready, this, &LensPage::look_at_frame);
+  connect(&session_, &LiveSession::view_ready, this, &LensPage::analyse_frame);
 }
 
 void LensPage::name_parts() {
@@ -200,18 +200,18 @@ void LensPage::name_parts() {
   choose_file_->setText(tr("&Choose…"));
   choose_file_->setAccessibleName(tr("Choose a camera file"));
   simulated_->setText(in_two_lines(tr("&Use the simulated camera's lens")));
-  pictures_label_->setText(tr("&Pictures"));
-  pictures_->setAccessibleName(tr("Folder of board pictures, or a recording"));
-  choose_pictures_->setText(tr("Choose…"));
-  choose_pictures_->setAccessibleName(tr("Choose the folder of board pictures"));
+  images_label_->setText(tr("&Pictures"));
+  images_->setAccessibleName(tr("Folder of board pictures, or a recording"));
+  choose_images_->setText(tr("Choose…"));
+  choose_images_->setAccessibleName(tr("Choose the folder of board pictures"));
   measure_->setText(tr("&Measure the lens"));
   stop_->setText(tr("Stop"));
   stop_->setAccessibleName(tr("Stop measuring the lens"));
   bar_->setAccessibleName(tr("Progress of the lens calibration"));
   outcome_->setAccessibleName(tr("Outcome of the lens calibration"));
   take_->setText(in_two_lines(tr("&Take this board (Space)")));
-  by_itself_->setText(tr("By &itself where it is new and still"));
-  by_itself_->setToolTip(
+  automatic_->setText(tr("By &itself where it is new and still"));
+  automatic_->setToolTip(
       tr("Takes the board whenever it is held still in a place, or tilted in a way, that was not "
          "taken yet"));
   guide_->setAccessibleName(tr("How to hold the board"));
@@ -227,7 +227,8 @@ StepState LensPage::state() const {
 }
 
 QString LensPage::missing() const {
-  if (is_own() || camera_ || (session_.status().finger.state == FingerState::kLoading && was_own_))
+  if (has_folder() || camera_ ||
+      (session_.status().finger.state == FingerState::kLoading && had_folder_))
     return {};
   return tr("The lens has to be known first: choose a camera file, or measure one.");
 }
@@ -240,18 +241,18 @@ void LensPage::show_status() {
   const FingerStatus& finger = session_.status().finger;
   const bool is_simulated =
       finger.state == FingerState::kReady && finger.folder.empty() && finger.finger;
-  if (finger.state == FingerState::kLoading && was_own_) return;
-  was_own_ = is_own();
-  file_group_->setVisible(!was_own_);
-  board_group_->setVisible(!was_own_);
+  if (finger.state == FingerState::kLoading && had_folder_) return;
+  had_folder_ = has_folder();
+  file_group_->setVisible(!had_folder_);
+  board_group_->setVisible(!had_folder_);
   simulated_->setVisible(is_simulated);
-  show_summary(was_own_);
+  show_summary(had_folder_);
   show_boards();
 }
 
-void LensPage::show_summary(bool is_own) {
+void LensPage::show_summary(bool has_folder) {
   const FingerStatus& finger = session_.status().finger;
-  if (is_own)
+  if (has_folder)
     summary_->setText(tr("This finger's camera has %1")
                           .arg(camera_text(finger.finger->camera, finger.finger->lens_record)) +
                       QLatin1Char('\n') +
@@ -293,11 +294,11 @@ void LensPage::choose_file() {
   dialog->show();
 }
 
-void LensPage::choose_pictures() {
-  auto* dialog = new QFileDialog(this, tr("Folder of board pictures"), pictures_->text());
+void LensPage::choose_images() {
+  auto* dialog = new QFileDialog(this, tr("Folder of board pictures"), images_->text());
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::Directory);
-  connect(dialog, &QFileDialog::fileSelected, pictures_, &QLineEdit::setText);
+  connect(dialog, &QFileDialog::fileSelected, images_, &QLineEdit::setText);
   dialog->show();
 }
 
@@ -312,25 +313,25 @@ void LensPage::use_simulated() {
 }
 
 void LensPage::measure() {
-  LensWanted wanted;
-  wanted.pictures = pictures_->text().trimmed().toStdString();
-  wanted.board = form_->board();
-  wanted.settings = form_->settings();
-  wanted.port = form_->port();
+  LensRequest request;
+  request.images = images_->text().trimmed().toStdString();
+  request.board = form_->board();
+  request.settings = form_->settings();
+  request.port = form_->port();
   if (const QString refused = form_->refusal(); !refused.isEmpty())
     return problems_->set_problems({{Meaning::kBad, refused, {}, {}, {}}});
-  if (wanted.pictures.empty())
+  if (request.images.empty())
     return problems_->set_problems(
         {{Meaning::kBad, tr("No folder of pictures is named."), {}, {}, {}}});
   std::error_code failed;
-  const bool is_folder = std::filesystem::is_directory(wanted.pictures, failed);
-  wanted.camera = (is_folder ? wanted.pictures : wanted.pictures.parent_path()) / "camera.yaml";
+  const bool is_folder = std::filesystem::is_directory(request.images, failed);
+  request.camera = (is_folder ? request.images : request.images.parent_path()) / "camera.yaml";
   problems_->set_problems({});
   outcome_->clear();
-  work_.start([this, wanted, measurer = measurer_, disk = disk_](const Job& job) {
+  work_.start([this, request, measurer = measurer_, disk = disk_](const Job& job) {
     disk->wait();
-    const auto measured = measurer(wanted, job);
-    return std::function<void()>([this, measured, file = wanted.camera] {
+    const auto measured = measurer(request, job);
+    return std::function<void()>([this, measured, file = request.camera] {
       if (!measured) return problems_->set_problems({Problem::of(measured.error())});
       outcome_->setText(tr("Written to %1.").arg(QString::fromStdString(file.string())));
       show_views(measured->views);
@@ -354,12 +355,12 @@ void LensPage::show_views(const std::vector<LensViewReport>& views) {
   for (const LensViewReport& view : views) {
     const QString name = QString::fromStdString(view.name);
     auto* item = new QListWidgetItem(
-        view.put_aside.empty()
+        view.rejection.empty()
             ? tr("%1: error %2 px, tilted by %3°")
                   .arg(name,
                        locale.toString(view.error_px, 'f', 2),
                        locale.toString(view.tilt_deg, 'f', 0))
-            : tr("%1: not used, %2").arg(name, in_window_language(view.put_aside)));
+            : tr("%1: not used, %2").arg(name, in_window_language(view.rejection)));
     item->setData(Qt::UserRole, name);
     views_->addItem(item);
     if (name == chosen) views_->setCurrentItem(item);

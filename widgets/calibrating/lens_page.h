@@ -1,5 +1,4 @@
-// Step 1, the lens: the camera's numbers, known already, from a file, or measured with a board that
-// is held before the camera or was before.
+// Step 1, the lens: camera intrinsics from a file, or calibrated with images of a board.
 #pragma once
 
 #include "calibration/lens/board_collector.h"
@@ -10,7 +9,7 @@
 #include "widgets/calibrating/lens_form.h"
 #include "widgets/calibrating/step_page.h"
 #include "widgets/live/live_session.h"
-#include "widgets/panels/picture_panel.h"
+#include "widgets/panels/image_panel.h"
 #include "widgets/shell/problem_list.h"
 
 #include <QCheckBox>
@@ -22,27 +21,27 @@
 
 namespace alltact {
 
-struct LensWanted {
-  std::filesystem::path pictures;  ///< a folder of them, or a recording
+struct LensRequest {
+  std::filesystem::path images;  ///< a folder of images, or a recording
   Board board;
   LensSettings settings;
   std::optional<FlatPort>
-      port;  ///< a window that the finger is seen through, and the board was not
-  std::filesystem::path camera;  ///< the file to write
+      port;  ///< a window in front of the finger that the board was not seen through
+  std::filesystem::path camera;  ///< output file
 };
-struct LensMeasured {
-  Message verdict;  ///< a sentence
+struct LensResult {
+  Message verdict;  ///< one sentence
   std::vector<LensViewReport> views;
-  Message advice;  ///< which views are missing; empty: none
+  Message advice;  ///< missing views; empty: none
 };
-/// Measures a lens as the command line does and writes the camera file. Runs on a thread of its
-/// own.
-using LensMeasurer = std::function<Result<LensMeasured>(const LensWanted&, const Job&)>;
+/// Calibrates a lens as the command line does and writes the camera file. Runs on a background
+/// thread.
+using LensMeasurer = std::function<Result<LensResult>(const LensRequest&, const Job&)>;
 
 class LensPage : public StepPage {
   Q_OBJECT
  public:
-  /// work_folder: where a camera file that nobody named is written, and boards that are taken.
+  /// work_folder: for unnamed camera files and for captured board images.
   LensPage(LiveSession& session,
            LensMeasurer measurer,
            std::filesystem::path work_folder,
@@ -54,7 +53,7 @@ class LensPage : public StepPage {
   void press_pedal() override;
   [[nodiscard]] QVBoxLayout* foot() const override { return foot_; }
   [[nodiscard]] QWidget* main_control() const override;
-  /// A camera file that can be used; empty where a finger is open, or none was chosen yet.
+  /// A usable camera file; empty where a finger is open, or none was chosen yet.
   [[nodiscard]] const std::filesystem::path& camera_file() const { return camera_file_; }
   void show_status();
 
@@ -64,22 +63,22 @@ class LensPage : public StepPage {
   void name_parts();
   void take_file(const std::filesystem::path& file);
   void choose_file();
-  void choose_pictures();
+  void choose_images();
   void use_simulated();
   void measure();
   void show_progress();
-  void show_summary(bool is_own);
+  void show_summary(bool has_folder);
   void show_views(const std::vector<LensViewReport>& views);
 
-  // lens_page_boards.cpp: boards of the live picture
-  [[nodiscard]] bool is_own() const;
+  // lens_page_boards.cpp: boards in the live image
+  [[nodiscard]] bool has_folder() const;
   [[nodiscard]] bool can_take() const;
-  void look_at_frame();
-  void take_look(const std::shared_ptr<BoardCollector>& by, const BoardLook& look);
-  void want_board();
-  void keep_board(const BoardLook& look);
-  void forget_board();
-  void forget_wanted_board();
+  void analyse_frame();
+  void take_detection(const std::shared_ptr<BoardCollector>& by, const BoardAnalysis& detection);
+  void request_board();
+  void add_board(const BoardAnalysis& detection);
+  void remove_chosen_view();
+  void remove_pending_view();
   void begin_boards();
   void fit_boards();
   void show_boards();
@@ -90,35 +89,35 @@ class LensPage : public StepPage {
   LiveSession& session_;
   LensMeasurer measurer_;
   std::filesystem::path work_folder_;
-  PicturePanel* live_;
+  ImagePanel* live_;
   QLabel* summary_;
   ProblemList* problems_;
   QGroupBox *file_group_, *board_group_, *live_group_;
-  QLineEdit *file_, *pictures_;
-  QPushButton *choose_file_, *choose_pictures_, *simulated_, *measure_, *stop_;
+  QLineEdit *file_, *images_;
+  QPushButton *choose_file_, *choose_images_, *simulated_, *measure_, *stop_;
   LensForm* form_;
-  QLabel *pictures_label_, *outcome_;
+  QLabel *images_label_, *outcome_;
   QProgressBar* bar_;
   QPushButton *take_, *forget_;
-  QCheckBox* by_itself_;
+  QCheckBox* automatic_;
   QLabel *guide_, *forecast_;
   QListWidget* views_;
   std::filesystem::path camera_file_;
   std::optional<CameraParameters> camera_;
   LensRecord record_;
-  bool was_own_ = false;  // a finger was open before it was loaded again
+  bool had_folder_ = false;  // a finger was open before it was loaded again
   BackgroundWork work_;
 
-  std::shared_ptr<BoardCollector> collector_;  // looking_ works on it, else this thread
+  std::shared_ptr<BoardCollector> collector_;  // while analysing_ runs, owned by its thread
   BoardCollector::Cells cells_{};
-  std::optional<BoardLook> look_;  // the newest
-  bool is_board_wanted_ = false;
-  std::string unwanted_;  // a view to be left out as soon as no frame is looked at
+  std::optional<BoardAnalysis> detection_;  // in the newest analysed frame
+  bool is_board_requested_ = false;
+  std::string view_to_remove_;  // view to remove as soon as no frame is being analysed
   std::filesystem::path boards_folder_;
   std::shared_ptr<DiskQueue> disk_ = std::make_shared<DiskQueue>();
   std::shared_ptr<const LensCalibration> fitted_;
   bool is_fit_stale_ = false;
-  BackgroundWork looking_, fitting_;
+  BackgroundWork analysing_, fitting_;
 };
 
 }  // namespace alltact

@@ -12,12 +12,12 @@
 
 namespace alltact {
 
-MappingPage::MappingPage(PressDesk& desk,
+MappingPage::MappingPage(PressCollection& collection,
                          CalibrationRun& run,
                          PressForecast& forecast,
                          QWidget* parent)
     : StepPage(parent),
-      desk_(desk),
+      collection_(collection),
       run_(run),
       forecast_(forecast),
       problems_(new ProblemList),
@@ -70,14 +70,14 @@ MappingPage::MappingPage(PressDesk& desk,
     figures->setColumnStretch(i, 1);
     figures->setRowStretch(i, 1);
   }
-  // One of them has all the room.
+  // Only one of them is visible at a time.
   column->addWidget(running_, 1);
   column->addWidget(figures_, 1);
   column->addWidget(drawing_, 1);
   connect(calibrate_, &QPushButton::clicked, &run_, &CalibrationRun::start);
   connect(stop_, &QPushButton::clicked, &run_, &CalibrationRun::stop);
   connect(&run_, &CalibrationRun::changed, this, &MappingPage::show_status);
-  connect(&desk_, &PressDesk::changed, this, &MappingPage::show_status);
+  connect(&collection_, &PressCollection::changed, this, &MappingPage::show_status);
   connect(&forecast_, &PressForecast::changed, this, [this] {
     show_progress();
     show_figures();
@@ -96,23 +96,24 @@ MappingPage::MappingPage(PressDesk& desk,
   });
 }
 
-/// The same press in all four plots.
+/// Synchronises the chosen press in all four plots.
 void MappingPage::connect_chosen() {
-  errors_->let_choose();
+  errors_->enable_choice();
   connect(errors_, &PressErrorPlot::press_chosen, this, &MappingPage::choose);
-  connect(errors_, &PressErrorPlot::press_opened, this, &MappingPage::press_wanted);
+  connect(errors_, &PressErrorPlot::press_opened, this, &MappingPage::press_requested);
   for (FaceMapPlot* map : {residual_, sd_}) {
-    map->let_choose();
+    map->enable_choice();
     connect(map, &FaceMapPlot::contact_chosen, this, [this](std::size_t contact) {
       if (!shown_ || contact >= shown_->residuals.size()) return;
       errors_->choose(shown_->residuals[contact].press);
       choose();
     });
   }
-  connect(
-      show_press_, &QPushButton::clicked, this, [this] { Q_EMIT press_wanted(errors_->chosen()); });
+  connect(show_press_, &QPushButton::clicked, this, [this] {
+    Q_EMIT press_requested(errors_->chosen());
+  });
   connect(leave_out_, &QPushButton::clicked, this, [this] {
-    desk_.take_out_or_put_back(errors_->chosen());
+    collection_.toggle_left_out(errors_->chosen());
   });
 }
 
@@ -124,13 +125,13 @@ void MappingPage::choose() {
 void MappingPage::show_chosen() {
   chosen_row_->setVisible(figures_->isVisibleTo(this));
   const std::string& name = errors_->chosen();
-  const DeskPress* press = desk_.find(name);
-  const bool is_out = desk_.said().of(name).excluded.has_value();
+  const CollectedPress* press = collection_.find(name);
+  const bool is_out = collection_.press_set().of(name).excluded.has_value();
   for (QPushButton* button : {show_press_, leave_out_}) {
     button->setVisible(!name.empty());
-    button->setEnabled(press != nullptr && desk_.is_ready() && !run_.is_running());
+    button->setEnabled(press != nullptr && collection_.is_ready() && !run_.is_running());
   }
-  leave_out_->setText(desk_.words_to_take_out_or_put_back(name));
+  leave_out_->setText(collection_.toggle_left_out_text(name));
   chosen_->setText(name.empty()
                        ? tr("Click a bar or a circle: which points are this press's, and where.")
                    : is_out ? tr("%1 is taken out: the next calibration goes without it.")
@@ -144,7 +145,7 @@ StepState MappingPage::state() const {
     case CalibrationState::kNone:
       return StepState::kToDo;
     case CalibrationState::kStale:
-      return StepState::kLookAgain;
+      return StepState::kOutdated;
     case CalibrationState::kCurrent:
       break;
   }
@@ -160,7 +161,7 @@ void MappingPage::show_status() {
   const bool is_running = run_.is_running();
   bar_->setVisible(is_running);
   stop_->setVisible(is_running);
-  calibrate_->setEnabled(!is_running && desk_.usable_count() > 0);
+  calibrate_->setEnabled(!is_running && collection_.usable_count() > 0);
   calibrate_->setText(run_.state() == CalibrationState::kNone ? tr("&Calibrate now")
                                                               : tr("&Calibrate again"));
   show_progress();
@@ -183,7 +184,7 @@ void MappingPage::show_progress() {
       progress += QLatin1Char(' ') +
                   tr("(about %n second(s) left)", nullptr, static_cast<int>(std::ceil(*left)));
   } else if (run_.state() == CalibrationState::kStale) {
-    progress = why_again(run_) + QLatin1Char(' ') + forecast_text(forecast_, run_);
+    progress = recalibration_reason(run_) + QLatin1Char(' ') + forecast_text(forecast_, run_);
   } else if (run_.state() == CalibrationState::kCurrent && !run_.result()) {
     progress = tr("This finger is calibrated. Calibrating again shows the figures.");
   } else if (run_.is_recalling()) {
@@ -217,7 +218,7 @@ void MappingPage::show_log() {
   log_->scrollToBottom();
 }
 
-/// Of the calibration in use or, before there is one, of what the presses would come to.
+/// Of the calibration in use or, before the first, of the forecast.
 void MappingPage::show_figures() {
   const auto& done = run_.result() ? run_.result() : forecast_.result();
   figures_->setVisible(done != nullptr && !run_.is_running());
@@ -232,7 +233,7 @@ void MappingPage::show_figures() {
 void MappingPage::show_text() {
   if (!shown_) {
     text_->setText(
-        desk_.usable_count() == 0
+        collection_.usable_count() == 0
             ? tr("With one press or more, what every pixel's darkening means in mm is learnt from "
                  "the shape of the ball.")
             : tr("What every pixel's darkening means in mm is learnt from the shape of the ball, "
@@ -249,7 +250,7 @@ void MappingPage::show_text() {
                                                QLatin1Char(' ') + mapping);
 }
 
-/// Those in which the chosen press stands out.
+/// The plots that highlight the chosen press.
 void MappingPage::show_plots() {
   if (!shown_) return;
   const Calibration& calibration = shown_->calibration;

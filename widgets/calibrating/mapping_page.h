@@ -1,4 +1,5 @@
-// Step 4, the mapping: solved beside the window, with what can be seen of it.
+// Step 4, the mapping from brightness to depth: solved on a background thread, with plots of the
+// solution.
 #pragma once
 
 #include "widgets/calibrating/press_forecast.h"
@@ -19,7 +20,7 @@ namespace alltact {
 class MappingPage : public StepPage {
   Q_OBJECT
  public:
-  MappingPage(PressDesk& desk,
+  MappingPage(PressCollection& collection,
               CalibrationRun& run,
               PressForecast& forecast,
               QWidget* parent = nullptr);
@@ -28,14 +29,14 @@ class MappingPage : public StepPage {
   [[nodiscard]] StepState state() const override;
   [[nodiscard]] QString missing() const override;
   [[nodiscard]] QWidget* main_control() const override { return calibrate_; }
-  [[nodiscard]] const QPushButton* to_do() const override {
+  [[nodiscard]] const QPushButton* action_button() const override {
     return run_.is_running() ? nullptr : calibrate_;
   }
   void show_status();
 
  Q_SIGNALS:
-  /// To be shown with its picture.
-  void press_wanted(const std::string& name);
+  /// This press is to be shown with its image.
+  void press_requested(const std::string& name);
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -51,22 +52,22 @@ class MappingPage : public StepPage {
   void show_chosen();
   void show_log();
 
-  PressDesk& desk_;
+  PressCollection& collection_;
   CalibrationRun& run_;
   PressForecast& forecast_;
   ProblemList* problems_;
   QPushButton *calibrate_, *stop_;
   QProgressBar* bar_;
   QLabel *progress_, *text_;
-  QWidget* running_;  // while it is calibrated
-  QListWidget* log_;  // what was done
+  QWidget* running_;  // visible while a calibration runs
+  QListWidget* log_;  // finished stages of the run
   ConvergencePlot* convergence_;
   bool was_running_ = false;
-  QWidget* figures_;     // of what it came to, or would
-  QWidget* chosen_row_;  // of the press that is chosen among the errors
+  QWidget* figures_;     // figures of the calibration or of its forecast
+  QWidget* chosen_row_;  // row for the press chosen in the error plot
   QLabel* chosen_;
   QPushButton *show_press_, *leave_out_;
-  FingerDrawing* drawing_;  // of what a press is, before there are figures
+  FingerDrawing* drawing_;  // explains a press; visible before there are figures
   MappingPlot* mapping_;
   PressErrorPlot* errors_;
   FaceMapPlot *residual_, *sd_;

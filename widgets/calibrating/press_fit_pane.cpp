@@ -19,7 +19,7 @@ Overlay squares_overlay(const PressFit& fit) {
     painter.setRenderHint(QPainter::Antialiasing, false);
     const double half = 0.5 * fit.side_px;
     for (const ResidualSample& sample : fit.residuals.samples) {
-      if (!(sample.rim <= kSureRim) || !std::isfinite(sample.residual_mm)) continue;
+      if (!(sample.rim <= kInnerRim) || !std::isfinite(sample.residual_mm)) continue;
       const MapColour colour = cool_to_warm(sample.residual_mm / kGoodErrorMm);
       const QPointF at(sample.pixel.x(), sample.pixel.y());
       painter.fillRect(QRectF(transform.to_widget(at - QPointF(half, half)),
@@ -29,7 +29,7 @@ Overlay squares_overlay(const PressFit& fit) {
   };
 }
 
-/// With a mapping that this press helped to make: no error of the press, see press_error_mm().
+/// The press took part in the mapping, so this is not its error; see press_error_mm().
 QString difference_text(const PressFit& fit) {
   return PressFitPane::tr("%1 mm").arg(local_mm(fit.error_mm, 3));
 }

@@ -1,9 +1,9 @@
-// What the ball's place means for one press: how far the mapping is off under it, as a picture, and
-// its points beside the curve, at once while an outline is dragged.
+// What the ball's position means for one press: the error of the mapping under it, as an image
+// overlay and as points around the curve. Updated while an outline is dragged.
 #pragma once
 
 #include "calibration/finger/forecast_calibration.h"
-#include "widgets/picture/overlays.h"
+#include "widgets/image/overlays.h"
 #include "widgets/plots/mapping_plot.h"
 #include "widgets/translated.h"
 
@@ -13,7 +13,7 @@
 
 namespace alltact {
 
-/// Mapping minus ball over the contact, in colours: red where the mapping reads too deep.
+/// Mapping minus ball over the contact as colours: red where the mapping is too deep.
 [[nodiscard]] std::vector<Overlay> residual_overlays(const PressFit& fit);
 
 class PressFitPane : public Translated<QWidget> {
@@ -21,14 +21,14 @@ class PressFitPane : public Translated<QWidget> {
  public:
   explicit PressFitPane(QWidget* parent = nullptr);
 
-  /// fit: with the ball where it is now; before: where the calibration puts it, if a hand moved it.
-  /// Null: nothing to compare with, and the pane is hidden. `forecast`: a sentence about the whole.
+  /// fit: at the current ball position; before: at the calibrated position, if the ball was moved
+  /// by hand. Null fit: the pane is hidden. `forecast`: expected accuracy with all presses.
   void show_fit(const PressFit* fit,
                 const PressFit* before,
                 const Calibration* calibration,
                 const QString& forecast);
 
-  /// What the plot says, to be laid out beside the picture; shown with it.
+  /// Text of the plot, for the layout next to the image; shown and hidden with the pane.
   [[nodiscard]] QLabel* words() const { return words_; }
 
   [[nodiscard]] QSize sizeHint() const override { return {640, 190}; }

@@ -2,12 +2,14 @@
 
 namespace alltact {
 
-PressForecast::PressForecast(const PressDesk& desk, const CalibrationRun& run, QObject* parent)
-    : QObject(parent), desk_(desk), run_(run) {
-  rest_.setSingleShot(true);
-  rest_.setInterval(kRests_ms);
-  connect(&rest_, &QTimer::timeout, this, &PressForecast::begin);
-  connect(&desk_, &PressDesk::changed, this, &PressForecast::follow);
+PressForecast::PressForecast(const PressCollection& collection,
+                             const CalibrationRun& run,
+                             QObject* parent)
+    : QObject(parent), collection_(collection), run_(run) {
+  delay_.setSingleShot(true);
+  delay_.setInterval(kDelay_ms);
+  connect(&delay_, &QTimer::timeout, this, &PressForecast::begin);
+  connect(&collection_, &PressCollection::changed, this, &PressForecast::follow);
   connect(&run_, &CalibrationRun::changed, this, &PressForecast::follow);
   connect(&work_, &BackgroundWork::finished, this, &PressForecast::follow);
 }
@@ -15,7 +17,7 @@ PressForecast::PressForecast(const PressDesk& desk, const CalibrationRun& run, Q
 void PressForecast::set_watched(bool is_watched) {
   is_watched_ = is_watched;
   if (!is_watched) {
-    rest_.stop();
+    delay_.stop();
     work_.stop();
   }
   follow();
@@ -23,62 +25,64 @@ void PressForecast::set_watched(bool is_watched) {
 
 PressForecast::Presses PressForecast::present() const {
   Presses presses;
-  presses.said = run_.next_inputs().said;
-  for (const DeskPress& press : desk_.presses())
-    if (press.looked.measured) presses.measured.push_back(press.looked.measured);
+  presses.press_set = run_.next_inputs().press_set;
+  for (const CollectedPress& press : collection_.presses())
+    if (press.analysis.measured) presses.measured.push_back(press.analysis.measured);
   return presses;
 }
 
-bool PressForecast::is_wanted() const {
-  if (!desk_.is_ready() || desk_.looker() == nullptr || run_.is_running() ||
+bool PressForecast::is_needed() const {
+  if (!collection_.is_ready() || collection_.analyser() == nullptr || run_.is_running() ||
       run_.state() == CalibrationState::kCurrent)
     return false;
-  return std::any_of(desk_.presses().begin(), desk_.presses().end(), [this](const auto& press) {
-    return desk_.is_usable(press) && desk_.has_ball(press);
-  });
+  return std::any_of(
+      collection_.presses().begin(), collection_.presses().end(), [this](const auto& press) {
+        return collection_.is_usable(press) && collection_.has_ball(press);
+      });
 }
 
 void PressForecast::follow() {
-  if (folder_ != desk_.folder()) last_.reset();
-  folder_ = desk_.folder();
-  const bool is_wanted_now = is_wanted();
-  if (!is_wanted_now || present() != asked_) {
+  if (folder_ != collection_.folder()) last_.reset();
+  folder_ = collection_.folder();
+  const bool is_needed_now = is_needed();
+  if (!is_needed_now || present() != requested_) {
     const bool was_known = result_ || problem_;
     result_.reset();
     problem_.reset();
-    asked_ = {};
+    requested_ = {};
     work_.stop();
     if (was_known) Q_EMIT changed();
   }
-  if (!is_wanted_now) return rest_.stop();
-  if (is_watched_ && asked_ == Presses() && !desk_.is_looking() && !work_.is_running())
-    rest_.start();  // anew with every change
+  if (!is_needed_now) return delay_.stop();
+  if (is_watched_ && requested_ == Presses() && !collection_.is_analysing() && !work_.is_running())
+    delay_.start();  // restarts with every change
 }
 
 void PressForecast::begin() {
-  if (work_.is_running() || !is_wanted() || desk_.is_looking()) return;
-  asked_ = present();
-  work_.start(
-      [this, asked = asked_, inputs = run_.next_inputs(), finger = desk_.looker()->finger()](
-          const Job& job) {
-        std::vector<ReferencedPress> presses;
-        for (const auto& press : asked.measured) presses.push_back(*press);
-        auto made = std::make_shared<Result<FingerCalibration>>(
-            forecast_calibration(finger, presses, inputs, job));
-        return std::function<void()>([this, asked, made, is_stopped = job.stop_requested()] {
-          if (asked != asked_) return;
-          if (is_stopped) return void(asked_ = {});
-          if (*made)
-            result_ = last_ = std::make_shared<const FingerCalibration>(std::move(**made));
-          else
-            problem_ = made->error();
-          Q_EMIT changed();
-        });
-      });
+  if (work_.is_running() || !is_needed() || collection_.is_analysing()) return;
+  requested_ = present();
+  work_.start([this,
+               requested = requested_,
+               inputs = run_.next_inputs(),
+               finger = collection_.analyser()->finger()](const Job& job) {
+    std::vector<ReferencedPress> presses;
+    for (const auto& press : requested.measured) presses.push_back(*press);
+    auto made = std::make_shared<Result<FingerCalibration>>(
+        forecast_calibration(finger, presses, inputs, job));
+    return std::function<void()>([this, requested, made, is_stopped = job.stop_requested()] {
+      if (requested != requested_) return;
+      if (is_stopped) return void(requested_ = {});
+      if (*made)
+        result_ = last_ = std::make_shared<const FingerCalibration>(std::move(**made));
+      else
+        problem_ = made->error();
+      Q_EMIT changed();
+    });
+  });
   Q_EMIT changed();
 }
 
-const FingerCalibration* PressForecast::to_compare_with() const {
+const FingerCalibration* PressForecast::baseline() const {
   return run_.result() ? run_.result().get() : last_.get();
 }
 

@@ -6,9 +6,9 @@
 namespace alltact {
 namespace {
 
-constexpr double kLeastSdMm = 0.001;  // what the field can show
+constexpr double kMinSdMm = 0.001;  // smallest value that the field shows
 
-/// Leaves alone what is being typed.
+/// Sets the value without a change signal.
 void show_value(NumberField* field, double value) {
   const QSignalBlocker quiet(field);
   field->setValue(value);
@@ -16,9 +16,9 @@ void show_value(NumberField* field, double value) {
 
 }  // namespace
 
-PressForm::PressForm(PressDesk& desk, QWidget* parent)
+PressForm::PressForm(PressCollection& collection, QWidget* parent)
     : Translated(parent),
-      desk_(desk),
+      collection_(collection),
       radius_label_(new QLabel),
       depth_label_(new QLabel),
       depth_sd_label_(new QLabel),
@@ -31,7 +31,7 @@ PressForm::PressForm(PressDesk& desk, QWidget* parent)
   form->setContentsMargins(0, 0, 0, 0);
   const auto add = [form](QLabel* label, NumberField* field, const Quantity& is, double step) {
     field->set_quantity(is);
-    field->setMinimum(0);  // not known
+    field->setMinimum(0);  // 0: unknown
     field->set_shown_decimals(3);
     field->setSingleStep(step);
     label->setBuddy(field);
@@ -40,21 +40,21 @@ PressForm::PressForm(PressDesk& desk, QWidget* parent)
   add(radius_label_, radius_, kBallRadius, 0.1);
   add(depth_label_, depth_, kPressDepth, 0.1);
   add(depth_sd_label_, depth_sd_, kDepthSd, 0.005);
-  depth_sd_->setMinimum(kLeastSdMm);
+  depth_sd_->setMinimum(kMinSdMm);
   add(step_label_, step_, kStepHeight, 0.1);
   connect(radius_, &NumberField::valueChanged, this, [this](double value) {
-    desk_.set_radius_of(shown_, value);
+    collection_.set_radius_of(shown_, value);
   });
   connect(depth_, &NumberField::valueChanged, this, [this](double value) {
-    const auto before = desk_.said().of(shown_).depth;
-    desk_.set_depth_of(shown_, {value, before ? before->sd_mm : kUsualDepthSdMm});
+    const auto before = collection_.press_set().of(shown_).depth;
+    collection_.set_depth_of(shown_, {value, before ? before->sd_mm : kTypicalDepthSdMm});
   });
   connect(depth_sd_, &NumberField::valueChanged, this, [this](double value) {
-    if (const auto before = desk_.said().of(shown_).depth)
-      desk_.set_depth_of(shown_, {before->mm, value});
+    if (const auto before = collection_.press_set().of(shown_).depth)
+      collection_.set_depth_of(shown_, {before->mm, value});
   });
   connect(step_, &NumberField::valueChanged, this, [this](double value) {
-    desk_.set_step_of(shown_, value);
+    collection_.set_step_of(shown_, value);
   });
   say([this] { name_parts(); });
 }
@@ -83,11 +83,11 @@ void PressForm::name_parts() {
 
 void PressForm::show_press(const std::string& name) {
   shown_ = name;
-  const PressNote& note = desk_.said().of(name);
+  const PressNote& note = collection_.press_set().of(name);
   const bool is_ball = !note.step_mm;
-  show_value(radius_, desk_.said().radius_of(name));
+  show_value(radius_, collection_.press_set().radius_of(name));
   show_value(depth_, note.depth ? note.depth->mm : 0.0);
-  show_value(depth_sd_, note.depth ? note.depth->sd_mm : kUsualDepthSdMm);
+  show_value(depth_sd_, note.depth ? note.depth->sd_mm : kTypicalDepthSdMm);
   show_value(step_, note.step_mm.value_or(0.0));
   const auto enable = [](QLabel* label, NumberField* field, bool is_enabled) {
     label->setEnabled(is_enabled);

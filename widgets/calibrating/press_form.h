@@ -1,7 +1,7 @@
-// What somebody says of one press: its ball or its punch, and how deep it is.
+// Form for the notes of one press: ball or punch, and measured depth.
 #pragma once
 
-#include "widgets/calibrating/press_desk.h"
+#include "widgets/calibrating/press_collection.h"
 #include "widgets/controls/number_field.h"
 #include "widgets/translated.h"
 
@@ -12,14 +12,14 @@ namespace alltact {
 class PressForm : public Translated<QWidget> {
   Q_OBJECT
  public:
-  explicit PressForm(PressDesk& desk, QWidget* parent = nullptr);
-  /// To be called again when something else is said of it.
+  explicit PressForm(PressCollection& collection, QWidget* parent = nullptr);
+  /// Shows the notes of this press; call it again when they change.
   void show_press(const std::string& name);
 
  private:
   void name_parts();
 
-  PressDesk& desk_;
+  PressCollection& collection_;
   std::string shown_;
   QLabel *radius_label_, *depth_label_, *depth_sd_label_, *step_label_;
   NumberField *radius_, *depth_, *depth_sd_, *step_;

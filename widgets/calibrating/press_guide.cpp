@@ -1,11 +1,11 @@
 #include "widgets/calibrating/press_guide.h"
 
-#include "calibration/presses/placed_ball.h"
+#include "calibration/presses/manual_ball.h"
 #include "core/geometry/disc_depth.h"
 #include "widgets/calibrating/press_model.h"
+#include "widgets/image/overlays.h"
 #include "widgets/joined_words.h"
 #include "widgets/language.h"
-#include "widgets/picture/overlays.h"
 
 #include <QCoreApplication>
 #include <QPainter>
@@ -15,10 +15,10 @@
 namespace alltact {
 namespace {
 
-const QColor kWanted(255, 255, 255);
-const QColor kHeld(47, 199, 155);    // bluish green, as what is measured of a contact
-const QColor kTooFar(240, 145, 90);  // orange
-constexpr double kHoldRing = 26;     // logical pixels
+const QColor kTargetColour(255, 255, 255);
+const QColor kHeldColour(47, 199, 155);     // bluish green, as for a measured contact
+const QColor kTooDeepColour(240, 145, 90);  // orange
+constexpr double kHoldRing = 26;            // logical pixels
 constexpr int kCapPoints = 60;
 
 struct GuideWords {
@@ -28,14 +28,14 @@ struct GuideWords {
     return tr("Press here, %1 mm deep").arg(local_mm(depth_mm, 1));
   }
   static QString enough_presses() { return tr("Enough presses: another would hardly help."); }
-  static QString now(double depth_mm, PressedSoFar so_far) {
+  static QString now(double depth_mm, PressProgress so_far) {
     const QString depth = local_mm(depth_mm, 1);
     switch (so_far) {
-      case PressedSoFar::kDeeper:
+      case PressProgress::kDeeper:
         return tr("now %1 mm: deeper").arg(depth);
-      case PressedSoFar::kEnough:
+      case PressProgress::kEnough:
         return tr("now %1 mm: enough, hold still").arg(depth);
-      case PressedSoFar::kTooDeep:
+      case PressProgress::kTooDeep:
         break;
     }
     return tr("now %1 mm: too deep").arg(depth);
@@ -44,26 +44,29 @@ struct GuideWords {
   static QString refused() {
     return tr("Not taken: ball and finger were not held still. Hold them still for half a second.");
   }
-  static QString elsewhere(double depth_mm, double off_mm) {
-    return tr("now %1 mm, %2 mm away from there").arg(local_mm(depth_mm, 1), local_mm(off_mm, 0));
+  static QString elsewhere(double depth_mm, double lateral_offset_mm) {
+    return tr("now %1 mm, %2 mm away from there")
+        .arg(local_mm(depth_mm, 1), local_mm(lateral_offset_mm, 0));
   }
 };
 
-/// Nothing where that is not known.
-std::optional<PressedSoFar> so_far_of(const GuidedFrame& frame) {
-  constexpr double kThere_mm = 8;  // of where it is wanted: near enough for its depth to count
-  if (!frame.depth_mm || !frame.target || frame.off_mm > kThere_mm) return std::nullopt;
-  return pressed_so_far(*frame.depth_mm, frame.target->depth_mm, frame.layer_mm);
+/// nullopt where the depth or the target is unknown.
+std::optional<PressProgress> so_far_of(const PressGuidance& frame) {
+  constexpr double kNearTarget_mm = 8;  // within this distance of the target its depth counts
+  if (!frame.depth_mm || !frame.target || frame.lateral_offset_mm > kNearTarget_mm)
+    return std::nullopt;
+  return press_progress(*frame.depth_mm, frame.target->depth_mm, frame.layer_mm);
 }
 
-QString words_of(const GuidedFrame& frame) {
+QString words_of(const PressGuidance& frame) {
   if (!frame.depth_mm || !frame.target) return {};
   const auto so_far = so_far_of(frame);
   return so_far ? GuideWords::now(*frame.depth_mm, *so_far)
-                : GuideWords::elsewhere(*frame.depth_mm, frame.off_mm);
+                : GuideWords::elsewhere(*frame.depth_mm, frame.lateral_offset_mm);
 }
 
-/// Along the normal, about: of a calibrated finger as it measures, else by the size of the disc.
+/// Approximate depth along the normal: measured for a calibrated finger, else from the radius of
+/// the dark disc.
 std::optional<double> depth_now(const FrameResult& result,
                                 const std::optional<DarkPatch>& contact,
                                 double radius_mm) {
@@ -76,12 +79,12 @@ std::optional<double> depth_now(const FrameResult& result,
   return disc_depth_mm(contact->disc_radius_mm, radius_mm);
 }
 
-/// The rim of a ball pressed in there, as the picture will show it.
+/// The rim of a ball pressed in there, as projected into the image.
 std::vector<Eigen::Vector2d> cap_outline(const FaceShape& shape,
-                                         const Eigen::Vector2d& at_px,
+                                         const Eigen::Vector2d& target_px,
                                          double depth_mm,
                                          double radius_mm) {
-  const auto local = shape.at(at_px.x(), at_px.y());
+  const auto local = shape.at(target_px.x(), target_px.y());
   if (!local || !(radius_mm > depth_mm)) return {};
   const Face& face = shape.face();
   const Eigen::Vector3d top = untouched_point_mm(*local, face.layer_mm, MappingAlong::kNormal);
@@ -91,26 +94,26 @@ std::vector<Eigen::Vector2d> cap_outline(const FaceShape& shape,
                  : std::vector<Eigen::Vector2d>();
 }
 
-/// Along and across the face, of the presses that can be used.
-std::vector<Eigen::Vector2d> places_of(const PressDesk& desk) {
-  std::vector<Eigen::Vector2d> places;
-  for (const DeskPress& press : desk.presses()) {
-    if (!press.looked.shape || !desk.is_usable(press)) continue;
-    const auto& by_hand = desk.said().of(press.name).ball_mm;
-    const auto& centre = by_hand ? by_hand : press.looked.found_mm;
+/// Positions of the usable presses along and across the face, mm.
+std::vector<Eigen::Vector2d> positions_of(const PressCollection& collection) {
+  std::vector<Eigen::Vector2d> positions;
+  for (const CollectedPress& press : collection.presses()) {
+    if (!press.analysis.shape || !collection.is_usable(press)) continue;
+    const auto& by_hand = collection.press_set().of(press.name).ball_mm;
+    const auto& centre = by_hand ? by_hand : press.analysis.found_mm;
     const auto pixel =
-        centre ? press.looked.shape->camera().project(*centre) : std::optional<Eigen::Vector2d>();
-    if (pixel) places.push_back(press.looked.shape->place_mm(pixel->x(), pixel->y()));
+        centre ? press.analysis.shape->camera().project(*centre) : std::optional<Eigen::Vector2d>();
+    if (pixel) positions.push_back(press.analysis.shape->position_mm(pixel->x(), pixel->y()));
   }
-  return places;
+  return positions;
 }
 
-Overlay target_overlay(const GuidedFrame& frame) {
+Overlay target_overlay(const PressGuidance& frame) {
   return [frame, words = GuideWords::press_here(frame.target->depth_mm)](
              QPainter& painter, const ImageTransform& transform) {
     QPolygonF rim;
     for (const auto& p : frame.outline_px) rim << transform.to_widget({p.x(), p.y()});
-    const QPointF at = transform.to_widget({frame.at_px->x(), frame.at_px->y()});
+    const QPointF at = transform.to_widget({frame.target_px->x(), frame.target_px->y()});
     QPainterPath path;
     if (rim.isEmpty())
       path.addEllipse(at, kHoldRing, kHoldRing);
@@ -120,41 +123,41 @@ Overlay target_overlay(const GuidedFrame& frame) {
     path.lineTo(at + QPointF(8, 0));
     path.moveTo(at - QPointF(0, 8));
     path.lineTo(at + QPointF(0, 8));
-    stroke_over(painter, path, kWanted, 1.8, Qt::DashLine);
+    stroke_over(painter, path, kTargetColour, 1.8, Qt::DashLine);
     const QRectF box = path.boundingRect();
-    write_beside(painter, QPointF(box.left(), box.bottom() + 6), words, kWanted);
+    write_next_to(painter, QPointF(box.left(), box.bottom() + 6), words, kTargetColour);
   };
 }
 
-/// A ring around the contact that fills from the top, and how deep it is.
-Overlay hold_overlay(const GuidedFrame& frame) {
+/// A ring around the contact that fills clockwise from the top, and the depth as text.
+Overlay hold_overlay(const PressGuidance& frame) {
   const auto so_far = so_far_of(frame);
   const QString words = words_of(frame);
   return [frame, so_far, words](QPainter& painter, const ImageTransform& transform) {
     const QPointF at = transform.to_widget({frame.contact->pixel.x(), frame.contact->pixel.y()});
     const QRectF ring(at - QPointF(kHoldRing, kHoldRing), QSizeF(2 * kHoldRing, 2 * kHoldRing));
-    QPainterPath whole;
-    whole.addEllipse(ring);
-    stroke_over(painter, whole, QColor(150, 150, 150), 2);
-    const QColor colour = so_far == PressedSoFar::kTooDeep ? kTooFar : kHeld;
-    if (frame.held > 0) {
+    QPainterPath circle;
+    circle.addEllipse(ring);
+    stroke_over(painter, circle, QColor(150, 150, 150), 2);
+    const QColor colour = so_far == PressProgress::kTooDeep ? kTooDeepColour : kHeldColour;
+    if (frame.hold_fraction > 0) {
       QPainterPath part;
       part.arcMoveTo(ring, 90);
-      part.arcTo(ring, 90, -360 * frame.held);
+      part.arcTo(ring, 90, -360 * frame.hold_fraction);
       stroke_over(painter, part, colour, 5);
     }
     if (!words.isEmpty())
-      write_beside(painter, QPointF(at.x() - kHoldRing, at.y() - kHoldRing - 32), words, colour);
+      write_next_to(painter, QPointF(at.x() - kHoldRing, at.y() - kHoldRing - 32), words, colour);
   };
 }
 
 }  // namespace
 
-std::optional<PressTarget> wanted_press(const PressDesk& desk,
+std::optional<PressTarget> target_press(const PressCollection& collection,
                                         const PressForecast& forecast,
                                         const FaceShape& shape) {
-  const auto first = next_press(first_presses(shape), places_of(desk));
-  const FingerCalibration* known = forecast.to_compare_with();
+  const auto first = next_press(first_presses(shape), positions_of(collection));
+  const FingerCalibration* known = forecast.baseline();
   if (const auto& newest = forecast.result()) known = newest.get();
   const bool is_settled = known != nullptr && known->calibration.next_press &&
                           (!first || known->calibration.next_press->enough);
@@ -165,30 +168,30 @@ std::optional<PressTarget> wanted_press(const PressDesk& desk,
   return PressTarget{{advice.along_mm, advice.across_mm}, advice.depth_mm};
 }
 
-GuidedFrame guided_frame(const FrameResult& result,
-                         const PressDesk& desk,
-                         const PressForecast& forecast,
-                         double held) {
-  GuidedFrame frame;
+PressGuidance guidance_of(const FrameResult& result,
+                          const PressCollection& collection,
+                          const PressForecast& forecast,
+                          double hold_fraction) {
+  PressGuidance frame;
   if (!result.shape) return frame;
-  const double radius_mm = desk.said().ball_radius_mm;
+  const double radius_mm = collection.press_set().ball_radius_mm;
   frame.layer_mm = result.shape->face().layer_mm;
-  frame.held = held;
-  frame.target = wanted_press(desk, forecast, *result.shape);
+  frame.hold_fraction = hold_fraction;
+  frame.target = target_press(collection, forecast, *result.shape);
   if (frame.target) {
-    frame.at_px = pixel_of_place(*result.shape, frame.target->place_mm);
-    if (frame.at_px && radius_mm > 0)
+    frame.target_px = pixel_of_position(*result.shape, frame.target->position_mm);
+    if (frame.target_px && radius_mm > 0)
       frame.outline_px =
-          cap_outline(*result.shape, *frame.at_px, frame.target->depth_mm, radius_mm);
+          cap_outline(*result.shape, *frame.target_px, frame.target->depth_mm, radius_mm);
   }
   frame.contact = dark_patch(result);
   frame.depth_mm = depth_now(result, frame.contact, radius_mm);
   if (frame.contact && frame.target)
-    frame.off_mm = (frame.contact->place_mm - frame.target->place_mm).norm();
+    frame.lateral_offset_mm = (frame.contact->position_mm - frame.target->position_mm).norm();
   return frame;
 }
 
-QString guide_words(const GuidedFrame& frame) {
+QString guide_words(const PressGuidance& frame) {
   if (!frame.target) return GuideWords::enough_presses();
   return as_sentence(joined({GuideWords::press_here(frame.target->depth_mm),
                              frame.depth_mm ? words_of(frame) : QString()}));
@@ -199,9 +202,9 @@ QString waiting_words(PressTaker::State state) {
   return state == PressTaker::State::kWaits ? GuideWords::waits() : GuideWords::refused();
 }
 
-std::vector<Overlay> guide_overlays(const GuidedFrame& frame) {
+std::vector<Overlay> guide_overlays(const PressGuidance& frame) {
   std::vector<Overlay> overlays;
-  if (frame.target && frame.at_px) overlays.push_back(target_overlay(frame));
+  if (frame.target && frame.target_px) overlays.push_back(target_overlay(frame));
   if (frame.contact) overlays.push_back(hold_overlay(frame));
   return overlays;
 }

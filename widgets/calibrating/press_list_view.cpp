@@ -27,7 +27,7 @@ void PressListView::changeEvent(QEvent* event) {
 }
 
 void PressListView::mark_always() {
-  QPalette marks;  // says nothing but this
+  QPalette marks;  // only the changed roles
   bool is_other = false;
   for (const auto role : {QPalette::Highlight, QPalette::HighlightedText}) {
     const QColor active = palette().color(QPalette::Active, role);

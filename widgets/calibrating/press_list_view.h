@@ -1,5 +1,5 @@
-// A list of presses that marks the chosen one whether it has the focus or not, and chooses none
-// only because the focus came by.
+// A list of presses that highlights the current press with or without focus. Focus alone selects no
+// press.
 #pragma once
 
 #include "widgets/calibrating/shown_press.h"

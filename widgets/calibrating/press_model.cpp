@@ -10,11 +10,11 @@
 namespace alltact {
 namespace {
 
-QString punch_state_text(double step_mm, const DeskPress& press, const StepFit* fit) {
+QString punch_state_text(double step_mm, const CollectedPress& press, const StepFit* fit) {
   if (fit != nullptr && fit->step_mm == step_mm)
     return PressModel::tr("a step of %1 mm reads %2 mm")
-        .arg(local_mm(fit->step_mm, 3), local_mm(fit->reads_mm, 3));
-  if (press.is_looked_at && press.looked.problem) return refusal_word(*press.looked.problem);
+        .arg(local_mm(fit->step_mm, 3), local_mm(fit->estimated_mm, 3));
+  if (press.is_analysed && press.analysis.problem) return refusal_word(*press.analysis.problem);
   return PressModel::tr("a punch with a step of %1 mm").arg(local_mm(step_mm, 3));
 }
 
@@ -25,10 +25,10 @@ QString ball_state_text(const BallFit& ball) {
       error ? PressModel::tr("%1 mm deep, error %2 mm: %3")
                   .arg(depth, local_mm(*error, 3), error_word(meaning_of_error(*error)))
             : PressModel::tr("%1 mm deep, error unknown").arg(depth);
-  if (!ball.told_depth) return found;
+  if (!ball.given_depth) return found;
   return found + QLatin1Char('\n') +
          PressModel::tr("measured %1 mm deep, the solution has %2 mm")
-             .arg(local_mm(ball.told_depth->mm, 3), local_mm(ball.pressed_in_mm, 3));
+             .arg(local_mm(ball.given_depth->mm, 3), local_mm(ball.indentation_mm, 3));
 }
 
 }  // namespace
@@ -47,48 +47,54 @@ const StepFit* fitted_step(const CalibrationRun& run, const std::string& press) 
   return nullptr;
 }
 
-QString press_state_text(const DeskPress& press, const PressDesk& desk, const CalibrationRun& run) {
-  const PressNote& note = desk.said().of(press.name);
-  if (!desk.is_kept(press.name)) return PressModel::tr("not written to the disk");
+QString press_state_text(const CollectedPress& press,
+                         const PressCollection& collection,
+                         const CalibrationRun& run) {
+  const PressNote& note = collection.press_set().of(press.name);
+  if (!collection.is_saved(press.name)) return PressModel::tr("not written to the disk");
   if (note.excluded)
     return note.excluded->empty() ? PressModel::tr("taken out")
                                   : PressModel::tr("taken out: %1").arg(as_text(*note.excluded));
   if (note.step_mm) return punch_state_text(*note.step_mm, press, fitted_step(run, press.name));
   if (const BallFit* ball = fitted_ball(run, press.name)) return ball_state_text(*ball);
   if (note.ball_mm) return PressModel::tr("ball put by hand");
-  if (!press.is_looked_at) return PressModel::tr("being looked at");
-  if (press.looked.found_mm) return PressModel::tr("ball found");
-  if (press.looked.problem)
-    return press.looked.shape || press.looked.grey.empty() ? refusal_word(*press.looked.problem)
-                                                           : PressModel::tr("no face seen");
+  if (!press.is_analysed) return PressModel::tr("being looked at");
+  if (press.analysis.found_mm) return PressModel::tr("ball found");
+  if (press.analysis.problem)
+    return press.analysis.shape || press.analysis.grey.empty()
+               ? refusal_word(*press.analysis.problem)
+               : PressModel::tr("no face seen");
   return PressModel::tr("the ball's radius is missing");
 }
 
-std::optional<Meaning> press_meaning(const DeskPress& press,
-                                     const PressDesk& desk,
+std::optional<Meaning> press_meaning(const CollectedPress& press,
+                                     const PressCollection& collection,
                                      const CalibrationRun& run) {
-  const PressNote& note = desk.said().of(press.name);
-  if (!desk.is_kept(press.name)) return Meaning::kBad;
+  const PressNote& note = collection.press_set().of(press.name);
+  if (!collection.is_saved(press.name)) return Meaning::kBad;
   if (note.excluded) return std::nullopt;
   if (!note.step_mm)
     if (const BallFit* ball = fitted_ball(run, press.name))
       if (const auto error = press_error_mm(*ball)) return meaning_of_error(*error);
-  if (press.is_looked_at && press.looked.problem && !note.ball_mm) return Meaning::kDoubtful;
+  if (press.is_analysed && press.analysis.problem && !note.ball_mm) return Meaning::kDoubtful;
   return std::nullopt;
 }
 
-PressModel::PressModel(const PressDesk& desk, const CalibrationRun& run, QObject* parent)
-    : QAbstractListModel(parent), desk_(desk), run_(run) {
-  connect(&desk_, &PressDesk::changed, this, &PressModel::follow);
+PressModel::PressModel(const PressCollection& collection,
+                       const CalibrationRun& run,
+                       QObject* parent)
+    : QAbstractListModel(parent), collection_(collection), run_(run) {
+  connect(&collection_, &PressCollection::changed, this, &PressModel::follow);
   connect(&run_, &CalibrationRun::changed, this, &PressModel::follow);
   follow();
 }
 
 void PressModel::follow() {
   std::vector<std::string> names;
-  for (const DeskPress& press : desk_.presses()) names.push_back(press.name);
+  for (const CollectedPress& press : collection_.presses()) names.push_back(press.name);
   const auto error = [this](const std::string& name) {
-    const BallFit* ball = desk_.said().of(name).excluded ? nullptr : fitted_ball(run_, name);
+    const BallFit* ball =
+        collection_.press_set().of(name).excluded ? nullptr : fitted_ball(run_, name);
     return ball == nullptr ? 0.0 : press_error_mm(*ball).value_or(0.0);
   };
   std::stable_sort(names.begin(), names.end(), [&](const auto& a, const auto& b) {
@@ -118,24 +124,24 @@ int PressModel::rowCount(const QModelIndex& parent) const {
 
 QVariant PressModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid() || index.row() >= rowCount()) return {};
-  const DeskPress* press = desk_.find(name_at(index.row()));
+  const CollectedPress* press = collection_.find(name_at(index.row()));
   if (press == nullptr) return {};
   switch (role) {
     case Qt::DisplayRole:
       return QStringLiteral("%1\n%2").arg(as_text(press->name),
-                                          press_state_text(*press, desk_, run_));
+                                          press_state_text(*press, collection_, run_));
     case Qt::ToolTipRole:
-      return press->looked.problem
-                 ? in_window_language(en::say("{}.", press->looked.problem->message()))
+      return press->analysis.problem
+                 ? in_window_language(en::say("{}.", press->analysis.problem->message()))
                  : QString();
     case Qt::DecorationRole: {
-      const QPixmap picture = thumbnails_.of(
-          *press, known_ball(*press, desk_, run_), press_meaning(*press, desk_, run_));
-      return picture.isNull() ? QVariant() : picture;
+      const QPixmap thumbnail = thumbnails_.of(
+          *press, known_ball(*press, collection_, run_), press_meaning(*press, collection_, run_));
+      return thumbnail.isNull() ? QVariant() : thumbnail;
     }
     case Qt::FontRole: {
       QFont font;
-      font.setStrikeOut(desk_.said().of(press->name).excluded.has_value());
+      font.setStrikeOut(collection_.press_set().of(press->name).excluded.has_value());
       return font;
     }
     case kName:

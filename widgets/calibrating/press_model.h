@@ -1,25 +1,25 @@
-// The presses as a list to look at: worst first once they are calibrated.
+// List model of the presses, sorted by error once there is a calibration, largest first.
 #pragma once
 
 #include "widgets/calibrating/calibration_run.h"
 #include "widgets/calibrating/shown_press.h"
-#include "widgets/worth_words.h"
+#include "widgets/verdict_text.h"
 
 #include <QAbstractListModel>
 
 namespace alltact {
 
-/// What one press is worth, in a line.
-[[nodiscard]] QString press_state_text(const DeskPress& press,
-                                       const PressDesk& desk,
+/// State and error of one press, in one line.
+[[nodiscard]] QString press_state_text(const CollectedPress& press,
+                                       const PressCollection& collection,
                                        const CalibrationRun& run);
-/// nullptr where the press is not part of the calibration whose figures are known.
+/// nullptr where the press is not part of a calibration with figures.
 [[nodiscard]] const BallFit* fitted_ball(const CalibrationRun& run, const std::string& press);
 [[nodiscard]] const StepFit* fitted_step(const CalibrationRun& run, const std::string& press);
 
-/// How good a press is in the calibration, or that it is refused; nullopt where nothing is known.
-[[nodiscard]] std::optional<Meaning> press_meaning(const DeskPress& press,
-                                                   const PressDesk& desk,
+/// Rating of a press by its error, or as refused; nullopt where it is unknown.
+[[nodiscard]] std::optional<Meaning> press_meaning(const CollectedPress& press,
+                                                   const PressCollection& collection,
                                                    const CalibrationRun& run);
 
 class PressModel : public QAbstractListModel {
@@ -27,8 +27,10 @@ class PressModel : public QAbstractListModel {
  public:
   enum Role { kName = Qt::UserRole };
 
-  PressModel(const PressDesk& desk, const CalibrationRun& run, QObject* parent = nullptr);
-  /// -1: there is none.
+  PressModel(const PressCollection& collection,
+             const CalibrationRun& run,
+             QObject* parent = nullptr);
+  /// -1: no such press.
   [[nodiscard]] int row_of(const std::string& name) const;
   [[nodiscard]] std::string name_at(int row) const;
 
@@ -38,7 +40,7 @@ class PressModel : public QAbstractListModel {
  private:
   void follow();
 
-  const PressDesk& desk_;
+  const PressCollection& collection_;
   const CalibrationRun& run_;
   std::vector<std::string> names_;
   mutable PressThumbnails thumbnails_;

@@ -15,50 +15,50 @@ namespace alltact {
 namespace {
 
 constexpr int kPressSideWidth = 268;
-constexpr int kLeastListHeight = 150;
+constexpr int kMinListHeight = 150;
 
 }  // namespace
 
 PressesPage::PressesPage(LiveSession& session,
-                         PressDesk& desk,
+                         PressCollection& collection,
                          const CalibrationRun& run,
                          PressForecast& forecast,
                          QWidget* parent)
     : StepPage(parent),
       session_(session),
-      desk_(desk),
+      collection_(collection),
       run_(run),
       forecast_(forecast),
-      model_(desk, run),
+      model_(collection, run),
       problems_(new ProblemList),
       count_(wrapped_text()),
       forecast_words_(wrapped_text()),
       list_(new PressListView),
       add_(new QPushButton),
-      out_(new QPushButton),
+      leave_out_(new QPushButton),
       remove_(new QPushButton),
       live_button_(new QPushButton),
       press_button_(new QPushButton),
       residual_(new QCheckBox),
-      pictures_(new QStackedWidget),
-      live_(new PicturePanel(session)),
+      views_(new QStackedWidget),
+      live_(new ImagePanel(session)),
       editor_(new OutlineEditor),
       fit_pane_(new PressFitPane),
-      place_(new QLabel),
+      position_(new QLabel),
       take_group_(new QGroupBox),
       press_group_(new QGroupBox),
       radius_label_(new QLabel),
       operator_label_(new QLabel),
       radius_(new NumberField),
       operator_(new QLineEdit),
-      form_(new PressForm(desk)),
+      form_(new PressForm(collection)),
       more_(new QToolButton),
       take_(new QPushButton),
       find_(new QPushButton),
-      by_itself_(new QCheckBox),
+      automatic_(new QCheckBox),
       take_reason_(wrapped_text()),
       guide_(wrapped_text()),
-      why_waiting_(wrapped_text()),
+      waiting_reason_(wrapped_text()),
       taken_(wrapped_text()),
       press_text_(wrapped_text()),
       legend_(wrapped_text()) {
@@ -66,7 +66,7 @@ PressesPage::PressesPage(LiveSession& session,
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(problems_);
   auto* row = new QHBoxLayout;
-  row->addWidget(make_pictures(), 1);
+  row->addWidget(make_views(), 1);
   row->addWidget(make_side());
   column->addLayout(row, 1);
   new SpaceKey(*this, [this] {
@@ -76,26 +76,26 @@ PressesPage::PressesPage(LiveSession& session,
   say([this] { name_parts(); });
 }
 
-QWidget* PressesPage::make_pictures() {
-  auto* pictures = new QWidget;
-  auto* column = new QVBoxLayout(pictures);
+QWidget* PressesPage::make_views() {
+  auto* views = new QWidget;
+  auto* column = new QVBoxLayout(views);
   column->setContentsMargins(0, 0, 0, 0);
   auto* edited = new QWidget;
   auto* inside = new QVBoxLayout(edited);
   inside->setContentsMargins(0, 0, 0, 0);
   inside->addWidget(editor_, 3);
-  place_->setMinimumWidth(1);
-  place_->setWordWrap(true);
-  inside->addWidget(place_);
+  position_->setMinimumWidth(1);
+  position_->setWordWrap(true);
+  inside->addWidget(position_);
   inside->addWidget(fit_pane_, 2);
-  pictures_->addWidget(live_);
-  pictures_->addWidget(edited);
-  column->addWidget(pictures_, 1);
+  views_->addWidget(live_);
+  views_->addWidget(edited);
+  column->addWidget(views_, 1);
   ViewOptions options;
   options.direction = options.depth = options.markers = false;
   live_->set_options(options);
-  live_->set_more([this](const LiveView&) { return guide_overlays(guided_); });
-  return pictures;
+  live_->set_extra_overlays([this](const LiveView&) { return guide_overlays(guided_); });
+  return views;
 }
 
 QWidget* PressesPage::make_side() {
@@ -112,12 +112,12 @@ QWidget* PressesPage::make_side() {
   make_press(*side.column);
   make_list(*side.column);
   foot_ = side.foot;
-  return side.whole;
+  return side.root;
 }
 
 void PressesPage::make_taking(QVBoxLayout& column) {
   radius_->set_quantity(kBallRadius);
-  radius_->setMinimum(0);  // unknown
+  radius_->setMinimum(0);  // 0: unknown
   radius_->set_shown_decimals(3);
   radius_->setSingleStep(0.1);
   radius_label_->setBuddy(radius_);
@@ -127,8 +127,8 @@ void PressesPage::make_taking(QVBoxLayout& column) {
   column.addWidget(taken_);
   auto* inside = new QVBoxLayout(take_group_);
   inside->addWidget(guide_);
-  inside->addWidget(by_itself_);
-  inside->addWidget(why_waiting_);
+  inside->addWidget(automatic_);
+  inside->addWidget(waiting_reason_);
   auto* form = new QFormLayout;
   form->addRow(radius_label_, radius_);
   form->addRow(operator_label_, operator_);
@@ -153,20 +153,20 @@ void PressesPage::make_press(QVBoxLayout& column) {
 
 void PressesPage::make_list(QVBoxLayout& column) {
   list_->setModel(&model_);
-  list_->setMinimumHeight(kLeastListHeight);
+  list_->setMinimumHeight(kMinListHeight);
   column.addWidget(count_);
   column.addWidget(forecast_words_);
   column.addWidget(list_, 1);
   auto* row = new QHBoxLayout;
-  row->addWidget(out_);
+  row->addWidget(leave_out_);
   row->addWidget(remove_);
   column.addLayout(row);
   column.addWidget(add_);
 }
 
 void PressesPage::connect_parts() {
-  connect(&desk_, &PressDesk::changed, this, &PressesPage::show_status);
-  connect(&desk_, &PressDesk::refused, this, [this](const Problem& problem) {
+  connect(&collection_, &PressCollection::changed, this, &PressesPage::show_status);
+  connect(&collection_, &PressCollection::refused, this, [this](const Problem& problem) {
     refused_ = problem;
     show_problems();
     show_taken();
@@ -187,7 +187,7 @@ void PressesPage::connect_parts() {
           &OutlineEditor::ball_moved,
           this,
           [this](const Eigen::Vector3d&, const Eigen::Vector3d& after, int grip) {
-            desk_.place_ball(shown_, after, grip);
+            collection_.set_ball(shown_, after, grip);
           });
   connect(list_->selectionModel(),
           &QItemSelectionModel::currentChanged,
@@ -199,24 +199,25 @@ void PressesPage::connect_parts() {
     show_press(model_.name_at(at.row()));
   });
   connect(&model_, &QAbstractItemModel::modelReset, this, &PressesPage::show_list);
-  connect(out_, &QPushButton::clicked, this, [this] { desk_.take_out_or_put_back(shown_); });
-  connect(remove_, &QPushButton::clicked, this, [this] { desk_.remove(shown_); });
+  connect(leave_out_, &QPushButton::clicked, this, [this] { collection_.toggle_left_out(shown_); });
+  connect(remove_, &QPushButton::clicked, this, [this] { collection_.remove(shown_); });
   connect(add_, &QPushButton::clicked, this, &PressesPage::choose_files);
-  connect(
-      radius_, &NumberField::valueChanged, this, [this](double value) { desk_.set_radius(value); });
-  connect(operator_, &QLineEdit::editingFinished, this, [this] {
-    desk_.set_operator(operator_->text().trimmed().toStdString());
+  connect(radius_, &NumberField::valueChanged, this, [this](double value) {
+    collection_.set_radius(value);
   });
-  // What is told is told: the next key is not typed into it.
+  connect(operator_, &QLineEdit::editingFinished, this, [this] {
+    collection_.set_operator(operator_->text().trimmed().toStdString());
+  });
+  // The next key must not be typed into the field.
   connect(operator_, &QLineEdit::returnPressed, this, [this] { take_->setFocus(); });
   connect(take_, &QPushButton::clicked, this, &PressesPage::take);
-  connect(by_itself_, &QCheckBox::toggled, this, [this] {
+  connect(automatic_, &QCheckBox::toggled, this, [this] {
     still_.begin();
     show_take();
     show_guide();
   });
   connect(more_, &QToolButton::toggled, this, &PressesPage::show_shown);
-  connect(find_, &QPushButton::clicked, this, [this] { desk_.find_again(shown_); });
+  connect(find_, &QPushButton::clicked, this, [this] { collection_.find_ball_again(shown_); });
 }
 
 void PressesPage::name_parts() {
@@ -239,8 +240,8 @@ void PressesPage::name_parts() {
   operator_->setPlaceholderText(tr("for the record"));
   take_->setText(tr("&Take a press (Space)"));
   guide_->setAccessibleName(tr("Where to press next"));
-  by_itself_->setText(tr("By &itself when it holds still"));
-  by_itself_->setToolTip(
+  automatic_->setText(tr("By &itself when it holds still"));
+  automatic_->setToolTip(
       tr("Takes a press as soon as a contact holds still for half a second; both hands stay free"));
   find_->setText(tr("&Find the ball again"));
   find_->setToolTip(tr("Forgets where the outline was put by hand"));
@@ -248,7 +249,7 @@ void PressesPage::name_parts() {
   legend_->setText(
       tr("Yellow: the ball's outline, dashed as the program found it, whole where a hand put it. "
          "Blue: where the ball meets the untouched face, about the dark disc."));
-  place_->setAccessibleName(tr("Place of the ball"));
+  position_->setAccessibleName(tr("Place of the ball"));
   show_status();
 }
 
@@ -257,14 +258,15 @@ StepState PressesPage::state() const {
 }
 
 QString PressesPage::missing() const {
-  if (run_.state() == CalibrationState::kCurrent) return {};  // they were enough
-  if (!desk_.is_ready()) return tr("The presses are being read.");
-  if (!(desk_.said().ball_radius_mm > 0)) return tr("The ball's radius is missing.");
-  if (desk_.presses().empty()) return tr("Take a press first; six at different places are good.");
-  const auto has_ball = [this](const DeskPress& press) {
-    return desk_.is_usable(press) && desk_.has_ball(press);
+  if (run_.state() == CalibrationState::kCurrent) return {};  // there were enough
+  if (!collection_.is_ready()) return tr("The presses are being read.");
+  if (!(collection_.press_set().ball_radius_mm > 0)) return tr("The ball's radius is missing.");
+  if (collection_.presses().empty())
+    return tr("Take a press first; six at different places are good.");
+  const auto has_ball = [this](const CollectedPress& press) {
+    return collection_.is_usable(press) && collection_.has_ball(press);
   };
-  if (std::none_of(desk_.presses().begin(), desk_.presses().end(), has_ball))
+  if (std::none_of(collection_.presses().begin(), collection_.presses().end(), has_ball))
     return tr("In no press a ball was found yet.");
   return {};
 }
@@ -281,7 +283,7 @@ void PressesPage::choose_files() {
     for (const QString& file : files) inputs.emplace_back(file.toStdString());
     refused_.reset();
     show_problems();
-    desk_.add_files(inputs);
+    collection_.add_files(inputs);
   });
   dialog->show();
 }
@@ -305,7 +307,7 @@ void PressesPage::show_list() {
 
 void PressesPage::show_problems() {
   std::vector<Problem> problems;
-  if (const auto problem = desk_.problem()) problems.push_back(Problem::of(*problem));
+  if (const auto problem = collection_.problem()) problems.push_back(Problem::of(*problem));
   if (refused_) problems.push_back(*refused_);
   problems_->set_problems(std::move(problems));
 }
@@ -317,30 +319,30 @@ void PressesPage::show_forecast() {
 }
 
 void PressesPage::show_status() {
-  if (held_for_ != desk_.folder()) {
+  if (taker_folder_ != collection_.folder()) {
     taker_.forget();
     refused_.reset();
     taken_name_.clear();
     const QSignalBlocker quiet(radius_);
-    radius_->setValue(0);  // nor what was typed for another finger
+    radius_->setValue(0);  // resets also a number typed for another finger
   }
-  held_for_ = desk_.folder();
+  taker_folder_ = collection_.folder();
   show_problems();
-  const PressSet& said = desk_.said();
+  const PressSet& press_set = collection_.press_set();
   {
     const QSignalBlocker quiet(radius_);
-    radius_->setValue(said.ball_radius_mm);
+    radius_->setValue(press_set.ball_radius_mm);
   }
-  if (!operator_->hasFocus()) operator_->setText(as_text(said.operator_name));
-  const int count = static_cast<int>(desk_.presses().size());
-  const int usable = desk_.usable_count();
+  if (!operator_->hasFocus()) operator_->setText(as_text(press_set.operator_name));
+  const int count = static_cast<int>(collection_.presses().size());
+  const int usable = collection_.usable_count();
   count_->setText(count == 0
                       ? tr("No press yet. Press the ball in at different places and depths, "
                            "base, middle and tip.")
                       : tr("%n press(es), ", nullptr, count) + tr("%n usable", nullptr, usable));
-  radius_->setEnabled(desk_.is_ready());
-  operator_->setEnabled(desk_.is_ready());
-  add_->setEnabled(desk_.is_ready());
+  radius_->setEnabled(collection_.is_ready());
+  operator_->setEnabled(collection_.is_ready());
+  add_->setEnabled(collection_.is_ready());
   show_list();
   show_shown();
   show_take();

@@ -1,4 +1,4 @@
-// How the step Presses takes presses: by a click, a key, a pedal, or by itself.
+// Taking presses in the step Presses: by a click, a key, a pedal, or automatically.
 #include "core/live/source_runner.h"
 #include "widgets/calibrating/presses_page.h"
 #include "widgets/report/report_words.h"
@@ -7,31 +7,31 @@
 
 namespace alltact {
 
-QString PressesPage::why_not_take() const {
+QString PressesPage::take_obstacle() const {
   if (!session_.view()) return tr("There is no live picture: choose a source.");
-  if (!desk_.is_ready()) return tr("The presses are being read.");
-  if (!desk_.looker()) return tr("The finger cannot be compared with its reference.");
+  if (!collection_.is_ready()) return tr("The presses are being read.");
+  if (!collection_.analyser()) return tr("The finger cannot be compared with its reference.");
   const FramePtr& frame = session_.view()->result.frame;
   if (!frame || session_.view()->problem) return tr("The live picture does not fit this finger.");
   return {};
 }
 
 void PressesPage::take() {
-  if (!why_not_take().isEmpty()) return;
+  if (!take_obstacle().isEmpty()) return;
   refused_.reset();
   live_->freeze(false);
   show_press({});
-  const auto taken = taker_.want(monotonic_s());
-  if (taken) keep_taken(*taken);
+  const auto taken = taker_.request(monotonic_s());
+  if (taken) add_taken(*taken);
   follow_source();
   show_problems();
   show_take();
 }
 
-void PressesPage::keep_taken(const PressTaker::Taken& taken) {
-  taken_name_ = desk_.add({taken.frame});
-  taken_of_ = taken.of;
-  live_->flash(tr("Press %1").arg(desk_.presses().size()));
+void PressesPage::add_taken(const PressTaker::Taken& taken) {
+  taken_name_ = collection_.add({taken.frame});
+  taken_frames_ = taken.of;
+  live_->flash(tr("Press %1").arg(collection_.presses().size()));
   QApplication::beep();
   show_problems();
   show_take();
@@ -39,11 +39,11 @@ void PressesPage::keep_taken(const PressTaker::Taken& taken) {
 
 void PressesPage::follow_source() {
   if (session_.status().source.state != SourceState::kEnded) return;
-  if (const auto last = taker_.end()) keep_taken(*last);
+  if (const auto last = taker_.end()) add_taken(*last);
 }
 
 double PressesPage::held_part() const {
-  return by_itself_->isChecked() ? still_.hold().part : taker_.held_part();
+  return automatic_->isChecked() ? still_.hold().hold_fraction : taker_.held_part();
 }
 
 void PressesPage::hideEvent(QHideEvent* event) {
@@ -64,27 +64,27 @@ void PressesPage::press_pedal() {
 void PressesPage::watch_contact() {
   if (!isVisible()) return;
   const FrameResult& result = session_.view()->result;
-  const bool can_take = why_not_take().isEmpty();
-  guided_ = can_take ? guided_frame(result, desk_, forecast_, 0) : GuidedFrame();
+  const bool can_take = take_obstacle().isEmpty();
+  guided_ = can_take ? guidance_of(result, collection_, forecast_, 0) : PressGuidance();
   const bool is_still = still_.add(guided_.contact, monotonic_s()) && can_take;
   const auto taken =
       taker_.see(can_take ? result.frame : FramePtr(), guided_.contact, monotonic_s());
-  guided_.held = held_part();
+  guided_.hold_fraction = held_part();
   show_guide();
   if (taken)
-    keep_taken(*taken);
-  else if (is_still && by_itself_->isChecked())
+    add_taken(*taken);
+  else if (is_still && automatic_->isChecked())
     take();
   else
     show_take();
 }
 
-QString PressesPage::why_not_by_itself() const {
-  if (!by_itself_->isChecked() || !why_not_take().isEmpty()) return {};
-  const FaceTouch touch = session_.view()->result.touch;
+QString PressesPage::auto_take_obstacle() const {
+  if (!automatic_->isChecked() || !take_obstacle().isEmpty()) return {};
+  const FaceContact touch = session_.view()->result.touch;
   switch (still_.hold().state) {
     case HoldState::kNothing:
-      return touch == FaceTouch::kUnknown
+      return touch == FaceContact::kUnknown
                  ? tr("Waiting: it cannot be seen whether the face is touched.")
                  : tr("Waiting: nothing presses yet.");
     case HoldState::kMoves:
@@ -101,13 +101,13 @@ void PressesPage::show_guide() {
   const bool is_face_seen = guided_.layer_mm > 0;
   guide_->setText(is_face_seen ? guide_words(guided_) : QString());
   guide_->setVisible(is_face_seen);
-  const QString why = why_not_by_itself();
-  why_waiting_->setText(why);
-  why_waiting_->setVisible(!why.isEmpty());
+  const QString why = auto_take_obstacle();
+  waiting_reason_->setText(why);
+  waiting_reason_->setVisible(!why.isEmpty());
 }
 
 void PressesPage::show_take() {
-  const QString reason = why_not_take();
+  const QString reason = take_obstacle();
   take_->setEnabled(reason.isEmpty());
   take_reason_->setText(reason);
   take_reason_->setVisible(!reason.isEmpty());
@@ -119,13 +119,14 @@ void PressesPage::show_taken() {
     taken_->setText(waiting_words(taker_.state()));
     return taken_->setVisible(true);
   }
-  const bool is_there = desk_.find(taken_name_) != nullptr && desk_.is_kept(taken_name_);
+  const bool is_there =
+      collection_.find(taken_name_) != nullptr && collection_.is_saved(taken_name_);
   taken_->setVisible(is_there);
   if (!is_there) return;
   const QString name = as_text(taken_name_);
   taken_->setText(
-      taken_of_ > 1
-          ? tr("%1 is taken: the mean of %2 pictures held still.").arg(name).arg(taken_of_)
+      taken_frames_ > 1
+          ? tr("%1 is taken: the mean of %2 pictures held still.").arg(name).arg(taken_frames_)
           : tr("%1 is taken from a single picture; hold ball and finger still for half "
                "a second, and its noise falls to a quarter.")
                 .arg(name));

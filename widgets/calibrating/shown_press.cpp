@@ -1,11 +1,11 @@
 #include "widgets/calibrating/shown_press.h"
 
-#include "calibration/presses/placed_ball.h"
+#include "calibration/presses/manual_ball.h"
 #include "core/geometry/ball.h"
 #include "widgets/calibrating/press_model.h"
 #include "widgets/calibrating/verdict_words.h"
 #include "widgets/grey_image.h"
-#include "widgets/picture/overlays.h"
+#include "widgets/image/overlays.h"
 #include "widgets/shell/icons.h"
 
 #include <QGuiApplication>
@@ -17,18 +17,18 @@ namespace alltact {
 namespace {
 
 constexpr int kOutlinePoints = 120;
-constexpr double kAroundBall = 1.5;  // height of the cut-out over the outline's
-constexpr double kLeastCut_px = 24;
+constexpr double kAroundBall = 1.5;  // height of the crop over that of the outline
+constexpr double kMinCut_px = 24;
 const QColor kBallOutline(255, 214, 64);
 
 QPolygonF outline_polygon(const ShownBall& ball) {
   QPolygonF polygon;
   for (const auto& p : ball_outline_px(ball.camera, ball.centre_mm, ball.radius_mm, kOutlinePoints))
-    polygon << QPointF(p.x() + 0.5, p.y() + 0.5);  // a pixel's middle, counted from its corner
+    polygon << QPointF(p.x() + 0.5, p.y() + 0.5);  // from pixel centres to pixel corners
   return polygon;
 }
 
-/// On a picture, whatever the window's palette: as on dark ground.
+/// Drawn on an image, so the colours are those of the dark theme for every palette.
 void paint_meaning(QPainter& painter, Meaning meaning, const QSize& size, double ratio) {
   constexpr int kBar = 5, kSymbol = 16;
   const QColor colour = meaning_colour(meaning, theme_palette(Theme::kDark));
@@ -41,15 +41,15 @@ void paint_meaning(QPainter& painter, Meaning meaning, const QSize& size, double
                      symbol(meaning_symbol(meaning), colour, kSymbol, ratio));
 }
 
-/// Of the picture, with the proportions of `size`, around the outline.
+/// Crop of the image around the outline, in the aspect ratio of `size`.
 QRectF cut_around(const QPolygonF& outline, const cv::Mat& grey, const QSize& size) {
-  const QRectF whole(0, 0, grey.cols, grey.rows);
+  const QRectF full(0, 0, grey.cols, grey.rows);
   const double shape = static_cast<double>(size.width()) / size.height();
-  if (outline.isEmpty() || !whole.intersects(outline.boundingRect())) return whole;
+  if (outline.isEmpty() || !full.intersects(outline.boundingRect())) return full;
   const QRectF box = outline.boundingRect();
   const double height = std::clamp(kAroundBall * std::max(box.height(), box.width() / shape),
-                                   kLeastCut_px,
-                                   std::max(kLeastCut_px, whole.height()));
+                                   kMinCut_px,
+                                   std::max(kMinCut_px, full.height()));
   QRectF cut(0, 0, shape * height, height);
   cut.moveCenter(box.center());
   return cut;
@@ -57,17 +57,19 @@ QRectF cut_around(const QPolygonF& outline, const cv::Mat& grey, const QSize& si
 
 }  // namespace
 
-std::optional<ShownBall> known_ball(const DeskPress& press,
-                                    const PressDesk& desk,
+std::optional<ShownBall> known_ball(const CollectedPress& press,
+                                    const PressCollection& collection,
                                     const CalibrationRun& run) {
-  const PressNote& note = desk.said().of(press.name);
-  const double radius = desk.said().radius_of(press.name);
-  if (desk.looker() == nullptr || !(radius > 0) || note.step_mm) return std::nullopt;
+  const PressNote& note = collection.press_set().of(press.name);
+  const double radius = collection.press_set().radius_of(press.name);
+  if (collection.analyser() == nullptr || !(radius > 0) || note.step_mm) return std::nullopt;
   const auto shown = [&](const Eigen::Vector3d& centre, bool is_by_hand) {
-    ShownBall ball{desk.looker()->camera(), radius, centre, is_by_hand, Eigen::Vector3d::UnitZ()};
-    const Face& face = desk.looker()->finger().face;
-    const auto contact =
-        press.looked.shape ? ball_on_face(*press.looked.shape, face, centre, radius) : std::nullopt;
+    ShownBall ball{
+        collection.analyser()->camera(), radius, centre, is_by_hand, Eigen::Vector3d::UnitZ()};
+    const Face& face = collection.analyser()->finger().face;
+    const auto contact = press.analysis.shape
+                             ? ball_on_face(*press.analysis.shape, face, centre, radius)
+                             : std::nullopt;
     if (contact) ball.normal = contact->normal;
     return ball;
   };
@@ -75,7 +77,7 @@ std::optional<ShownBall> known_ball(const DeskPress& press,
   const bool is_current = run.state() == CalibrationState::kCurrent;
   if (const BallFit* fitted = is_current ? fitted_ball(run, press.name) : nullptr)
     return shown(fitted->centre_mm, false);
-  if (press.looked.found_mm) return shown(*press.looked.found_mm, false);
+  if (press.analysis.found_mm) return shown(*press.analysis.found_mm, false);
   return std::nullopt;
 }
 
@@ -112,20 +114,20 @@ QImage press_thumbnail(const cv::Mat& grey,
   QPainter painter(&thumbnail);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
-  QTransform place;
-  place.translate(corner.x(), corner.y());
-  place.scale(scale, scale);
-  place.translate(-cut.x(), -cut.y());
+  QTransform to_thumbnail;
+  to_thumbnail.translate(corner.x(), corner.y());
+  to_thumbnail.scale(scale, scale);
+  to_thumbnail.translate(-cut.x(), -cut.y());
   const QImage image = grey_image(grey);
-  // Drawn smaller in one step it would be made of single pixels.
-  const QRectF target = place.mapRect(QRectF(inside));
+  // Scaling by the painter would alias.
+  const QRectF target = to_thumbnail.mapRect(QRectF(inside));
   painter.drawImage(
       target,
       image.copy(inside).scaled(
           (target.size() * ratio).toSize(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
   if (!outline.isEmpty()) {
     QPainterPath path;
-    path.addPolygon(place.map(outline));
+    path.addPolygon(to_thumbnail.map(outline));
     path.closeSubpath();
     stroke_over(painter, path, kBallOutline, 1.4, ball->is_by_hand ? Qt::SolidLine : Qt::DashLine);
   }
@@ -133,23 +135,23 @@ QImage press_thumbnail(const cv::Mat& grey,
   return thumbnail;
 }
 
-QPixmap PressThumbnails::of(const DeskPress& press,
+QPixmap PressThumbnails::of(const CollectedPress& press,
                             const std::optional<ShownBall>& ball,
                             std::optional<Meaning> meaning) {
-  if (press.looked.grey.empty()) return {};
+  if (press.analysis.grey.empty()) return {};
   Drawn& drawn = drawn_[press.name];
   Eigen::Vector4d now = Eigen::Vector4d::Zero();
   if (ball) now << ball->centre_mm, ball->radius_mm;
   const bool is_by_hand = ball && ball->is_by_hand;
-  if (drawn.grey.data != press.looked.grey.data || drawn.ball != now ||
+  if (drawn.grey.data != press.analysis.grey.data || drawn.ball != now ||
       drawn.is_by_hand != is_by_hand || drawn.meaning != meaning)
-    drawn = {press.looked.grey,
+    drawn = {press.analysis.grey,
              now,
              is_by_hand,
              meaning,
              QPixmap::fromImage(press_thumbnail(
-                 press.looked.grey, ball, size(), qGuiApp->devicePixelRatio(), meaning))};
-  return drawn.picture;
+                 press.analysis.grey, ball, size(), qGuiApp->devicePixelRatio(), meaning))};
+  return drawn.pixmap;
 }
 
 }  // namespace alltact

@@ -1,9 +1,8 @@
-// What can be seen of a press: its ball as it is known best, its picture in a list, and why it is
-// refused, in a word.
+// How a press is shown: the best known ball, its thumbnail, and a short reason for its refusal.
 #pragma once
 
 #include "widgets/calibrating/calibration_run.h"
-#include "widgets/picture/outline_editor.h"
+#include "widgets/image/outline_editor.h"
 #include "widgets/theme.h"
 
 #include <QPixmap>
@@ -11,39 +10,40 @@
 
 namespace alltact {
 
-/// Put by hand, else as a current calibration has it, else as it was found; nullopt where none of
-/// these is known, or there is none.
-[[nodiscard]] std::optional<ShownBall> known_ball(const DeskPress& press,
-                                                  const PressDesk& desk,
+/// The ball set by hand, else as a current calibration has it, else as found. nullopt: unknown, or
+/// the press has none.
+[[nodiscard]] std::optional<ShownBall> known_ball(const CollectedPress& press,
+                                                  const PressCollection& collection,
                                                   const CalibrationRun& run);
 
-/// A word or two for a list; the whole sentence stands beside the press' picture.
+/// One or two words for a list; the complete sentence is shown with the press' image.
 [[nodiscard]] QString refusal_word(const Error& problem);
 
-/// A press' picture for a list, in `size` (px at `ratio` to the logical one): cut around the ball
-/// with its outline, the whole finger where there is no ball. `meaning`: a bar in its colour at the
-/// left edge with its symbol; none where there is none.
+/// Thumbnail of a press, `size` logical pixels with `ratio` pixels each: a crop around the ball
+/// with its outline, without a ball the full finger. `meaning`: drawn as a coloured bar at the left
+/// edge with its symbol.
 [[nodiscard]] QImage press_thumbnail(const cv::Mat& grey,
                                      const std::optional<ShownBall>& ball,
                                      const QSize& size,
                                      double ratio,
                                      std::optional<Meaning> meaning = std::nullopt);
 
-/// The same of all presses of a list, drawn when something about them has changed.
+/// Cache of the thumbnails of all presses in a list; an entry is drawn again when its press
+/// changed.
 class PressThumbnails {
  public:
-  [[nodiscard]] QPixmap of(const DeskPress& press,
+  [[nodiscard]] QPixmap of(const CollectedPress& press,
                            const std::optional<ShownBall>& ball,
                            std::optional<Meaning> meaning);
   [[nodiscard]] static QSize size() { return {112, 63}; }
 
  private:
   struct Drawn {
-    cv::Mat grey;  // held, so that its address stays its own
+    cv::Mat grey;  // holds the buffer, so that its address is not reused
     Eigen::Vector4d ball = Eigen::Vector4d::Zero();
     bool is_by_hand = false;
     std::optional<Meaning> meaning;
-    QPixmap picture;
+    QPixmap pixmap;
   };
   std::map<std::string, Drawn> drawn_;
 };

@@ -19,7 +19,7 @@ SpaceKey::SpaceKey(QWidget& page, std::function<void()> act)
   qApp->installEventFilter(this);
 }
 
-bool SpaceKey::is_needed_by(const QWidget& widget) const {
+bool SpaceKey::handles_space(const QWidget& widget) const {
   const QWidget* inner = &widget;
   const auto* line = qobject_cast<const QLineEdit*>(inner);
   if (line != nullptr && qobject_cast<const QAbstractSpinBox*>(line->parentWidget()) != nullptr)
@@ -29,8 +29,8 @@ bool SpaceKey::is_needed_by(const QWidget& widget) const {
       qobject_cast<const QComboBox*>(inner) != nullptr ||
       qobject_cast<const QMenu*>(inner) != nullptr)
     return true;
-  // A step was chosen to come here, and has been.
-  return qobject_cast<const QAbstractButton*>(inner) != nullptr && inner != by_mouse_ &&
+  // Step buttons are no exception: they keep the focus after the step was opened.
+  return qobject_cast<const QAbstractButton*>(inner) != nullptr && inner != clicked_ &&
          qobject_cast<const StepList*>(inner->parentWidget()) == nullptr;
 }
 
@@ -38,18 +38,18 @@ bool SpaceKey::eventFilter(QObject* receiver, QEvent* event) {
   const auto* clicked = qobject_cast<const QWidget*>(receiver);
   if (event->type() == QEvent::MouseButtonPress && clicked != nullptr &&
       (clicked->focusPolicy() & Qt::ClickFocus) != 0)
-    by_mouse_ = receiver;  // which may have the focus already
+    clicked_ = receiver;  // the focus may be there already
   if (event->type() == QEvent::FocusIn) {
     const auto reason = static_cast<QFocusEvent*>(event)->reason();
     if (reason != Qt::ActiveWindowFocusReason && reason != Qt::PopupFocusReason)
-      by_mouse_ = reason == Qt::MouseFocusReason ? receiver : nullptr;
+      clicked_ = reason == Qt::MouseFocusReason ? receiver : nullptr;
     return false;
   }
   if (event->type() != QEvent::KeyPress) return false;
   const auto* key = static_cast<QKeyEvent*>(event);
   const auto* widget = qobject_cast<QWidget*>(receiver);
   if (key->key() != Qt::Key_Space || key->modifiers() != Qt::NoModifier || widget == nullptr ||
-      !page_.isVisible() || widget->window() != page_.window() || is_needed_by(*widget))
+      !page_.isVisible() || widget->window() != page_.window() || handles_space(*widget))
     return false;
   if (!key->isAutoRepeat()) act_();
   return true;

@@ -1,5 +1,5 @@
-// The space bar as a foot pedal has it: wherever the focus is in the window it takes the next
-// press.
+// Makes the space bar act as a foot pedal: it takes the next press wherever the focus is in the
+// window.
 #pragma once
 
 #include <QObject>
@@ -8,9 +8,9 @@
 
 namespace alltact {
 
-/// While `page` is shown, Space calls `act`, wherever the focus is in the window, but for where it
-/// writes words or works a control that was gone to by keys: there it does what it does everywhere.
-/// A button that a mouse clicked has been used, and it never types into fields of numbers.
+/// While `page` is visible, Space calls `act`. Exceptions are text fields and controls that were
+/// focused by keys: there Space has its own function. A button focused by a mouse click and a
+/// number field are no exceptions.
 class SpaceKey : public QObject {
   Q_OBJECT
  public:
@@ -20,10 +20,10 @@ class SpaceKey : public QObject {
   bool eventFilter(QObject* receiver, QEvent* event) override;
 
  private:
-  [[nodiscard]] bool is_needed_by(const QWidget& widget) const;
+  [[nodiscard]] bool handles_space(const QWidget& widget) const;
   QWidget& page_;
   std::function<void()> act_;
-  const QObject* by_mouse_ = nullptr;  // what a click gave the focus; only compared with
+  const QObject* clicked_ = nullptr;  // widget focused by a mouse click; only compared with
 };
 
 }  // namespace alltact

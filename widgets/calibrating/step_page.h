@@ -1,4 +1,4 @@
-// One step of a calibration.
+// Base class of the pages of a calibration, one a step.
 #pragma once
 
 #include "widgets/shell/step_list.h"
@@ -16,22 +16,22 @@ class StepPage : public Translated<QWidget> {
   explicit StepPage(QWidget* parent = nullptr) : Translated(parent) {}
   [[nodiscard]] virtual QString title() const = 0;
   [[nodiscard]] virtual StepState state() const = 0;
-  /// What is missing before the next step can begin; empty: nothing.
+  /// What must be done before the next step; empty: nothing.
   [[nodiscard]] virtual QString missing() const = 0;
-  /// What a foot pedal does here, as the space bar.
+  /// Called by a foot pedal; same action as the space bar.
   virtual void press_pedal() {}
-  /// Where the way back and on stands: below the column beside the picture. Null: below the page.
+  /// Column for the buttons Undo and Next, next to the image. Null: they are below the page.
   [[nodiscard]] virtual QVBoxLayout* foot() const { return nullptr; }
-  /// What is most likely used next; has the focus when the step is gone to.
+  /// Most likely used control; gets the focus when the step is opened.
   [[nodiscard]] virtual QWidget* main_control() const = 0;
 
-  /// The one thing to do here before going on; null: nothing, or nothing now.
-  [[nodiscard]] virtual const QPushButton* to_do() const {
+  /// Button of the next action on this page; null: none, or none now.
+  [[nodiscard]] virtual const QPushButton* action_button() const {
     return qobject_cast<const QPushButton*>(main_control());
   }
 
  Q_SIGNALS:
-  /// The state, or what is missing, may have changed.
+  /// state() or missing() may have changed.
   void changed();
 };
 

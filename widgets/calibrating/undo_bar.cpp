@@ -8,7 +8,7 @@
 namespace alltact {
 namespace {
 
-constexpr int kMostWords = 200;  // px
+constexpr int kMaxTextWidth_px = 200;  // px
 
 }  // namespace
 
@@ -37,7 +37,7 @@ void UndoBar::follow() {
   redo_->setEnabled(stack_.canRedo() && !is_recording);
   const QString undo = stack_.canUndo() ? tr("Undo: %1").arg(undo_words(stack_)) : tr("Undo");
   const QString redo = stack_.canRedo() ? tr("Redo: %1").arg(redo_words(stack_)) : tr("Redo");
-  undo_->setText(undo_->fontMetrics().elidedText(undo, Qt::ElideRight, kMostWords));
+  undo_->setText(undo_->fontMetrics().elidedText(undo, Qt::ElideRight, kMaxTextWidth_px));
   undo_->setToolTip(tr("%1 (Ctrl+Z)").arg(undo));
   redo_->setToolTip(tr("%1 (Ctrl+Shift+Z)").arg(redo));
   undo_->setAccessibleName(undo);

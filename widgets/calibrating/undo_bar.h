@@ -1,5 +1,4 @@
-// The last change taken back with one click, and made again with another: what is shown before and
-// after it can be compared.
+// Undo and redo buttons, to compare the page before and after the last change.
 #pragma once
 
 #include "widgets/live/live_session.h"
@@ -10,8 +9,8 @@
 
 namespace alltact {
 
-/// Says what it would take back. While a recording runs it takes back nothing: a step may open
-/// another source.
+/// The text names the step to be undone. Disabled while a recording runs: a step may open another
+/// source.
 class UndoBar : public Translated<QWidget> {
   Q_OBJECT
  public:

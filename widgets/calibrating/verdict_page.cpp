@@ -21,9 +21,9 @@ namespace alltact {
 namespace {
 
 constexpr int kVerdictSymbol = 40;
-constexpr int kLeastPlotHeight = 110;
-constexpr int kBetweenWords = 2;
-constexpr std::size_t kShownFindings = 4;  // the rest stands in front of the remarks
+constexpr int kMinPlotHeight = 110;
+constexpr int kTextSpacing = 2;
+constexpr std::size_t kShownFindings = 4;  // the others come first in the remarks
 
 }  // namespace
 
@@ -49,7 +49,7 @@ VerdictPage::VerdictPage(CalibrationRun& run, QWidget* parent)
       fold_(new QToolButton),
       fold_more_(new QToolButton),
       folded_(new QWidget),
-      more_(new MoreBox),
+      more_(new MoreDataBox),
       report_state_(wrapped_text()),
       command_(wrapped_text()) {
   auto* column = new QVBoxLayout(this);
@@ -58,7 +58,7 @@ VerdictPage::VerdictPage(CalibrationRun& run, QWidget* parent)
   make_head(*column);
   for (Plot* plot :
        {static_cast<Plot*>(face_), static_cast<Plot*>(errors_), static_cast<Plot*>(mapping_)})
-    plot->setMinimumHeight(kLeastPlotHeight);
+    plot->setMinimumHeight(kMinPlotHeight);
   column->addWidget(face_, 1);
   auto* figures = new QHBoxLayout(figures_);
   figures->setContentsMargins(0, 0, 0, 0);
@@ -84,7 +84,7 @@ VerdictPage::VerdictPage(CalibrationRun& run, QWidget* parent)
     remarks_->setAccessibleName(tr("Remarks"));
     running_->setAccessibleName(tr("Progress of the calibration"));
     print_->setText(tr("&Print…"));
-    print_->setShortcut(QKeySequence::Print);  // a new text takes it away
+    print_->setShortcut(QKeySequence::Print);  // setText() removes the shortcut
     print_->setToolTip(tr("One sheet to keep beside the finger, on paper or as PDF"));
     report_->setText(tr("&Open the report"));
     copy_->setText(tr("Copy as command &line"));
@@ -100,7 +100,7 @@ void VerdictPage::make_head(QVBoxLayout& column) {
   auto* head = new QHBoxLayout;
   head->addWidget(symbol_, 0, Qt::AlignTop);
   auto* words = new QVBoxLayout;
-  words->setSpacing(kBetweenWords);
+  words->setSpacing(kTextSpacing);
   QFont large = grade_->font();
   large.setPointSizeF(1.6 * large.pointSizeF());
   large.setBold(true);
@@ -151,7 +151,7 @@ void VerdictPage::show_folds() {
   const int count = shown_ ? remarks_->count() : 0;
   const bool has_more = more_->finger() != nullptr;
   fold_->setText(tr("Remarks (%1)").arg(count));
-  fold_more_->setText(MoreBox::tr("What more would bring"));
+  fold_more_->setText(MoreDataBox::tr("What more would bring"));
   fold_more_->setVisible(has_more);
   for (QToolButton* fold : {fold_, fold_more_})
     fold->setArrowType(fold->isChecked() ? Qt::DownArrow : Qt::RightArrow);
@@ -170,7 +170,7 @@ StepState VerdictPage::state() const {
   const auto known = verdict_of(run_);
   const bool is_proven = known && (known->grade == Grade::kGood || known->grade == Grade::kUsable);
   return run_.state() == CalibrationState::kCurrent && is_proven ? StepState::kDone
-                                                                 : StepState::kLookAgain;
+                                                                 : StepState::kOutdated;
 }
 
 VerdictPage::Task VerdictPage::task() const {
@@ -180,11 +180,11 @@ VerdictPage::Task VerdictPage::task() const {
   const std::string_view worst = known_->missing_names.front();
   if (worst == "basis_stored" || worst == "complete") return Task::kAgain;
   if (worst == "fresh") return Task::kCheck;
-  // Light that scatters, and an error between good and usable, are measured, not missing.
+  // Scattered light, and an error between good and usable, are measured: no evidence is missing.
   return known_->grade == Grade::kUsable ? Task::kNone : Task::kPresses;
 }
 
-const QPushButton* VerdictPage::to_do() const {
+const QPushButton* VerdictPage::action_button() const {
   return task() != Task::kNone && task_->isEnabled() ? task_ : nullptr;
 }
 
@@ -193,10 +193,10 @@ void VerdictPage::do_task() {
     case Task::kAgain:
       return run_.start();
     case Task::kPresses:
-      Q_EMIT presses_wanted();
+      Q_EMIT presses_requested();
       return;
     case Task::kCheck:
-      Q_EMIT check_wanted();
+      Q_EMIT check_requested();
       return;
     case Task::kNone:
       return;
@@ -218,7 +218,7 @@ QString VerdictPage::missing() const {
   return run_.state() == CalibrationState::kNone ? tr("Calibrate first.") : QString();
 }
 
-/// The word, what contradicts it or what it lacks, and what it rests on: nothing of it folded.
+/// Grade, contradictions or missing evidence, and the basis of the verdict; always visible.
 void VerdictPage::show_head() {
   known_ = verdict_of(run_);
   const auto& worth = run_.worth();
@@ -227,7 +227,7 @@ void VerdictPage::show_head() {
                                                    : tr("Calibrated; how well is not stored"),
                                                Meaning::kDoubtful}
                                     : headline_of(known_->grade,
-                                                  vouched_error_mm(*known_).value_or(0.0),
+                                                  expected_error_mm(*known_).value_or(0.0),
                                                   worth->must_repeat,
                                                   worth->reference);
   symbol_->setPixmap(symbol(meaning_symbol(headline.meaning),
@@ -251,7 +251,7 @@ void VerdictPage::show_head() {
   findings_->setVisible(!findings.isEmpty());
   QStringList words;
   if (known_) {
-    const bool is_vouched = vouched_error_mm(*known_).has_value();
+    const bool is_vouched = expected_error_mm(*known_).has_value();
     if (!is_vouched && std::isfinite(known_->error_mm) && !worth->must_repeat)
       words << tr("So far ±%1 mm are to be expected.").arg(local_mm(known_->error_mm, 3));
     if (!known_->cause.empty() && !worth->must_repeat) words << window_sentence(known_->cause);
@@ -303,7 +303,7 @@ void VerdictPage::show_next_press() {
   } else {
     next_->setText(window_sentence(advice->sentence));
     if (!advice->enough) {
-      const double r = shown_->inputs.said.ball_radius_mm, d = std::min(advice->depth_mm, r);
+      const double r = shown_->inputs.press_set.ball_radius_mm, d = std::min(advice->depth_mm, r);
       data.contacts.push_back({advice->along_mm,
                                advice->across_mm,
                                std::sqrt(d * (2 * r - d)),

@@ -1,7 +1,7 @@
-// Step 5, the verdict: what the calibration is worth, and what would make it better.
+// Step 5, the verdict: rated accuracy of the calibration, and what would improve it.
 #pragma once
 
-#include "widgets/accuracy/more_box.h"
+#include "widgets/accuracy/more_data_box.h"
 #include "widgets/calibrating/calibration_run.h"
 #include "widgets/calibrating/step_page.h"
 #include "widgets/plots/face_map_plot.h"
@@ -25,21 +25,21 @@ class VerdictPage : public StepPage {
   [[nodiscard]] StepState state() const override;
   [[nodiscard]] QString missing() const override;
   [[nodiscard]] QWidget* main_control() const override { return print_; }
-  /// Calibrates again, or leads to where the missing evidence is gathered.
-  [[nodiscard]] const QPushButton* to_do() const override;
+  /// Calibrates again, or opens the step that provides the missing evidence.
+  [[nodiscard]] const QPushButton* action_button() const override;
   void show_status();
   /// Shows the remarks and the command.
   void unfold() { fold_->setChecked(true); }
 
  Q_SIGNALS:
-  void presses_wanted();
-  void check_wanted();
+  void presses_requested();
+  void check_requested();
 
  protected:
   void changeEvent(QEvent* event) override;
 
  private:
-  /// What helps where the calibration is not good.
+  /// What improves a calibration that is not good.
   enum class Task { kNone, kAgain, kPresses, kCheck };
   [[nodiscard]] Task task() const;
   void do_task();
@@ -61,12 +61,12 @@ class VerdictPage : public StepPage {
   FaceMapPlot* face_;
   QListWidget* remarks_;
   QPushButton *print_, *report_, *copy_;
-  QWidget* figures_;  // below the face; what is unfolded takes its room
+  QWidget* figures_;  // below the face plot; hidden while remarks are unfolded
   PressErrorPlot* errors_;
   MappingPlot* mapping_;
   QToolButton *fold_, *fold_more_;
   QWidget* folded_;  // remarks and command
-  MoreBox* more_;
+  MoreDataBox* more_;
   QLabel *report_state_, *command_;
   std::shared_ptr<const FingerCalibration> shown_;
   QString shown_findings_;

@@ -5,7 +5,7 @@
 #include "widgets/language.h"
 #include "widgets/report/calibration_figures.h"
 #include "widgets/report/report_words.h"
-#include "widgets/worth_words.h"
+#include "widgets/verdict_text.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -16,15 +16,15 @@
 namespace alltact {
 namespace {
 
-constexpr int kSheetWidth = 600;         // px at 96 to the inch: the width of a printed page
-constexpr double kSheetSharpness = 3.0;  // pixels to each of these: 288 to the inch
-constexpr std::size_t kMostPresses = 12;
+constexpr int kSheetWidth = 600;         // px at 96 per inch: the width of a printed page
+constexpr double kSheetSharpness = 3.0;  // pixels per sheet pixel: 288 per inch
+constexpr std::size_t kMaxPresses = 12;
 
 struct SheetWords {
   Q_DECLARE_TR_FUNCTIONS(alltact::SheetWords)
 };
 
-/// One sheet, put together from top to bottom.
+/// Builds one sheet from top to bottom.
 class Sheet {
  public:
   Sheet(const FingerCalibration& done, const std::optional<FingerWorth>& now)
@@ -48,9 +48,9 @@ class Sheet {
     const bool is_known = now_ && now_->evidence;
     const Verdict worth = is_known ? window_verdict(*now_->evidence) : done_.verdict;
     const Headline headline = headline_of(worth.grade,
-                                          vouched_error_mm(worth).value_or(0.0),
+                                          expected_error_mm(worth).value_or(0.0),
                                           is_known && now_->must_repeat,
-                                          is_known ? now_->reference : ReferenceState::kWhole);
+                                          is_known ? now_->reference : ReferenceState::kIntact);
     QStringList lines;
     for (const Message& finding :
          findings_of(worth, is_known ? now_->evidence->contradictions : done_.contradictions))
@@ -59,17 +59,17 @@ class Sheet {
       if (!line.empty()) lines << window_sentence(line);
     document_.box(
         headline.text, lines.join(QLatin1Char('\n')), meaning_colour(headline.meaning, light_));
-    const auto seconds = seconds_of(done_.inputs.date);
+    const auto seconds = unix_seconds(done_.inputs.date);
     const QString date =
         seconds ? QLocale().toString(QDateTime::fromSecsSinceEpoch(static_cast<qint64>(*seconds)),
                                      QLocale::ShortFormat)
                 : as_text(done_.inputs.date);
-    const QString person = as_text(done_.inputs.said.operator_name);
+    const QString person = as_text(done_.inputs.press_set.operator_name);
     document_.paragraph(joined({SheetWords::tr("%1, ball of radius %2 mm, %n press(es), AllTact %3",
                                                nullptr,
                                                static_cast<int>(done_.calibration.balls.size()))
                                     .arg(date,
-                                         local_mm(done_.inputs.said.ball_radius_mm, 3),
+                                         local_mm(done_.inputs.press_set.ball_radius_mm, 3),
                                          as_text(done_.inputs.program_version)),
                                 person}));
     if (!done_.zones.empty())
@@ -101,13 +101,13 @@ class Sheet {
     font.setPixelSize(12);
     plot.setFont(font);
     plot.setPalette(light_);
-    document_.figure(plot.picture({kSheetWidth, height}, kSheetSharpness), kSheetWidth, caption);
+    document_.figure(plot.image({kSheetWidth, height}, kSheetSharpness), kSheetWidth, caption);
   }
 
   void add_presses() {
     std::vector<Document::Row> rows;
     for (const BallFit& ball : done_.calibration.balls) {
-      if (rows.size() == kMostPresses) break;
+      if (rows.size() == kMaxPresses) break;
       const auto error = press_error_mm(ball);
       rows.push_back({{as_text(ball.press), {}, 0},
                       {local_mm(ball.depth_mm, 2), {}, 0},
@@ -156,7 +156,7 @@ void print_sheet(const Document& sheet, QWidget& parent) {
                    qOverload<QPrinter*>(&QPrintDialog::accepted),
                    dialog,
                    [sheet, printer](QPrinter* chosen) { sheet.print(*chosen); });
-  // The dialog works on the printer as long as it lives.
+  // The dialog uses the printer as long as it lives.
   QObject::connect(dialog, &QObject::destroyed, [printer] {});
   dialog->show();
 }

@@ -1,5 +1,5 @@
-// What a calibration is worth on one sheet of paper, in the window's language: to print and to keep
-// beside the finger. The whole report is calibration_report.pdf.
+// One printable sheet about a calibration, in the window's language, to file with the finger. The
+// full report is calibration_report.pdf.
 #pragma once
 
 #include "calibration/checks/finger_worth.h"
@@ -9,13 +9,13 @@
 namespace alltact {
 
 /// GUI thread.
-///   command: makes the same calibration in a terminal
-///   now: what the finger is worth since; nullopt: as the calibration left it
+///   command: terminal command that makes the same calibration
+///   now: rating as of now; nullopt: as of the calibration
 [[nodiscard]] Document verdict_sheet(const FingerCalibration& done,
                                      const QString& command,
                                      const std::optional<FingerWorth>& now = std::nullopt);
 
-/// Asks for a printer, or a PDF file, and prints there.
+/// Opens a print dialog for a printer or a PDF file and prints.
 void print_sheet(const Document& sheet, QWidget& parent);
 
 }  // namespace alltact

@@ -10,7 +10,7 @@ std::optional<Verdict> verdict_of(const CalibrationRun& run) {
   return worth && worth->evidence ? std::optional(window_verdict(*worth->evidence)) : std::nullopt;
 }
 
-QString why_again(const CalibrationRun& run) {
+QString recalibration_reason(const CalibrationRun& run) {
   if (run.state() != CalibrationState::kStale) return {};
   const auto known = verdict_of(run);
   QStringList reasons;

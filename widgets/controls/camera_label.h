@@ -1,4 +1,4 @@
-// What a camera is called among others.
+// Names of cameras in lists.
 #pragma once
 
 #include "core/sources/v4l2/camera_list.h"
@@ -8,7 +8,7 @@
 
 namespace alltact {
 
-/// The maker's name; where another camera has the same, with the USB port that it is plugged into.
+/// The maker's name; where another camera has the same, with its USB port.
 [[nodiscard]] QString camera_label(const FoundCamera& camera,
                                    const std::vector<FoundCamera>& cameras);
 

@@ -1,4 +1,4 @@
-// What a camera's controls are called in the window's language.
+// Names of camera controls in the window's language.
 #pragma once
 
 #include "core/sources/v4l2/camera_controls.h"
@@ -7,7 +7,7 @@
 
 namespace alltact {
 
-/// The driver's own name where it is none of the usual ones.
+/// The driver's own name for a control that is not one of V4L2's standard ones.
 [[nodiscard]] QString control_name(const CameraControl& control);
 
 }  // namespace alltact

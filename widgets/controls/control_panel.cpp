@@ -17,7 +17,7 @@
 namespace alltact {
 namespace {
 
-/// First to last; what is not named comes behind, as the camera lists it.
+/// First to last; all others follow in the camera's order.
 constexpr std::array<std::uint32_t, 9> kImportant{V4L2_CID_EXPOSURE_AUTO,
                                                   V4L2_CID_EXPOSURE_ABSOLUTE,
                                                   V4L2_CID_AUTOGAIN,
@@ -40,7 +40,7 @@ QString unit_of(const CameraControl& control) {
 }
 
 /// Cameras count exposure in tenths of a millisecond; people in milliseconds.
-class TenthsBox : public WholeNumberField {
+class TenthsBox : public IntegerField {
  protected:
   [[nodiscard]] QString written(int value, bool /*is_exact*/) const override {
     QLocale locale;
@@ -68,8 +68,8 @@ bool is_in_tenths(const CameraControl& control) {
   return control.id == V4L2_CID_EXPOSURE_ABSOLUTE;
 }
 
-WholeNumberField* box_for(const CameraControl& control) {
-  return is_in_tenths(control) ? new TenthsBox : new WholeNumberField;
+IntegerField* box_for(const CameraControl& control) {
+  return is_in_tenths(control) ? new TenthsBox : new IntegerField;
 }
 
 QString text_of(const CameraControl& control, std::int64_t value) {
@@ -92,7 +92,7 @@ bool is_same_control(const CameraControl& a, const CameraControl& b) {
 
 }  // namespace
 
-/// One control: what is moved, and its value.
+/// One control: the input widget and its value.
 class ControlPanel::Row : public QWidget {
  public:
   Row(const CameraControl& control, ControlPanel& panel) : control_(control), panel_(panel) {
@@ -154,7 +154,7 @@ class ControlPanel::Row : public QWidget {
     head->addWidget(number_);
     layout.addLayout(head);
     layout.addWidget(slider_);
-    connect(number_, &WholeNumberField::valueChanged, this, [this](int value) { change(value); });
+    connect(number_, &IntegerField::valueChanged, this, [this](int value) { change(value); });
     connect(slider_, &QSlider::valueChanged, this, [this](int value) { change(value); });
   }
 
@@ -181,7 +181,7 @@ class ControlPanel::Row : public QWidget {
   void change(std::int64_t value) {
     if (is_showing_ || value == control_.value) return;
     const std::int64_t before = std::exchange(control_.value, value);
-    is_showing_ = true;  // what stands beside it follows
+    is_showing_ = true;  // the linked widget follows
     if (number_ != nullptr) number_->setValue(as_int(value));
     if (slider_ != nullptr) slider_->setValue(as_int(value));
     is_showing_ = false;
@@ -190,7 +190,7 @@ class ControlPanel::Row : public QWidget {
 
   CameraControl control_;
   ControlPanel& panel_;
-  WholeNumberField* number_ = nullptr;
+  IntegerField* number_ = nullptr;
   QSlider* slider_ = nullptr;
   QCheckBox* switch_ = nullptr;
   QComboBox* choice_ = nullptr;

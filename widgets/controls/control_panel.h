@@ -1,4 +1,4 @@
-// A camera's controls, built from a plain list of what the camera reports.
+// A camera's controls, built from the list that the camera reports.
 #pragma once
 
 #include "core/sources/v4l2/camera_controls.h"
@@ -13,18 +13,18 @@
 
 namespace alltact {
 
-/// The controls that decide over brightness and sharpness come first. Locked, all of them can be
-/// seen and none changed.
+/// The controls that decide over brightness and sharpness come first. A locked panel shows all and
+/// changes none.
 class ControlPanel : public Translated<QWidget> {
   Q_OBJECT
  public:
   explicit ControlPanel(QWidget* parent = nullptr);
 
-  /// May be called as often as the camera is looked at: a control in use is left alone.
+  /// May be called at every poll of the camera; a control in use is not changed.
   void set_controls(const std::vector<CameraControl>& controls, bool is_locked);
 
  Q_SIGNALS:
-  /// By hand. `before`: its value until now.
+  /// By the user. `before`: its value until now.
   void control_changed(quint32 id, qint64 before, qint64 value);
   void lock_changed(bool is_locked);
 

@@ -10,8 +10,8 @@
 namespace alltact {
 namespace {
 
-constexpr int kWhole = 100;  // per cent
-/// What LedDimmer understands by name; behind these a report is described.
+constexpr int kFullLevel = 100;  // per cent
+/// Names that LedDimmer understands; the entry after them describes a report.
 const QStringList kControls{QStringLiteral("mcp2221a gp2"), QStringLiteral("mcp2221a gp3")};
 
 }  // namespace
@@ -28,7 +28,7 @@ LampPanel::LampPanel(Lamp& lamp, QWidget* parent)
       report_(new QLineEdit),
       look_(new QPushButton),
       slider_(new QSlider(Qt::Horizontal)),
-      level_(new WholeNumberField) {
+      level_(new IntegerField) {
   auto* form = new QFormLayout(this);
   form->setContentsMargins(0, 0, 0, 0);
   form->setRowWrapPolicy(QFormLayout::WrapLongRows);
@@ -38,10 +38,10 @@ LampPanel::LampPanel(Lamp& lamp, QWidget* parent)
   devices->addWidget(device_, 1);
   devices->addWidget(look_);
   for (int i = 0; i <= kControls.size(); ++i) control_->addItem({});
-  for (QWidget* whole : {static_cast<QWidget*>(slider_), static_cast<QWidget*>(level_)})
-    whole->setEnabled(false);
-  slider_->setRange(0, kWhole);
-  level_->setRange(0, kWhole);
+  for (QWidget* widget : {static_cast<QWidget*>(slider_), static_cast<QWidget*>(level_)})
+    widget->setEnabled(false);
+  slider_->setRange(0, kFullLevel);
+  level_->setRange(0, kFullLevel);
   auto* levels = new QHBoxLayout;
   levels->addWidget(slider_, 1);
   levels->addWidget(level_);
@@ -54,7 +54,7 @@ LampPanel::LampPanel(Lamp& lamp, QWidget* parent)
   device_label_->setBuddy(device_);
   control_label_->setBuddy(control_);
   level_label_->setBuddy(level_);
-  connect(look_, &QPushButton::clicked, &lamp_, &Lamp::look);
+  connect(look_, &QPushButton::clicked, &lamp_, &Lamp::find_devices);
   connect(device_, &QComboBox::activated, this, &LampPanel::ask);
   connect(control_, &QComboBox::activated, this, &LampPanel::ask);
   connect(report_, &QLineEdit::editingFinished, this, &LampPanel::ask);
@@ -63,7 +63,7 @@ LampPanel::LampPanel(Lamp& lamp, QWidget* parent)
     level_->setValue(value);
     ask();
   });
-  connect(level_, &WholeNumberField::valueChanged, slider_, &QSlider::setValue);
+  connect(level_, &IntegerField::valueChanged, slider_, &QSlider::setValue);
   connect(&lamp_, &Lamp::changed, this, &LampPanel::show_lamp);
   say([this] { name_parts(); });
 }
@@ -90,7 +90,7 @@ void LampPanel::name_parts() {
 
 void LampPanel::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
-  if (lamp_.found().empty()) lamp_.look();
+  if (lamp_.found().empty()) lamp_.find_devices();
 }
 
 std::optional<DimmerSetting> LampPanel::chosen() const {
@@ -99,42 +99,43 @@ std::optional<DimmerSetting> LampPanel::chosen() const {
   const int which = control_->currentIndex();
   const QString control = which < kControls.size() ? kControls[which] : report_->text().trimmed();
   if (control.isEmpty()) return std::nullopt;
-  return DimmerSetting{
-      device.toStdString(), control.toStdString(), static_cast<double>(slider_->value()) / kWhole};
+  return DimmerSetting{device.toStdString(),
+                       control.toStdString(),
+                       static_cast<double>(slider_->value()) / kFullLevel};
 }
 
 void LampPanel::ask() {
   report_->setVisible(control_->currentIndex() == kControls.size());
-  Q_EMIT setting_wanted(chosen());
+  Q_EMIT setting_requested(chosen());
 }
 
 void LampPanel::show_devices() {
-  const auto& wanted = lamp_.wanted();
+  const auto& requested = lamp_.requested();
   const QString now =
-      wanted ? QString::fromStdString(wanted->device) : device_->currentData().toString();
+      requested ? QString::fromStdString(requested->device) : device_->currentData().toString();
   const QSignalBlocker quiet(device_);
   device_->clear();
   device_->addItem(tr("none"), QString());
   for (const FoundHid& hid : lamp_.found())
-    device_->addItem(QString::fromStdString(hid.identity.name.empty() ? hid.identity.lasting()
+    device_->addItem(QString::fromStdString(hid.identity.name.empty() ? hid.identity.stable_name()
                                                                       : hid.identity.name),
-                     QString::fromStdString(hid.identity.lasting()));
+                     QString::fromStdString(hid.identity.stable_name()));
   if (!now.isEmpty() && device_->findData(now) < 0) device_->addItem(now, now);
   device_->setCurrentIndex(std::max(0, device_->findData(now)));
 }
 
 void LampPanel::show_lamp() {
   if (device_->count() != static_cast<int>(lamp_.found().size()) + 1) show_devices();
-  const auto& wanted = lamp_.wanted();
-  if (wanted) {
+  const auto& requested = lamp_.requested();
+  if (requested) {
     const QSignalBlocker quiet(device_), quiet_too(control_);
     device_->setCurrentIndex(
-        std::max(0, device_->findData(QString::fromStdString(wanted->device))));
-    const auto which = kControls.indexOf(QString::fromStdString(wanted->control));
+        std::max(0, device_->findData(QString::fromStdString(requested->device))));
+    const auto which = kControls.indexOf(QString::fromStdString(requested->control));
     control_->setCurrentIndex(static_cast<int>(which < 0 ? kControls.size() : which));
     if (which < 0 && !report_->hasFocus())
-      report_->setText(QString::fromStdString(wanted->control));
-    const int percent = static_cast<int>(std::lround(kWhole * wanted->level));
+      report_->setText(QString::fromStdString(requested->control));
+    const int percent = static_cast<int>(std::lround(kFullLevel * requested->level));
     const QSignalBlocker quiet_slider(slider_), quiet_level(level_);
     if (!slider_->isSliderDown()) slider_->setValue(percent);
     if (!level_->hasFocus()) level_->setValue(percent);
@@ -143,14 +144,14 @@ void LampPanel::show_lamp() {
     device_->setCurrentIndex(0);
   }
   report_->setVisible(control_->currentIndex() == kControls.size());
-  for (QWidget* whole : {static_cast<QWidget*>(slider_), static_cast<QWidget*>(level_)})
-    whole->setEnabled(wanted.has_value());
+  for (QWidget* widget : {static_cast<QWidget*>(slider_), static_cast<QWidget*>(level_)})
+    widget->setEnabled(requested.has_value());
   const auto& problem = lamp_.problem();
   const auto& setting = lamp_.setting();
   state_->setText(problem   ? window_sentence(problem->message())
                   : setting ? tr("Set to %1 %. Every picture tells it.")
-                                  .arg(QLocale().toString(kWhole * setting->level, 'f', 0))
-                  : wanted
+                                  .arg(QLocale().toString(kFullLevel * setting->level, 'f', 0))
+                  : requested
                       ? tr("The dimmer is being told.")
                       : tr("Choose the device that dims the finger's lamp, where there is one."));
 }

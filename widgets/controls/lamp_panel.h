@@ -17,12 +17,12 @@ namespace alltact {
 class LampPanel : public Translated<QWidget> {
   Q_OBJECT
  public:
-  /// Shows what `lamp` is; changes are asked for and made by whoever listens.
+  /// Shows the state of `lamp`; listeners of setting_requested make the changes.
   explicit LampPanel(Lamp& lamp, QWidget* parent = nullptr);
 
  Q_SIGNALS:
   /// None: the lamp is left as it is.
-  void setting_wanted(const std::optional<alltact::DimmerSetting>& setting);
+  void setting_requested(const std::optional<alltact::DimmerSetting>& setting);
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -40,7 +40,7 @@ class LampPanel : public Translated<QWidget> {
   QLineEdit* report_;
   QPushButton* look_;
   QSlider* slider_;
-  WholeNumberField* level_;
+  IntegerField* level_;
 };
 
 }  // namespace alltact

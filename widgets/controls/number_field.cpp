@@ -69,7 +69,7 @@ QString TypedSpin<Spin>::bare(const QString& text) const {
   return number.trimmed();  // a unit that was typed before the field's own is left
 }
 
-/// Rounded for the eye: text that nobody changed is the value itself.
+/// Rounded for display: text that nobody changed stands for the exact value.
 template <class Spin>
 bool TypedSpin<Spin>::is_written(const QString& text) const {
   return !this->lineEdit()->isModified() &&
@@ -87,7 +87,7 @@ Result<typename TypedSpin<Spin>::Value> TypedSpin<Spin>::value_of(const QString&
 
 template <class Spin>
 std::optional<Message> TypedSpin<Spin>::problem_of(const QString& text) const {
-  if (is_written(text)) return std::nullopt;  // by the program, which knows what 0 means there
+  if (is_written(text)) return std::nullopt;  // set by the program, where 0 has a meaning
   const auto value = value_of(text);
   if (!value) return value.error().what;
   const bool is_special = !this->specialValueText().isEmpty() && *value == this->minimum();
@@ -154,7 +154,7 @@ template <class Spin>
 void TypedSpin<Spin>::focusOutEvent(QFocusEvent* event) {
   if (typed()) {
     Spin::focusOutEvent(event);
-  } else {  // Spin would put the value back in silence
+  } else {  // Spin would restore the value silently
     this->lineEdit()->event(event);
     QWidget::focusOutEvent(event);
   }
@@ -167,7 +167,7 @@ void TypedSpin<Spin>::keyPressEvent(QKeyEvent* event) {
   if ((is_finished || event->key() == Qt::Key_Escape) && !typed()) {
     if (event->key() == Qt::Key_Escape) Spin::setValue(this->value());
     show_state(true);
-    return event->accept();  // no button takes what is refused
+    return event->accept();  // a button must not take a refused value
   }
   Spin::keyPressEvent(event);
   if (is_finished) show_state(true);
@@ -176,7 +176,7 @@ void TypedSpin<Spin>::keyPressEvent(QKeyEvent* event) {
 template <class Spin>
 void TypedSpin<Spin>::hideEvent(QHideEvent* event) {
   if (note_) note_->hide();
-  shown_text_.clear();  // to be shown again with the field
+  shown_text_.clear();  // shown again with the field
   typed() ? Spin::hideEvent(event) : QWidget::hideEvent(event);
 }
 
@@ -189,7 +189,7 @@ template <class Spin>
 void TypedSpin<Spin>::changeEvent(QEvent* event) {
   Spin::changeEvent(event);
   if (event->type() != QEvent::LanguageChange && event->type() != QEvent::LocaleChange) return;
-  // Written anew with the other decimal mark; what is refused stays.
+  // Writes the value again with the new decimal mark; refused text stays.
   if (typed()) this->setSuffix(this->suffix());
   if (!sentence_.isEmpty()) show_state(true);
 }
@@ -212,7 +212,7 @@ void TypedSpin<Spin>::show_state(bool is_finished) {
   shown_text_ = this->lineEdit()->text();
   const QString refused = refusal();
   QString sentence = refused.isEmpty() ? warning() : refused;
-  // Half a number is refused too; whoever still types it knows that.
+  // Incomplete numbers are refused too; no note interrupts somebody who still types.
   if (!is_finished && sentence_.isEmpty()) return;
   if (!this->isEnabled() && refused.isEmpty()) sentence.clear();
   is_refused_ = !refused.isEmpty();
@@ -220,7 +220,7 @@ void TypedSpin<Spin>::show_state(bool is_finished) {
     if (sentence_.isEmpty()) {
       description_ = this->accessibleDescription();
       tip_ = this->toolTip();
-    } else {  // what was changed meanwhile is newer
+    } else {  // a change in the meantime is newer
       if (this->accessibleDescription() != sentence_) description_ = this->accessibleDescription();
       if (this->toolTip() != sentence_) tip_ = this->toolTip();
     }
@@ -233,12 +233,12 @@ void TypedSpin<Spin>::show_state(bool is_finished) {
     constexpr QChar kMark(0x25b2);
     note_->setText(QString(kMark) + QLatin1Char(' ') + sentence);
     note_->setVisible(!sentence.isEmpty() && this->isVisible());
-    place_note();
+    position_note();
   }
   this->update();
 }
 
-/// A row of its own below the field in a form; else it lies over what is below.
+/// A row of its own below the field in a form; elsewhere it lies over what is below.
 template <class Spin>
 void TypedSpin<Spin>::make_note() {
   note_ = new QLabel;
@@ -259,11 +259,11 @@ void TypedSpin<Spin>::make_note() {
 }
 
 template <class Spin>
-void TypedSpin<Spin>::place_note() {
+void TypedSpin<Spin>::position_note() {
   if (note_->frameShape() != QFrame::Box || note_->parentWidget() == nullptr) return;
-  constexpr int kLeastWidth = 240;  // px: a sentence in three lines
+  constexpr int kMinWidth = 240;  // px: a sentence in three lines
   const QWidget* window = note_->parentWidget();
-  const int width = std::min(std::max(this->width(), kLeastWidth), window->width());
+  const int width = std::min(std::max(this->width(), kMinWidth), window->width());
   note_->setFixedWidth(width);
   note_->setFixedHeight(note_->heightForWidth(width));
   const QPoint below = this->mapTo(window, QPoint(0, this->height()));
@@ -277,40 +277,40 @@ template class TypedSpin<QDoubleSpinBox>;
 template class TypedSpin<QSpinBox>;
 
 NumberField::NumberField(QWidget* parent) : TypedSpin(parent) {
-  setDecimals(kMostDecimals);
+  setDecimals(kMaxDecimals);
   connect(lineEdit(), &QLineEdit::textChanged, this, &NumberField::text_changed);
   connect(this, &QDoubleSpinBox::valueChanged, this, &NumberField::text_changed);
 }
 
 void NumberField::set_shown_decimals(int decimals) {
   shown_decimals_ = decimals;
-  setSuffix(suffix());  // writes the value anew
+  setSuffix(suffix());  // writes the value again
 }
 
 Result<double> NumberField::parsed(const QString& text) const {
   const auto value = parse_typed_number(text.toStdString(),
                                         {window_decimal_mark(), suffix().trimmed().toStdString()});
-  if (!value || QString::number(*value, 'f', kMostDecimals).toDouble() == *value) return value;
+  if (!value || QString::number(*value, 'f', kMaxDecimals).toDouble() == *value) return value;
   return Error{en::say("'{}' has too many digits behind the decimal mark (at most {})",
                        text.toStdString(),
-                       kMostDecimals),
+                       kMaxDecimals),
                "",
                ""};
 }
 
 QString NumberField::written(double value, bool is_exact) const {
   int decimals = shown_decimals_;
-  while (is_exact && decimals < kMostDecimals &&
+  while (is_exact && decimals < kMaxDecimals &&
          QString::number(value, 'f', decimals).toDouble() != value)
     ++decimals;
   return ungrouped_locale().toString(value, 'f', decimals);
 }
 
-WholeNumberField::WholeNumberField(QWidget* parent) : TypedSpin(parent) {}
+IntegerField::IntegerField(QWidget* parent) : TypedSpin(parent) {}
 
-Result<int> WholeNumberField::parsed(const QString& text) const {
-  const auto plain = plain_whole_number(text.toStdString(),
-                                        {window_decimal_mark(), suffix().trimmed().toStdString()});
+Result<int> IntegerField::parsed(const QString& text) const {
+  const auto plain =
+      plain_integer(text.toStdString(), {window_decimal_mark(), suffix().trimmed().toStdString()});
   if (!plain) return plain.error();
   int value = 0;
   const auto [end, status] = std::from_chars(plain->data(), plain->data() + plain->size(), value);
@@ -318,7 +318,7 @@ Result<int> WholeNumberField::parsed(const QString& text) const {
   return Error{en::say("'{}' is too large or too small a number", text.toStdString()), "", ""};
 }
 
-QString WholeNumberField::written(int value, bool /*is_exact*/) const {
+QString IntegerField::written(int value, bool /*is_exact*/) const {
   return ungrouped_locale().toString(value);
 }
 

@@ -1,5 +1,5 @@
-// The one field for numbers: what is typed is a number as core/typed_number.h reads it, or it is
-// refused with a sentence that stays beside the field.
+// The field for numbers: core/typed_number.h parses the text; a refused text shows a sentence next
+// to the field.
 #pragma once
 
 #include "core/finger/quantity.h"
@@ -15,9 +15,9 @@
 
 namespace alltact {
 
-/// What both fields share. No key is swallowed, text is taken when it is finished (Return, Tab or a
-/// click elsewhere) and never changed into another number: refused text stays, with the value of
-/// before, until something else is typed or set.
+/// The shared part of both fields. No key is swallowed. Text is parsed when it is finished (Return,
+/// Tab or a click elsewhere) and never changed into another number. Refused text stays, with the
+/// value from before, until another text or value is set.
 template <class Spin>
 class TypedSpin : public Spin {
  public:
@@ -26,11 +26,11 @@ class TypedSpin : public Spin {
   explicit TypedSpin(QWidget* parent = nullptr);
   ~TypedSpin() override;
 
-  /// The value that is there already leaves alone what is typed.
+  /// Setting the current value does not change the typed text.
   void setValue(Value value);
-  /// Its possible range is the field's, and a value that is not plausible is warned of.
+  /// Takes its possible range as the field's, and warns of values that are not plausible.
   void set_quantity(const Quantity& quantity);
-  /// What the text means, before it is taken too; nullopt: it is refused.
+  /// The value of the text, also before it is finished; nullopt: it is refused.
   [[nodiscard]] std::optional<Value> typed() const;
   /// Why the text is refused, in the window's language; empty: it is not.
   [[nodiscard]] QString refusal() const;
@@ -50,8 +50,7 @@ class TypedSpin : public Spin {
   void changeEvent(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
 
-  /// A text without prefix and suffix as a value, and the value as such a text; the range is no
-  /// matter of theirs.
+  /// Converts between a value and a text without prefix and suffix; neither checks the range.
   [[nodiscard]] virtual Result<Value> parsed(const QString& text) const = 0;
   [[nodiscard]] virtual QString written(Value value, bool is_exact) const = 0;
   /// Value of a number within the range, for the sentence.
@@ -64,13 +63,13 @@ class TypedSpin : public Spin {
   [[nodiscard]] QString bare(const QString& text) const;
   [[nodiscard]] bool is_written(const QString& text) const;
   [[nodiscard]] Result<Value> value_of(const QString& text) const;
-  /// While somebody types, a note is taken away or follows the text, and none appears.
+  /// While somebody types, a note is removed or follows the text, and none appears.
   void show_state(bool is_finished);
   void make_note();
-  void place_note();
+  void position_note();
 
   const Quantity* quantity_ = nullptr;
-  mutable std::optional<Value> typed_;  // taken from text: shown with all its decimals
+  mutable std::optional<Value> typed_;  // from text: shown with all its decimals
   QString shown_text_;                  // that the note is about
   QString description_, tip_;           // without the note
   QString sentence_;                    // of the note
@@ -86,14 +85,14 @@ class NumberField : public TypedSpin<QDoubleSpinBox> {
   Q_OBJECT
  public:
   /// Digits behind the decimal mark that can be typed.
-  static constexpr int kMostDecimals = 6;
+  static constexpr int kMaxDecimals = 6;
 
   explicit NumberField(QWidget* parent = nullptr);
-  /// Digits that are shown of numbers that nobody typed. 2 unless said.
+  /// Digits shown of numbers that nobody typed. Default 2.
   void set_shown_decimals(int decimals);
 
  Q_SIGNALS:
-  /// With every key and every value: typed() may be another.
+  /// At every key and every value: typed() may have changed.
   void text_changed();
 
  protected:
@@ -104,18 +103,18 @@ class NumberField : public TypedSpin<QDoubleSpinBox> {
   int shown_decimals_ = 2;
 };
 
-/// For whole numbers.
-class WholeNumberField : public TypedSpin<QSpinBox> {
+/// For integers.
+class IntegerField : public TypedSpin<QSpinBox> {
   Q_OBJECT
  public:
-  explicit WholeNumberField(QWidget* parent = nullptr);
+  explicit IntegerField(QWidget* parent = nullptr);
 
  protected:
   [[nodiscard]] Result<int> parsed(const QString& text) const override;
   [[nodiscard]] QString written(int value, bool is_exact) const override;
 };
 
-/// The mark that the window's language writes before decimals.
+/// The decimal mark of the window's language.
 [[nodiscard]] DecimalMark window_decimal_mark();
 
 }  // namespace alltact

@@ -18,7 +18,7 @@
 namespace alltact {
 namespace {
 
-constexpr int kMarks = 8;  // height of the problems' marks above the plots
+constexpr int kMarks = 8;  // px, height of the problems' marks above the plots
 
 int lane_height(const QFontMetrics& metrics) {
   return metrics.lineSpacing() + 8;
@@ -63,7 +63,7 @@ void EventStrip::find_events() {
   for (std::size_t i = 0; i < frames_.size(); ++i) {
     if (!frames_[i]) continue;
     const FrameSummary* before = i > 0 && frames_[i - 1] ? &*frames_[i - 1] : nullptr;
-    const bool begins = frames_[i]->is_touched && (before == nullptr || !before->is_touched);
+    const bool begins = frames_[i]->has_contact && (before == nullptr || !before->has_contact);
     const bool is_new_problem =
         !frames_[i]->problem.empty() && (before == nullptr || before->problem.empty());
     if (begins || is_new_problem) events_.push_back(i);
@@ -75,8 +75,8 @@ QString EventStrip::description() const {
   const FrameSummary* deepest = nullptr;
   for (std::size_t i = 0; i < frames_.size(); ++i) {
     if (!frames_[i]) continue;
-    const bool was_touched = i > 0 && frames_[i - 1] && frames_[i - 1]->is_touched;
-    if (frames_[i]->is_touched && !was_touched) ++contacts;
+    const bool had_contact = i > 0 && frames_[i - 1] && frames_[i - 1]->has_contact;
+    if (frames_[i]->has_contact && !had_contact) ++contacts;
     if (!frames_[i]->problem.empty()) ++problems;
     if (frames_[i]->deepest_mm &&
         (deepest == nullptr || *frames_[i]->deepest_mm > *deepest->deepest_mm))
@@ -119,7 +119,7 @@ QSize EventStrip::sizeHint() const {
   return {600, kMarks + count * lane_height(fontMetrics())};
 }
 
-/// Right of the plots' names.
+/// Area of the plots, right of their names.
 QRect EventStrip::plots() const {
   int names = 0;
   for (const Lane& lane : lanes())
@@ -144,18 +144,19 @@ std::size_t EventStrip::number_at(double x) const {
 
 void EventStrip::paint_events(QPainter& painter) const {
   const QRect room = plots();
-  QColor touched = palette().color(QPalette::Highlight);
-  touched.setAlpha(50);
+  QColor contact_colour = palette().color(QPalette::Highlight);
+  contact_colour.setAlpha(50);
   const QColor problem = meaning_colour(Meaning::kDoubtful, palette());
   for (std::size_t i = 0; i < frames_.size(); ++i) {
     if (!frames_[i]) continue;
     const auto number = static_cast<double>(i);
     const double from = std::max(x_of(number - 0.5), double(room.left()));
     const double to = std::min(std::max(x_of(number + 0.5), from + 1), double(room.right()));
-    if (frames_[i]->is_touched)
-      painter.fillRect(QRectF(from, room.top(), to - from, room.height()), touched);
+    if (frames_[i]->has_contact)
+      painter.fillRect(QRectF(from, room.top(), to - from, room.height()), contact_colour);
     if (!frames_[i]->problem.empty()) {
-      QPainterPath mark(QPointF(x_of(number) - 3, 1));  // a wedge, told apart by its shape as well
+      // A wedge, so that the shape differs, not the colour alone.
+      QPainterPath mark(QPointF(x_of(number) - 3, 1));
       mark.lineTo(x_of(number) + 3, 1);
       mark.lineTo(x_of(number), kMarks - 1);
       mark.closeSubpath();
@@ -178,7 +179,7 @@ void EventStrip::paint_lane(QPainter& painter,
   painter.drawLine(room.bottomLeft(), room.bottomRight());
   QPainterPath path;
   QPointF last;
-  bool is_down = false;  // the path goes on from there
+  bool is_down = false;  // the path continues from the last point
   for (std::size_t i = 0; i < frames_.size(); ++i) {
     const auto value = frames_[i] ? (*frames_[i]).*lane.member : std::nullopt;
     if (!value) {
@@ -187,13 +188,13 @@ void EventStrip::paint_lane(QPainter& painter,
     }
     const QPointF at(x_of(static_cast<double>(i)),
                      room.bottom() - *value / lane.top * (room.height() - 3));
-    // Of many frames in one pixel the highest is drawn.
+    // Of several frames in one pixel column the highest is drawn.
     if (is_down && at.x() - last.x() < 0.5 && at.y() >= last.y()) continue;
     if (is_down) {
       path.lineTo(at);
     } else {
       path.moveTo(at);
-      path.lineTo(at + QPointF(0.5, 0));  // one frame alone shows, too
+      path.lineTo(at + QPointF(0.5, 0));  // makes a single frame visible
     }
     last = at;
     is_down = true;
@@ -233,12 +234,12 @@ void EventStrip::paintEvent(QPaintEvent*) {
 
 void EventStrip::mousePressEvent(QMouseEvent* event) {
   if (event->button() == Qt::LeftButton && !frames_.empty())
-    Q_EMIT wanted(number_at(event->position().x()));
+    Q_EMIT frame_requested(number_at(event->position().x()));
 }
 
 void EventStrip::mouseMoveEvent(QMouseEvent* event) {
   if (event->buttons().testFlag(Qt::LeftButton) && !frames_.empty())
-    Q_EMIT wanted(number_at(event->position().x()));
+    Q_EMIT frame_requested(number_at(event->position().x()));
 }
 
 void EventStrip::keyPressEvent(QKeyEvent* event) {
@@ -248,25 +249,25 @@ void EventStrip::keyPressEvent(QKeyEvent* event) {
   const auto earlier = std::lower_bound(events_.begin(), events_.end(), shown_);
   switch (event->key()) {
     case Qt::Key_Left:
-      return Q_EMIT wanted(shown_ > 0 ? shown_ - 1 : 0);
+      return Q_EMIT frame_requested(shown_ > 0 ? shown_ - 1 : 0);
     case Qt::Key_Right:
-      return Q_EMIT wanted(std::min(shown_ + 1, last));
+      return Q_EMIT frame_requested(std::min(shown_ + 1, last));
     case Qt::Key_Home:
-      return Q_EMIT wanted(0);
+      return Q_EMIT frame_requested(0);
     case Qt::Key_End:
-      return Q_EMIT wanted(last);
+      return Q_EMIT frame_requested(last);
     case Qt::Key_PageDown:
-      if (later != events_.end()) Q_EMIT wanted(*later);
+      if (later != events_.end()) Q_EMIT frame_requested(*later);
       return;
     case Qt::Key_PageUp:
-      if (earlier != events_.begin()) Q_EMIT wanted(*std::prev(earlier));
+      if (earlier != events_.begin()) Q_EMIT frame_requested(*std::prev(earlier));
       return;
     default:
       Translated::keyPressEvent(event);
   }
 }
 
-/// What a frame tells, as a tool tip.
+/// Values of a frame, as a tool tip.
 bool EventStrip::event(QEvent* event) {
   if (event->type() != QEvent::ToolTip || frames_.empty()) return Translated::event(event);
   const auto* help = static_cast<QHelpEvent*>(event);

@@ -1,5 +1,5 @@
-// A recording over time: how deep and over what area something pressed, with what force, when
-// something touched, and which frames have problems.
+// Plots over a recording: depth, contact area and force, with marks at contacts and at frames with
+// problems.
 #pragma once
 
 #include "widgets/inspect/frame_summary.h"
@@ -10,8 +10,8 @@
 
 namespace alltact {
 
-/// A click or a drag wishes for the frame there. Keys: Left and Right a frame, Page up and Page
-/// down the next contact or problem, Home and End. Frames that nobody measured yet are left empty.
+/// A click or a drag requests the frame there. Keys: Left and Right one frame, Page up and Page
+/// down the next contact or problem, Home and End. Frames not measured yet are empty.
 class EventStrip : public Translated<QWidget> {
   Q_OBJECT
  public:
@@ -21,16 +21,16 @@ class EventStrip : public Translated<QWidget> {
   void set_summaries(const std::vector<FrameSummary>& summaries, std::size_t count);
   void set_shown(std::size_t number);
 
-  /// Where a contact begins, or a problem that the frame before does not have; ascending.
+  /// Frames in which a contact begins, or a problem that the frame before does not have; ascending.
   [[nodiscard]] const std::vector<std::size_t>& events() const { return events_; }
-  /// In words, for those who hear it.
+  /// As a sentence, for screen readers.
   [[nodiscard]] QString description() const;
 
   [[nodiscard]] QSize sizeHint() const override;
   [[nodiscard]] QSize minimumSizeHint() const override { return {200, sizeHint().height()}; }
 
  Q_SIGNALS:
-  void wanted(std::size_t number);
+  void frame_requested(std::size_t number);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -44,7 +44,7 @@ class EventStrip : public Translated<QWidget> {
   struct Lane {
     QString (*name)();
     std::optional<double> FrameSummary::*member;
-    double top = 0;  ///< its scale ends at; 0: no frame tells it
+    double top = 0;  ///< end of its scale; 0: no frame has a value
   };
   void find_events();
   void describe();

@@ -25,18 +25,18 @@ SceneColours scene_colours(const QPalette& palette) {
 FacePane::FacePane(QWidget* parent)
     : Translated(parent), scene_(std::make_unique<FaceScene>(scene_window())) {
   set_accessible_role(*this, QAccessible::Graphic);
-  dress();
-  constexpr int kBetweenLooks_ms = 25;
+  apply_appearance();
+  constexpr int kPointerInterval_ms = 25;
   pointing_.setSingleShot(true);
-  pointing_.setInterval(kBetweenLooks_ms);
-  constexpr int kAtRest_ms = 250;
+  pointing_.setInterval(kPointerInterval_ms);
+  constexpr int kRestDelay_ms = 250;
   resting_.setSingleShot(true);
-  resting_.setInterval(kAtRest_ms);
+  resting_.setInterval(kRestDelay_ms);
   connect(&resting_, &QTimer::timeout, this, [this] {
     if (scene_->set_moving(false)) draw_later();
   });
-  connect(this, &FacePane::looked, this, &FacePane::begin_to_move);
-  connect(&pointing_, &QTimer::timeout, this, &FacePane::tell_pointed_at);
+  connect(this, &FacePane::view_changed, this, &FacePane::begin_motion);
+  connect(&pointing_, &QTimer::timeout, this, &FacePane::report_pointed_at);
   say([this] { setAccessibleName(tr("Face in 3D")); });
 }
 
@@ -47,55 +47,55 @@ FaceScene& FacePane::change() {
   return *scene_;
 }
 
-std::optional<QPointF> FacePane::pixel_at(QPointF place) const {
+std::optional<QPointF> FacePane::pixel_at(QPointF point) const {
   const double ratio = devicePixelRatioF();
-  const auto pixel = scene_->pixel_at(place.x() * ratio, place.y() * ratio);
+  const auto pixel = scene_->pixel_at(point.x() * ratio, point.y() * ratio);
   return pixel ? std::optional(QPointF(pixel->x, pixel->y)) : std::nullopt;
 }
 
-void FacePane::begin_to_move() {
+void FacePane::begin_motion() {
   scene_->set_moving(true);
   resting_.start();
 }
 
-void FacePane::point_again() {
+void FacePane::update_pointer() {
   if (!pointing_.isActive()) pointing_.start();
 }
 
-void FacePane::tell_pointed_at() {
+void FacePane::report_pointed_at() {
   Q_EMIT pointed_at(pointer_ ? pixel_at(*pointer_) : std::nullopt);
 }
 
-void FacePane::dress() {
+void FacePane::apply_appearance() {
   change().set_colours(scene_colours(palette()));
   scene_->set_scale(devicePixelRatioF());
 }
 
 void FacePane::changeEvent(QEvent* event) {
   Translated::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange && scene_) dress();
+  if (event->type() == QEvent::PaletteChange && scene_) apply_appearance();
 }
 
 void FacePane::resizeEvent(QResizeEvent* event) {
   Translated::resizeEvent(event);
-  dress();
+  apply_appearance();
   scene_->fit();
 }
 
 bool FacePane::event(QEvent* event) {
   const bool is_wheel = event->type() == QEvent::Wheel;
-  const auto before = is_wheel ? std::optional(scene_->look()) : std::nullopt;
+  const auto before = is_wheel ? std::optional(scene_->view_pose()) : std::nullopt;
   const bool is_taken = Translated::event(event);
   const auto* mouse =
       event->type() == QEvent::MouseMove ? static_cast<QMouseEvent*>(event) : nullptr;
-  if (is_wheel || (mouse != nullptr && mouse->buttons() != Qt::NoButton)) Q_EMIT looked();
+  if (is_wheel || (mouse != nullptr && mouse->buttons() != Qt::NoButton)) Q_EMIT view_changed();
   if (mouse != nullptr || event->type() == QEvent::Leave || is_wheel) {
     const bool is_pointing = mouse != nullptr && mouse->buttons() == Qt::NoButton;
     if (!is_wheel) pointer_ = is_pointing ? std::optional(mouse->position()) : std::nullopt;
-    point_again();
+    update_pointer();
   }
-  // A touchpad sends parts of a step.
-  if (is_wheel && !(scene_->look() == *before)) Q_EMIT turned(false);
+  // A touchpad sends fractions of a step.
+  if (is_wheel && !(scene_->view_pose() == *before)) Q_EMIT view_settled(false);
   return is_taken;
 }
 
@@ -122,36 +122,36 @@ void FacePane::keyPressEvent(QKeyEvent* event) {
       break;
     case Qt::Key_Plus:
     case Qt::Key_Equal:
-      change().come_closer(kCloser);
+      change().dolly(kCloser);
       break;
     case Qt::Key_Minus:
-      change().come_closer(1 / kCloser);
+      change().dolly(1 / kCloser);
       break;
     case Qt::Key_0:
-      return Q_EMIT all_wanted();
+      return Q_EMIT reset_requested();
     default:
       return Translated::keyPressEvent(event);
   }
-  Q_EMIT looked();
-  Q_EMIT turned(false);
+  Q_EMIT view_changed();
+  Q_EMIT view_settled(false);
 }
 
 void FacePane::mousePressEvent(QMouseEvent* event) {
-  if (!pressed_) pressed_ = Press{event->position(), scene_->look()};
+  if (!pressed_) pressed_ = Press{event->position(), scene_->view_pose()};
 }
 
 void FacePane::mouseReleaseEvent(QMouseEvent* event) {
-  constexpr double kStill = 3;  // logical pixels that a hand may tremble
+  constexpr double kStill = 3;  // logical pixels of movement that still count as a click
   if (!pressed_ || event->buttons() != Qt::NoButton) return;
   const Press press = *pressed_;
   pressed_.reset();
-  const bool is_turned = !(scene_->look() == press.look);
+  const bool is_turned = !(scene_->view_pose() == press.view_pose);
   const bool is_click = (event->position() - press.at).manhattanLength() <= kStill;
   if (is_turned && is_click) {
-    change().look_as(press.look);
-    Q_EMIT looked();
+    change().set_view_pose(press.view_pose);
+    Q_EMIT view_changed();
   } else if (is_turned) {
-    Q_EMIT turned(true);
+    Q_EMIT view_settled(true);
   }
   if (!is_click || event->button() == Qt::MiddleButton) return;
   const auto pixel = pixel_at(event->position());

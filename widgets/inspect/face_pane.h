@@ -1,4 +1,4 @@
-// The face in 3D, by mouse and by keys.
+// The face in 3D, controlled by mouse and keys.
 #pragma once
 
 #include "widgets/scene3d/face_scene.h"
@@ -13,32 +13,32 @@
 namespace alltact {
 
 /// Only where VtkView::is_supported(). Mouse: dragging turns, with Shift or the middle button it
-/// moves, the wheel comes closer; a click without dragging chooses a place, and without any button
-/// the place under it is told. Keys: arrows turn,
-/// Shift and arrows move, + and - come closer, 0 shows all.
+/// pans, the wheel zooms. A click without dragging chooses a position; without a button the
+/// position under the pointer is reported. Keys: arrows turn, Shift and arrows pan, + and - zoom, 0
+/// shows all.
 class FacePane : public Translated<VtkView> {
   Q_OBJECT
  public:
   explicit FacePane(QWidget* parent = nullptr);
   ~FacePane() override;
 
-  /// Something else may lie under the pointer now.
-  void point_again();
-  /// Draws soon after.
+  /// Reports the position under the pointer again, since the scene may have changed.
+  void update_pointer();
+  /// The scene to be changed; it is drawn soon after.
   [[nodiscard]] FaceScene& change();
   [[nodiscard]] const FaceScene& scene() const { return *scene_; }
 
  Q_SIGNALS:
-  /// A pixel of the picture; is_second: with the right button, or Ctrl.
+  /// A pixel of the image; is_second: with the right button, or Ctrl.
   void clicked(QPointF pixel, bool is_second);
-  /// The pixel under the pointer; none: it is beside the face, or has left.
+  /// The pixel under the pointer; none: the pointer is outside the face.
   void pointed_at(const std::optional<QPointF>& pixel);
-  /// One looks from another place; also while a drag goes on.
-  void looked();
-  /// So one has come to look: at a drag's end, and at each step of the wheel or a key.
-  void turned(bool is_drag);
-  /// The key that shows all again.
-  void all_wanted();
+  /// The 3D camera has moved; also emitted during a drag.
+  void view_changed();
+  /// A movement has ended: at the end of a drag, and at each step of the wheel or a key.
+  void view_settled(bool is_drag);
+  /// The key that shows all.
+  void reset_requested();
 
  protected:
   bool event(QEvent* event) override;
@@ -49,16 +49,16 @@ class FacePane : public Translated<VtkView> {
   void mouseReleaseEvent(QMouseEvent* event) override;
 
  private:
-  void dress();
-  void begin_to_move();
-  void tell_pointed_at();
-  [[nodiscard]] std::optional<QPointF> pixel_at(QPointF place) const;
+  void apply_appearance();
+  void begin_motion();
+  void report_pointed_at();
+  [[nodiscard]] std::optional<QPointF> pixel_at(QPointF point) const;
   std::unique_ptr<FaceScene> scene_;
-  std::optional<QPointF> pointer_;  // where it is, without a button
+  std::optional<QPointF> pointer_;  // its position while no button is pressed
   QTimer pointing_, resting_;
   struct Press {
     QPointF at;
-    Look look;
+    ViewPose view_pose;
   };
   std::optional<Press> pressed_;
 };

@@ -12,8 +12,8 @@
 namespace alltact {
 namespace {
 
-/// A picture in colour as a frame that is written as it is.
-Frame frame_of(const cv::Mat& picture, const Frame& from, std::size_t number) {
+/// Packs a colour image as a frame, already encoded as JPEG.
+Frame frame_of(const cv::Mat& bgr, const Frame& from, std::size_t number) {
   Frame frame;
   frame.name = from.name;
   frame.origin = from.origin;
@@ -21,8 +21,8 @@ Frame frame_of(const cv::Mat& picture, const Frame& from, std::size_t number) {
   frame.time_ns = from.time_ns;
   auto jpeg = std::make_shared<std::vector<std::uint8_t>>();
   constexpr int kQuality = 95;
-  cv::imencode(".jpg", picture, *jpeg, {cv::IMWRITE_JPEG_QUALITY, kQuality});
-  cv::cvtColor(picture, frame.grey, cv::COLOR_BGR2GRAY);
+  cv::imencode(".jpg", bgr, *jpeg, {cv::IMWRITE_JPEG_QUALITY, kQuality});
+  cv::cvtColor(bgr, frame.grey, cv::COLOR_BGR2GRAY);
   frame.jpeg = std::move(jpeg);
   return frame;
 }
@@ -31,43 +31,42 @@ bool is_shown(const std::shared_ptr<const InspectedFrame>& frame) {
   return frame && (frame->surface || frame->bare);
 }
 
-bool is_beside(const FilmView& view, const FilmMoment& moment) {
-  return moment.second ? !moment.places
-                       : view.options.shown_comparison() == Comparison::kSideBySide;
+bool is_side_by_side(const FilmView& view, const FilmMoment& moment) {
+  return moment.second ? !moment.poses : view.options.shown_comparison() == Comparison::kSideBySide;
 }
 
 }  // namespace
 
 bool FilmMoment::has_face() const {
-  if (!places) return is_shown(first) && (!second || is_shown(second));
+  if (!poses) return is_shown(first) && (!second || is_shown(second));
   return first && second && first->surface && second->surface;
 }
 
-Result<FilmPictures> FilmPictures::create(const FilmView& view) {
-  // Two panes are made where two may be shown; a moment uses as many as it needs.
+Result<FilmRenderer> FilmRenderer::create(const FilmView& view) {
+  // Three panes are made where two fingers or measurements may be shown; a moment uses one or two.
   const bool may_be_two =
       view.options.second || view.options.shown_comparison() == Comparison::kSideBySide;
-  std::vector<ScenePictures> panes;
+  std::vector<OffscreenScene> panes;
   const cv::Size half(view.size_px.width / 2, view.size_px.height);
   for (const cv::Size& size :
        may_be_two ? std::vector{view.size_px, half, half} : std::vector{view.size_px}) {
-    auto pane = ScenePictures::create(size, view.pixels_per_unit);
+    auto pane = OffscreenScene::create(size, view.pixels_per_unit);
     if (!pane) return pane.error();
     pane->scene().set_options(view.options.scene);
     pane->scene().set_colours(view.colours);
-    pane->scene().look_from(view.options.standpoint);
-    if (view.options.look) pane->scene().look_as(*view.options.look);
+    pane->scene().set_viewpoint(view.options.viewpoint);
+    if (view.options.view_pose) pane->scene().set_view_pose(*view.options.view_pose);
     panes.push_back(std::move(*pane));
   }
-  return FilmPictures(view, std::move(panes));
+  return FilmRenderer(view, std::move(panes));
 }
 
-cv::Mat FilmPictures::operator()(const FilmMoment& moment) {
-  if (moment.look && !(look_ && *look_ == *moment.look)) {
-    look_ = moment.look;
-    for (ScenePictures& pane : panes_) pane.scene().look_as(*look_);
+cv::Mat FilmRenderer::operator()(const FilmMoment& moment) {
+  if (moment.view_pose && !(view_pose_ && *view_pose_ == *moment.view_pose)) {
+    view_pose_ = moment.view_pose;
+    for (OffscreenScene& pane : panes_) pane.scene().set_view_pose(*view_pose_);
   }
-  const auto draw = [&](ScenePictures& pane,
+  const auto draw = [&](OffscreenScene& pane,
                         const InspectedFrame& frame,
                         PaneContent content,
                         bool has_marks,
@@ -75,9 +74,9 @@ cv::Mat FilmPictures::operator()(const FilmMoment& moment) {
     show_in(pane.scene(), frame, content, other);
     pane.scene().set_gap(other ? moment.gap : std::nullopt);
     pane.scene().set_marks(has_marks ? marks_of(frame, view_.options) : SceneMarks());
-    return pane.picture();
+    return pane.image();
   };
-  if (is_beside(view_, moment) && panes_.size() > 1) {
+  if (is_side_by_side(view_, moment) && panes_.size() > 1) {
     const cv::Mat left = draw(panes_[1], *moment.first, PaneContent::kFirst, true, {});
     const cv::Mat right = moment.second
                               ? draw(panes_[2], *moment.second, PaneContent::kFirst, false, {})
@@ -91,20 +90,20 @@ cv::Mat FilmPictures::operator()(const FilmMoment& moment) {
               *moment.first,
               is_difference ? PaneContent::kDifference : PaneContent::kFirst,
               true,
-              moment.second && moment.places
-                  ? std::optional(OtherInGripper{moment.second, *moment.places})
+              moment.second && moment.poses
+                  ? std::optional(OtherInGripper{moment.second, *moment.poses})
                   : std::nullopt);
 }
 
 Status FilmWriter::add(const FilmMoment& moment, double frames_per_s) {
   if (!moment.has_face()) return {};
-  if (!pictures_) {
-    auto pictures = FilmPictures::create(view_);
-    if (!pictures) return pictures.error();
-    pictures_ = std::move(*pictures);
+  if (!renderer_) {
+    auto renderer = FilmRenderer::create(view_);
+    if (!renderer) return renderer.error();
+    renderer_ = std::move(*renderer);
   }
-  const cv::Mat picture = (*pictures_)(moment);
-  const Frame frame = frame_of(picture, *moment.first->result.frame, written_++);
+  const cv::Mat bgr = (*renderer_)(moment);
+  const Frame frame = frame_of(bgr, *moment.first->result.frame, written_++);
   if (!writer_) {
     auto made = VideoWriter::create(file_, frame, VideoCodec::kMjpeg, frames_per_s);
     if (!made) return made.error();
@@ -118,9 +117,9 @@ Status FilmWriter::finish() {
   return writer_->finish();
 }
 
-Status save_paper_picture(const FilmMoment& moment,
-                          FilmView view,
-                          const std::filesystem::path& file) {
+Status save_paper_figure(const FilmMoment& moment,
+                         FilmView view,
+                         const std::filesystem::path& file) {
   if (!moment.has_face())
     return Error{en::say("there is no face to save"), file.string(), en::say("another frame")};
   view.colours = {};
@@ -128,17 +127,14 @@ Status save_paper_picture(const FilmMoment& moment,
   view.size_px = cv::Size(
       static_cast<int>(kPaperWidth_px),
       static_cast<int>(std::lround(view.pixels_per_unit * std::max(1, view.size_px.height))));
-  auto pictures = FilmPictures::create(view);
-  if (!pictures) return pictures.error();
-  return write_paper_picture(file, (*pictures)(moment));
+  auto renderer = FilmRenderer::create(view);
+  if (!renderer) return renderer.error();
+  return write_paper_figure(file, (*renderer)(moment));
 }
 
-Status write_paper_picture(const std::filesystem::path& file, const cv::Mat& picture) {
-  QImage image(picture.data,
-               picture.cols,
-               picture.rows,
-               static_cast<qsizetype>(picture.step),
-               QImage::Format_BGR888);
+Status write_paper_figure(const std::filesystem::path& file, const cv::Mat& bgr) {
+  QImage image(
+      bgr.data, bgr.cols, bgr.rows, static_cast<qsizetype>(bgr.step), QImage::Format_BGR888);
   constexpr double kMetresPerInch = 0.0254;
   const int per_metre = static_cast<int>(std::lround(kPaperDotsPerInch / kMetresPerInch));
   image.setDotsPerMeterX(per_metre);

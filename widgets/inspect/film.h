@@ -1,4 +1,4 @@
-// Pictures and films of what is inspected, drawn without a window. Slow: not for the window's
+// Renders images and films of the inspected faces without a window. Slow: not for the window's
 // thread.
 #pragma once
 
@@ -6,7 +6,7 @@
 #include "core/recording/video_writer.h"
 #include "core/result.h"
 #include "widgets/inspect/shown_scene.h"
-#include "widgets/scene3d/scene_pictures.h"
+#include "widgets/scene3d/offscreen_scene.h"
 
 #include <filesystem>
 #include <memory>
@@ -17,45 +17,46 @@
 
 namespace alltact {
 
-/// How it is drawn.
+/// How a film is rendered.
 struct FilmView {
   InspectOptions options;
   SceneColours colours;
   cv::Size size_px{1280, 720};
-  double pixels_per_unit = 1;  ///< of lines and letters
+  double pixels_per_unit = 1;  ///< scale of lines and letters
 };
 
-/// What is drawn at a moment.
+/// What is rendered at one moment.
 struct FilmMoment {
   std::shared_ptr<const InspectedFrame> first, second;  ///< second: null without a second finger
-  /// Both fingers in the gripper's frame in one picture; without them side by side.
-  std::optional<std::array<RigidTransform, 2>> places = {};
+  /// gripper_from_camera of both fingers, for one joint view; without it they are shown side by
+  /// side.
+  std::optional<std::array<RigidTransform, 2>> poses = {};
   std::optional<NearestPoints> gap = {};
-  std::optional<Look> look = {};  ///< none: as the options say
+  std::optional<ViewPose> view_pose = {};  ///< none: as in the options
   [[nodiscard]] bool has_face() const;
 };
 
-class FilmPictures {
+class FilmRenderer {
  public:
   /// Error: no OpenGL.
-  [[nodiscard]] static Result<FilmPictures> create(const FilmView& view);
-  /// With a face. CV_8UC3, blue, green, red.
+  [[nodiscard]] static Result<FilmRenderer> create(const FilmView& view);
+  /// The moment needs a face. Returns CV_8UC3, BGR.
   [[nodiscard]] cv::Mat operator()(const FilmMoment& moment);
 
  private:
-  FilmPictures(FilmView view, std::vector<ScenePictures> panes)
+  FilmRenderer(FilmView view, std::vector<OffscreenScene> panes)
       : view_(std::move(view)), panes_(std::move(panes)) {}
   FilmView view_;
-  std::vector<ScenePictures> panes_;
-  std::optional<Look> look_;
+  std::vector<OffscreenScene> panes_;
+  std::optional<ViewPose> view_pose_;
 };
 
-/// A video (Matroska, Motion JPEG) that is whole whenever it ends.
+/// A video (Matroska, Motion JPEG) that is complete whenever it ends.
 class FilmWriter {
  public:
   FilmWriter(std::filesystem::path file, const FilmView& view)
       : file_(std::move(file)), view_(view) {}
-  /// Moments without a face are left out. Errors: no OpenGL, those of writing.
+  /// Moments without a face are skipped. Errors: no OpenGL, those of writing.
   [[nodiscard]] Status add(const FilmMoment& moment, double frames_per_s);
   [[nodiscard]] std::size_t written() const { return written_; }
   /// Error: nothing was written.
@@ -64,20 +65,20 @@ class FilmWriter {
  private:
   std::filesystem::path file_;
   FilmView view_;
-  std::optional<FilmPictures> pictures_;
+  std::optional<FilmRenderer> renderer_;
   std::optional<VideoWriter> writer_;
   std::size_t written_ = 0;
 };
 
-/// PNG of 300 dots per inch, 17 cm wide, as tall as the view's form asks for, for a paper: on
+/// Figure for a paper: PNG, 300 dots per inch, 17 cm wide, in the aspect ratio of the view, on
 /// white. Errors: no face, no OpenGL, not writable.
-[[nodiscard]] Status save_paper_picture(const FilmMoment& moment,
-                                        FilmView view,
-                                        const std::filesystem::path& file);
+[[nodiscard]] Status save_paper_figure(const FilmMoment& moment,
+                                       FilmView view,
+                                       const std::filesystem::path& file);
 inline constexpr double kPaperDotsPerInch = 300, kPaperWidth_px = 2008;
 
-/// As PNG, whole or not at all, of 300 dots per inch.
-///   picture: CV_8UC3, blue, green, red
-[[nodiscard]] Status write_paper_picture(const std::filesystem::path& file, const cv::Mat& picture);
+/// Writes a PNG of 300 dots per inch, atomically.
+///   bgr: CV_8UC3, blue, green, red
+[[nodiscard]] Status write_paper_figure(const std::filesystem::path& file, const cv::Mat& bgr);
 
 }  // namespace alltact

@@ -7,7 +7,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// As it is, never drawn larger.
+/// The contact face without vertical exaggeration.
 cv::Mat contact_face(const FaceSurface& surface) {
   cv::Mat face = surface.untouched_mm.clone();
   for (int j = 0; j < face.rows; ++j)
@@ -43,84 +43,84 @@ FingerPair::~FingerPair() = default;
 void FingerPair::set_first(const fs::path& finger) {
   if (folders_[0] == finger) return;
   folders_[0] = finger;
-  if (is_open()) read_places();
+  if (is_open()) read_mounts();
 }
 
 void FingerPair::open(const std::optional<SecondFinger>& second) {
   if (second_ == second) return;
   second_ = second;
   folders_[1] = second ? second->finger : fs::path();
-  beside_ = {};
+  partner_ = {};
   inspection_.set_finger(folders_[1]);
   inspection_.open(second ? second->recording : fs::path());
-  if (second) read_places();
+  if (second) read_mounts();
   follow();
   Q_EMIT changed();
 }
 
 void FingerPair::follow() {
-  const auto &ours = first_.recording(), &other = inspection_.recording();
-  if (!is_open() || !ours || !other || !first_.frame()) return;
+  const auto &own = first_.recording(), &other = inspection_.recording();
+  if (!is_open() || !own || !other || !first_.frame()) return;
   static const FrameTimes kNone;
-  const FrameBeside beside = frame_beside(first_.frame()->number,
-                                          ours->times_ns ? *ours->times_ns : kNone,
-                                          other->times_ns ? *other->times_ns : kNone,
-                                          other->count);
-  const bool is_new = beside.number != beside_.number;
-  beside_ = beside;
-  if (is_new) inspection_.show_frame(beside.number);
+  const MatchedFrame partner = match_frame(first_.frame()->number,
+                                           own->times_ns ? *own->times_ns : kNone,
+                                           other->times_ns ? *other->times_ns : kNone,
+                                           other->count);
+  const bool is_new = partner.number != partner_.number;
+  partner_ = partner;
+  if (is_new) inspection_.show_frame(partner.number);
   measure();
 }
 
-void FingerPair::read_places() {
+void FingerPair::read_mounts() {
   reading_.restart([this, folders = folders_, disk = disk_](const Job&) {
     disk->wait();
-    auto places = std::make_shared<std::map<fs::path, FingerPlace>>();
+    auto mounts = std::make_shared<std::map<fs::path, FingerMount>>();
     auto problem = std::make_shared<std::optional<Error>>();
     for (const fs::path& folder : folders) {
       if (folder.empty()) continue;
       const auto opened = open_finger(folder);
       if (opened)
-        (*places)[folder] = {(*opened)->finger.name, (*opened)->finger.gripper_from_camera};
+        (*mounts)[folder] = {(*opened)->finger.name, (*opened)->finger.gripper_from_camera};
       else
         *problem = opened.error();
     }
-    return std::function<void()>([this, places, problem] {
-      places_ = *places;
+    return std::function<void()>([this, mounts, problem] {
+      mounts_ = *mounts;
       read_problem_ = *problem;
     });
   });
 }
 
-const FingerPlace* FingerPair::place(bool is_second) const {
-  const auto found = places_.find(folder(is_second));
-  return found == places_.end() ? nullptr : &found->second;
+const FingerMount* FingerPair::mount(bool is_second) const {
+  const auto found = mounts_.find(folder(is_second));
+  return found == mounts_.end() ? nullptr : &found->second;
 }
 
 QString FingerPair::name(bool is_second) const {
-  if (const FingerPlace* known = place(is_second)) return QString::fromStdString(known->name);
+  if (const FingerMount* known = mount(is_second)) return QString::fromStdString(known->name);
   return QString::fromStdString(folder(is_second).filename().string());
 }
 
-bool FingerPair::is_placed() const {
-  const FingerPlace *first = place(false), *second = place(true);
+bool FingerPair::has_both_poses() const {
+  const FingerMount *first = mount(false), *second = mount(true);
   return is_open() && first != nullptr && second != nullptr && first->gripper_from_camera &&
          second->gripper_from_camera;
 }
 
 RigidTransform FingerPair::pose(bool is_second) const {
-  return *place(is_second)->gripper_from_camera;
+  return *mount(is_second)->gripper_from_camera;
 }
 
 std::optional<FramePair> FingerPair::frames() const {
-  const auto &ours = first_.frame(), &other = inspection_.frame();
-  if (!is_open() || !ours || !other || !ours->surface || !other->surface) return std::nullopt;
-  return FramePair{ours, other};
+  const auto &own = first_.frame(), &other = inspection_.frame();
+  if (!is_open() || !own || !other || !own->surface || !other->surface) return std::nullopt;
+  return FramePair{own, other};
 }
 
 std::optional<NearestPoints> FingerPair::gap() const {
   const auto now = frames();
-  if (!now || !measured_ || !is_placed() || !(measured_->frames == *now) ||
+  if (!now || !measured_ || !has_both_poses() || !(measured_->frames == *now) ||
       measured_->poses != std::array{pose(false), pose(true)})
     return std::nullopt;
   return measured_->gap;
@@ -128,7 +128,7 @@ std::optional<NearestPoints> FingerPair::gap() const {
 
 void FingerPair::measure() {
   const auto now = frames();
-  if (!now || !is_placed() || measuring_.is_running()) return;
+  if (!now || !has_both_poses() || measuring_.is_running()) return;
   const std::array poses{pose(false), pose(true)};
   if (measured_ && measured_->frames == *now && measured_->poses == poses) return;
   measuring_.start([this, frames = *now, poses](const Job&) {
@@ -145,15 +145,16 @@ std::optional<Error> FingerPair::problem() const {
   return is_open() ? read_problem_ : std::nullopt;
 }
 
-void FingerPair::set_place(const fs::path& folder, const std::optional<RigidTransform>& place) {
-  disk_->add([folder, place]() -> Status {
+void FingerPair::set_pose(const fs::path& folder,
+                          const std::optional<RigidTransform>& gripper_from_camera) {
+  disk_->add([folder, gripper_from_camera]() -> Status {
     const auto changed = FingerStore::of(folder)->update([&](Finger& finger) {
-      finger.gripper_from_camera = place;
+      finger.gripper_from_camera = gripper_from_camera;
       return Status();
     });
     return changed ? Status() : changed.error();
   });
-  read_places();
+  read_mounts();
 }
 
 }  // namespace alltact

@@ -1,5 +1,5 @@
-// A second finger beside the first: its recording, frame by frame in step with the first one's,
-// where both sit in the gripper, and how near their faces come.
+// A second finger next to the first: its recording synchronised with the first, the poses of both
+// in the gripper, and the distance between their faces.
 #pragma once
 
 #include "core/geometry/surface_distance.h"
@@ -15,8 +15,8 @@
 
 namespace alltact {
 
-/// What a finger's file says for the gripper.
-struct FingerPlace {
+/// A finger's name and pose in the gripper, from its file.
+struct FingerMount {
   std::string name;
   std::optional<RigidTransform> gripper_from_camera;
 };
@@ -27,7 +27,7 @@ struct FramePair {
   bool operator==(const FramePair&) const = default;
 };
 
-/// An object of the window's thread; files are read and written, and distances measured, beside it.
+/// Belongs to the window's thread; reads, writes and measures on background threads.
 class FingerPair : public QObject {
   Q_OBJECT
  public:
@@ -35,7 +35,7 @@ class FingerPair : public QObject {
   explicit FingerPair(const Inspection& first, QObject* parent = nullptr);
   ~FingerPair() override;
 
-  /// Empty: no finger of one's own.
+  /// Empty: no finger with a folder.
   void set_first(const std::filesystem::path& finger);
   /// None closes it.
   void open(const std::optional<SecondFinger>& second);
@@ -48,26 +48,28 @@ class FingerPair : public QObject {
     return folders_[is_second ? 1 : 0];
   }
   /// Null while it is being read.
-  [[nodiscard]] const FingerPlace* place(bool is_second) const;
+  [[nodiscard]] const FingerMount* mount(bool is_second) const;
   [[nodiscard]] QString name(bool is_second) const;
-  /// Both are known.
-  [[nodiscard]] bool is_placed() const;
-  /// Whatever is known by now; null where one of them has no face.
+  /// Both gripper poses are known.
+  [[nodiscard]] bool has_both_poses() const;
+  /// The present frames; null where one of them has no face.
   [[nodiscard]] std::optional<FramePair> frames() const;
-  [[nodiscard]] const FrameBeside& beside() const { return beside_; }
-  /// Of frames(), in the gripper's frame; none while it is being measured.
+  [[nodiscard]] const MatchedFrame& partner() const { return partner_; }
+  /// Shortest distance between the faces of frames(), gripper frame; none while it is being
+  /// measured.
   [[nodiscard]] std::optional<NearestPoints> gap() const;
   /// Why a file could not be read or written.
   [[nodiscard]] std::optional<Error> problem() const;
 
-  /// Writes it into the finger's file. Told by changed(), or by problem() and changed().
-  void set_place(const std::filesystem::path& finger, const std::optional<RigidTransform>& place);
+  /// Writes the pose into the finger's file; changed() reports the end, problem() an error.
+  void set_pose(const std::filesystem::path& finger,
+                const std::optional<RigidTransform>& gripper_from_camera);
 
  Q_SIGNALS:
   void changed();
 
  private:
-  void read_places();
+  void read_mounts();
   void measure();
   [[nodiscard]] RigidTransform pose(bool is_second) const;
 
@@ -75,9 +77,9 @@ class FingerPair : public QObject {
   Inspection inspection_;
   std::optional<SecondFinger> second_;
   std::array<std::filesystem::path, 2> folders_;
-  std::map<std::filesystem::path, FingerPlace> places_;
+  std::map<std::filesystem::path, FingerMount> mounts_;
   std::optional<Error> read_problem_;
-  FrameBeside beside_;
+  MatchedFrame partner_;
   struct Measured {
     FramePair frames;
     std::array<RigidTransform, 2> poses;

@@ -16,7 +16,7 @@ FrameSummary summary_of(const MeasuredFrame& frame) {
     }
   }
   if (result.force) summary.force_N = result.force->force_N.norm();
-  summary.is_touched = result.contact.has_value() || !result.regions.empty();
+  summary.has_contact = result.contact.has_value() || !result.regions.empty();
   if (!result.problems.empty()) summary.problem = result.problems.front();
   return summary;
 }

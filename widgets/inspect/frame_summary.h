@@ -1,4 +1,4 @@
-// What one frame of a recording tells, in a few figures: for plots over time.
+// Summary of one frame of a recording, for plots over time.
 #pragma once
 
 #include "calibration/live/frame_measurer.h"
@@ -9,11 +9,10 @@ namespace alltact {
 
 struct FrameSummary {
   std::size_t number = 0;
-  /// Absent where the finger tells none: of a finger without calibration, of a frame without a
-  /// face.
+  /// Empty for a finger without calibration and for a frame without a face.
   std::optional<double> deepest_mm, area_mm2;
-  std::optional<double> force_N;  ///< its amount
-  bool is_touched = false;
+  std::optional<double> force_N;  ///< magnitude
+  bool has_contact = false;
   Message problem;  ///< the first one; empty: none
 };
 

@@ -6,15 +6,15 @@
 namespace alltact {
 namespace {
 
-NumberField* field(double most, int decimals) {
+NumberField* field(double limit, int decimals) {
   auto* box = new NumberField;
-  box->setRange(-most, most);
+  box->setRange(-limit, limit);
   box->set_shown_decimals(decimals);
   return box;
 }
 
 Eigen::Vector3d values(const std::array<NumberField*, 3>& fields) {
-  Eigen::Vector3d numbers;  // as they stand there, finished or not
+  Eigen::Vector3d numbers;  // typed numbers, finished or not
   for (std::size_t i = 0; i < 3; ++i)
     numbers[static_cast<Eigen::Index>(i)] = fields[i]->typed().value_or(fields[i]->value());
   return numbers;
@@ -57,14 +57,14 @@ GripperDialog::GripperDialog(const QString& finger,
   column->addWidget(buttons_);
   if (now) {
     fill(at_, now->translation_mm);
-    fill(turn_, degrees_of(now->rotation));
+    fill(turn_, rpy_deg(now->rotation));
   }
   connect(buttons_, &QDialogButtonBox::accepted, this, [this] {
     for (NumberField* field : {at_[0], at_[1], at_[2], turn_[0], turn_[1], turn_[2]}) {
       if (!field->typed()) return field->setFocus();
       field->interpretText();
     }
-    Q_EMIT chosen(place());
+    Q_EMIT chosen(pose());
     accept();
   });
   connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -82,13 +82,13 @@ GripperDialog::GripperDialog(const QString& finger,
     at_label_->setText(tr("&Place"));
     turn_label_->setText(tr("&Turned about"));
     static const std::array axes{QStringLiteral("x "), QStringLiteral("y "), QStringLiteral("z ")};
-    const std::array<QString, 3> places{tr("Place, x"), tr("Place, y"), tr("Place, z")};
+    const std::array<QString, 3> position_names{tr("Place, x"), tr("Place, y"), tr("Place, z")};
     const std::array<QString, 3> turns{
         tr("Turned about x"), tr("Turned about y"), tr("Turned about z")};
     for (std::size_t i = 0; i < 3; ++i) {
       at_[i]->setPrefix(axes[i]);
       at_[i]->setSuffix(tr(" mm"));
-      at_[i]->setAccessibleName(places[i]);
+      at_[i]->setAccessibleName(position_names[i]);
       turn_[i]->setPrefix(axes[i]);
       turn_[i]->setSuffix(QStringLiteral("°"));
       turn_[i]->setAccessibleName(turns[i]);
@@ -100,17 +100,19 @@ GripperDialog::GripperDialog(const QString& finger,
   });
 }
 
-RigidTransform GripperDialog::place() const {
-  if (!now_) return {rotation_of_degrees(values(turn_)), values(at_)};
-  // The fields round; what was not touched must not change by that.
-  const auto kept = [](const std::array<NumberField*, 3>& fields, const Eigen::Vector3d& was) {
+RigidTransform GripperDialog::pose() const {
+  if (!now_) return {rotation_from_rpy_deg(values(turn_)), values(at_)};
+  // The fields round; unchanged values must stay exact.
+  const auto unless_changed = [](const std::array<NumberField*, 3>& fields,
+                                 const Eigen::Vector3d& was) {
     constexpr double kRounded = 0.0051;
     const Eigen::Vector3d now = values(fields);
     return Eigen::Vector3d(((now - was).array().abs() < kRounded).select(was, now));
   };
-  const Eigen::Vector3d degrees = degrees_of(now_->rotation), turned = kept(turn_, degrees);
-  return {turned == degrees ? now_->rotation : rotation_of_degrees(turned),
-          kept(at_, now_->translation_mm)};
+  const Eigen::Vector3d degrees = rpy_deg(now_->rotation),
+                        view_settled = unless_changed(turn_, degrees);
+  return {view_settled == degrees ? now_->rotation : rotation_from_rpy_deg(view_settled),
+          unless_changed(at_, now_->translation_mm)};
 }
 
 }  // namespace alltact

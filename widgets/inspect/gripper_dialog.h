@@ -1,4 +1,4 @@
-// Where a finger's camera sits in the gripper: asked for in millimetres and degrees.
+// Dialog for the pose of a finger's camera in the gripper, in millimetres and degrees.
 #pragma once
 
 #include "core/geometry/rigid_transform.h"
@@ -17,15 +17,15 @@ namespace alltact {
 class GripperDialog : public FittedDialog {
   Q_OBJECT
  public:
-  /// now: what is known.
+  /// now: the known pose.
   GripperDialog(const QString& finger,
                 const std::optional<RigidTransform>& now,
                 QWidget* parent = nullptr);
-  /// What stands in the fields. Where nobody changed them, exactly what it was made with.
-  [[nodiscard]] RigidTransform place() const;
+  /// The pose in the fields; exactly the initial pose where no field was changed.
+  [[nodiscard]] RigidTransform pose() const;
 
  Q_SIGNALS:
-  /// none: it is not known any more.
+  /// none: the pose is unknown.
   void chosen(const std::optional<alltact::RigidTransform>& gripper_from_camera);
 
  private:

@@ -1,7 +1,7 @@
 #include "widgets/inspect/height_map.h"
 
 #include "core/sensing/depth/depth_limits.h"
-#include "widgets/picture/overlays.h"
+#include "widgets/image/overlays.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>
@@ -24,9 +24,9 @@ struct Pattern {
   cv::Vec4b bgra;       // premultiplied
   bool (*is_drawn)(int u, int v);
 };
-/// The first that applies to a pixel is drawn.
+/// The first matching pattern is drawn.
 const std::array<Pattern, 4> kPatterns{
-    {{kAnyEnd, {255, 255, 255, 255}, [](int u, int v) { return (u + v) % 6 < 2; }},
+    {{kDepthClamped, {255, 255, 255, 255}, [](int u, int v) { return (u + v) % 6 < 2; }},
      {kOutOfRange, {0, 0, 0, 255}, [](int u, int v) { return (u + 5 * v) % 6 < 2; }},
      {kDoubtfulLight,
       {60, 150, 255, 255},
@@ -38,7 +38,7 @@ struct LimitWords {
  public:
   static QString of(std::uint8_t limits) {
     switch (limits) {
-      case kAnyEnd:
+      case kDepthClamped:
         return tr("at the layer's limit");
       case kOutOfRange:
         return tr("beyond what was calibrated");
@@ -113,7 +113,7 @@ cv::Mat limits_layer(const cv::Mat& limits) {
 }
 
 std::vector<LegendLine> limits_legend(const cv::Mat& limits) {
-  constexpr int kLeastPixels = 30;
+  constexpr int kMinPixels = 30;
   std::vector<LegendLine> legend;
   for (const Pattern& pattern : kPatterns) {
     int count = 0;
@@ -122,7 +122,7 @@ std::vector<LegendLine> limits_legend(const cv::Mat& limits) {
           limits.ptr<std::uint8_t>(v), limits.ptr<std::uint8_t>(v) + limits.cols, [&](auto bits) {
             return (bits & pattern.limits) != 0;
           }));
-    if (count < kLeastPixels) continue;
+    if (count < kMinPixels) continue;
     QImage tile(kPeriod, kPeriod, QImage::Format_ARGB32_Premultiplied);
     tile.fill(Qt::transparent);
     for (int v = 0; v < kPeriod; ++v)
@@ -137,18 +137,20 @@ std::vector<LegendLine> limits_legend(const cv::Mat& limits) {
 
 Overlay points_overlay(const std::optional<cv::Point2d>& a, const std::optional<cv::Point2d>& b) {
   return [a, b](QPainter& painter, const ImageTransform& transform) {
-    const auto place = [&](const cv::Point2d& at) { return transform.to_widget({at.x, at.y}); };
+    const auto widget_point = [&](const cv::Point2d& at) {
+      return transform.to_widget({at.x, at.y});
+    };
     if (a && b) {
       for (const auto& [colour, width] : {std::pair{kHalo, 4.5}, {kMark, 2.0}}) {
         painter.setPen(QPen(colour, width));
-        painter.drawLine(place(*a), place(*b));
+        painter.drawLine(widget_point(*a), widget_point(*b));
       }
-      painter.setPen(QPen(kMark, 1.0, Qt::DashLine));  // the box that is measured
+      painter.setPen(QPen(kMark, 1.0, Qt::DashLine));  // the measured box
       painter.setBrush(Qt::NoBrush);
-      painter.drawRect(QRectF(place(*a), place(*b)).normalized());
+      painter.drawRect(QRectF(widget_point(*a), widget_point(*b)).normalized());
     }
-    if (a) draw_point(painter, place(*a), QStringLiteral("A"));
-    if (b) draw_point(painter, place(*b), QStringLiteral("B"));
+    if (a) draw_point(painter, widget_point(*a), QStringLiteral("A"));
+    if (b) draw_point(painter, widget_point(*b), QStringLiteral("B"));
   };
 }
 

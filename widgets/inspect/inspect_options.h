@@ -1,4 +1,4 @@
-// What the place Inspect shows, as one value that can be undone, kept and put back.
+// State of the page Inspect as one value that can be undone, saved and restored.
 #pragma once
 
 #include "calibration/live/frame_measurer.h"
@@ -12,11 +12,11 @@ namespace alltact {
 enum class ShownAs { k3d = 1, kHeightMap };
 enum class Comparison { kNone = 1, kSideBySide, kDifference };
 
-/// Along the face from its base and across it from its middle, mm (FaceShape::place_mm): it stays
-/// where it is on the finger while that moves.
-struct FacePlace {
+/// Position on the face, mm: along it from its base and across it from its middle
+/// (FaceShape::position_mm). It moves with the finger.
+struct FacePosition {
   double along_mm = 0, across_mm = 0;
-  bool operator==(const FacePlace&) const = default;
+  bool operator==(const FacePosition&) const = default;
 };
 
 /// Another finger of the same gripper, with its own recording.
@@ -26,22 +26,22 @@ struct SecondFinger {
 };
 
 struct InspectOptions {
-  std::filesystem::path recording;     ///< a video or a folder of pictures; empty: the live finger
-  std::optional<SecondFinger> second;  ///< beside a recording only
+  std::filesystem::path recording;     ///< a video or a folder of images; empty: the live finger
+  std::optional<SecondFinger> second;  ///< only with a recording
   ShownAs shown_as = ShownAs::k3d;
   Comparison comparison = Comparison::kNone;
-  Comparand with{OtherMethod::kPaper};  ///< what is compared with, where anything is
-  Standpoint standpoint = Standpoint::kTilted;
-  std::optional<Look> look;  ///< turned or moved by hand; none: as from the standpoint
+  ComparisonSpec with{OtherMethod::kPaper};  ///< what is compared with, if anything is
+  Viewpoint viewpoint = Viewpoint::kTilted;
+  std::optional<ViewPose> view_pose;  ///< 3D camera moved by hand; none: as from the standpoint
   SceneOptions scene;
-  std::optional<FacePlace> a, b;  ///< the two points one measures with
+  std::optional<FacePosition> a, b;  ///< the two measuring points
 
-  /// Beside a second finger nothing is compared.
+  /// With a second finger nothing is compared.
   [[nodiscard]] Comparison shown_comparison() const {
     return second ? Comparison::kNone : comparison;
   }
-  [[nodiscard]] Comparand comparand() const {
-    return shown_comparison() == Comparison::kNone ? Comparand() : with;
+  [[nodiscard]] ComparisonSpec comparand() const {
+    return shown_comparison() == Comparison::kNone ? ComparisonSpec() : with;
   }
   bool operator==(const InspectOptions&) const = default;
 };

@@ -1,10 +1,10 @@
 #include "widgets/inspect/inspect_pane.h"
 
 #include "widgets/accessible.h"
-#include "widgets/inspect/face_places.h"
+#include "widgets/image/overlays.h"
+#include "widgets/inspect/face_positions.h"
 #include "widgets/inspect/height_map.h"
 #include "widgets/inspect/shown_scene.h"
-#include "widgets/picture/overlays.h"
 
 #include <QCursor>
 #include <QMouseEvent>
@@ -16,7 +16,7 @@ InspectPane::InspectPane(PaneContent content, QWidget* parent)
     : Translated(parent),
       content_(content),
       title_(new QLabel),
-      beside_(new QLabel(this)),
+      pointer_label_(new QLabel(this)),
       stack_(new QStackedWidget),
       map_(new ImageView) {
   auto* layout = new QVBoxLayout(this);
@@ -25,12 +25,12 @@ InspectPane::InspectPane(PaneContent content, QWidget* parent)
   layout->addWidget(stack_, 1);
   title_->hide();
   title_->setWordWrap(true);
-  beside_->hide();
-  beside_->setAttribute(Qt::WA_TransparentForMouseEvents);
-  beside_->setAutoFillBackground(true);
-  beside_->setBackgroundRole(QPalette::ToolTipBase);
-  beside_->setForegroundRole(QPalette::ToolTipText);
-  beside_->setMargin(4);
+  pointer_label_->hide();
+  pointer_label_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  pointer_label_->setAutoFillBackground(true);
+  pointer_label_->setBackgroundRole(QPalette::ToolTipBase);
+  pointer_label_->setForegroundRole(QPalette::ToolTipText);
+  pointer_label_->setMargin(4);
   connect(map_, &ImageView::probe_changed, this, [this] {
     const auto probe = map_->probe();
     Q_EMIT pointed_at(probe ? std::optional<QPointF>(*probe) : std::nullopt);
@@ -45,16 +45,16 @@ void InspectPane::make_face_pane() {
   stack_->addWidget(face_);
   connect(face_, &FacePane::clicked, this, &InspectPane::clicked);
   connect(face_, &FacePane::pointed_at, this, &InspectPane::pointed_at);
-  connect(face_, &FacePane::looked, this, &InspectPane::looked);
-  connect(face_, &FacePane::turned, this, &InspectPane::turned);
-  connect(face_, &FacePane::all_wanted, this, &InspectPane::all_wanted);
+  connect(face_, &FacePane::view_changed, this, &InspectPane::view_changed);
+  connect(face_, &FacePane::view_settled, this, &InspectPane::view_settled);
+  connect(face_, &FacePane::reset_requested, this, &InspectPane::reset_requested);
   face_->change().set_options(options_.scene);
-  look();
+  apply_look();
 }
 
-void InspectPane::look() {
-  face_->change().look_from(options_.standpoint);
-  if (options_.look) face_->change().look_as(*options_.look);
+void InspectPane::apply_look() {
+  face_->change().set_viewpoint(options_.viewpoint);
+  if (options_.view_pose) face_->change().set_view_pose(*options_.view_pose);
 }
 
 void InspectPane::set_content(PaneContent content) {
@@ -69,11 +69,11 @@ void InspectPane::set_title(const QString& title) {
 
 void InspectPane::set_options(const InspectOptions& options) {
   const bool stands_elsewhere =
-      options.standpoint != options_.standpoint || options.look != options_.look;
+      options.viewpoint != options_.viewpoint || options.view_pose != options_.view_pose;
   const bool draws_else = !(options.scene == options_.scene);
   options_ = options;
   if (face_ != nullptr && draws_else) face_->change().set_options(options.scene);
-  if (face_ != nullptr && stands_elsewhere) look();
+  if (face_ != nullptr && stands_elsewhere) apply_look();
   show_all();
 }
 
@@ -88,23 +88,25 @@ void InspectPane::show_pair(const FingerPair& pair) {
   frame_ = frames->first;
   in_gripper_ =
       InGripper{frames->second,
-                {*pair.place(false)->gripper_from_camera, *pair.place(true)->gripper_from_camera},
+                {*pair.mount(false)->gripper_from_camera, *pair.mount(true)->gripper_from_camera},
                 pair.gap()};
   show_all();
 }
 
-void InspectPane::show_beside_pointer(const QString& text) {
-  // The height map tells it by itself.
-  beside_->setVisible(!text.isEmpty() && stack_->currentWidget() == face_);
-  if (beside_->isHidden()) return;
-  beside_->setText(text);
-  beside_->adjustSize();
+void InspectPane::show_at_pointer(const QString& text) {
+  // The height map has a label of its own.
+  pointer_label_->setVisible(!text.isEmpty() && stack_->currentWidget() == face_);
+  if (pointer_label_->isHidden()) return;
+  pointer_label_->setText(text);
+  pointer_label_->adjustSize();
   constexpr int kAway = 18;
   const QPoint at = mapFromGlobal(QCursor::pos());
   const int right = at.x() + kAway, below = at.y() + kAway;
-  beside_->move(right + beside_->width() < width() ? right : at.x() - kAway - beside_->width(),
-                below + beside_->height() < height() ? below : at.y() - kAway - beside_->height());
-  beside_->raise();
+  pointer_label_->move(
+      right + pointer_label_->width() < width() ? right : at.x() - kAway - pointer_label_->width(),
+      below + pointer_label_->height() < height() ? below
+                                                  : at.y() - kAway - pointer_label_->height());
+  pointer_label_->raise();
 }
 
 void InspectPane::show_message(const QString& message) {
@@ -124,8 +126,7 @@ void InspectPane::show_all() {
     show_map();
 }
 
-/// What is compared with has not been measured yet: ordinary depth under another title would
-/// deceive.
+/// The compared measurement is not finished: the primary depth under its title would mislead.
 bool InspectPane::waits_for_other() const {
   return frame_ && content_ != PaneContent::kFirst && !in_gripper_ && frame_->surface &&
          !frame_->other_surface;
@@ -137,16 +138,16 @@ void InspectPane::show_3d() {
   show_in(scene,
           *frame_,
           content_,
-          in_gripper_ ? std::optional(OtherInGripper{in_gripper_->second, in_gripper_->places})
+          in_gripper_ ? std::optional(OtherInGripper{in_gripper_->second, in_gripper_->poses})
                       : std::nullopt);
   scene.set_marks(marks_of(*frame_, options_));
   stack_->setCurrentWidget(face_);
-  face_->point_again();
+  face_->update_pointer();
 }
 
 void InspectPane::show_map() {
   stack_->setCurrentWidget(map_);
-  beside_->hide();
+  pointer_label_->hide();
   if (!frame_) return map_->show_message(message_);
   if (waits_for_other())
     return map_->show_message(frame_->other_problem || frame_->other
@@ -162,7 +163,8 @@ void InspectPane::show_map() {
                                             : depth_scale(options_.scene.top_mm);
     overlays.push_back(layer_overlay(height_layer(value, scale)));
     const cv::Mat limits =
-        content_ == PaneContent::kFirst ? frame_->limits : cv::Mat();  // of the frame's own depth
+        // Limits apply to the frame's own depth.
+        content_ == PaneContent::kFirst ? frame_->limits : cv::Mat();
     if (!limits.empty()) overlays.push_back(layer_overlay(limits_layer(limits)));
     overlays.push_back(
         points_overlay(pixel_of(*frame_, options_.a), pixel_of(*frame_, options_.b)));
@@ -172,20 +174,20 @@ void InspectPane::show_map() {
                            limits.empty() ? std::vector<LegendLine>() : limits_legend(limits)));
   }
   if (!result.depth && result.edges) overlays.push_back(edges_overlay(*result.edges));
-  map_->show_picture(result.grey, std::move(overlays));
+  map_->show_image(result.grey, std::move(overlays));
 }
 
-void InspectPane::look_like(const InspectPane& other) {
+void InspectPane::copy_look(const InspectPane& other) {
   if (face_ != nullptr && other.face_ != nullptr)
-    face_->change().look_as(other.face_->scene().look());
+    face_->change().set_view_pose(other.face_->scene().view_pose());
 }
 
-QImage InspectPane::map_picture(double scale) const {
-  QImage picture((QSizeF(map_->size()) * scale).toSize(), QImage::Format_RGB32);
-  picture.setDevicePixelRatio(scale);
-  map_->render(&picture);
-  picture.setDevicePixelRatio(1);
-  return picture.convertToFormat(QImage::Format_BGR888);
+QImage InspectPane::map_image(double scale) const {
+  QImage image((QSizeF(map_->size()) * scale).toSize(), QImage::Format_RGB32);
+  image.setDevicePixelRatio(scale);
+  map_->render(&image);
+  image.setDevicePixelRatio(1);
+  return image.convertToFormat(QImage::Format_BGR888);
 }
 
 void InspectPane::showEvent(QShowEvent* event) {
@@ -201,7 +203,7 @@ bool InspectPane::eventFilter(QObject* watched, QEvent* event) {
     const auto* mouse = static_cast<QMouseEvent*>(event);
     if ((mouse->position() - *pressed_).manhattanLength() <= kStill)
       Q_EMIT clicked(
-          map_->transform().to_picture(mouse->position()),
+          map_->transform().to_image(mouse->position()),
           mouse->button() == Qt::RightButton || mouse->modifiers().testFlag(Qt::ControlModifier));
     pressed_.reset();
   }

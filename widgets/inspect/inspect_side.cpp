@@ -1,6 +1,6 @@
 #include "widgets/inspect/inspect_side.h"
 
-#include "widgets/inspect/face_places.h"
+#include "widgets/inspect/face_positions.h"
 
 #include <QVBoxLayout>
 

@@ -1,5 +1,5 @@
-// The right-hand side of the place Inspect: how it is shown, points, cross-section, what is
-// measured between the points.
+// The right-hand side of the page Inspect: view, points, cross-section, and readings between the
+// points.
 #pragma once
 
 #include "widgets/inspect/points_box.h"
@@ -24,7 +24,7 @@ class InspectSide : public Translated<QWidget> {
   [[nodiscard]] SectionPlot& section() const { return *section_; }
 
  Q_SIGNALS:
-  /// As of ViewBox.
+  /// As in ViewBox.
   void changed(const alltact::InspectOptions& options,
                const alltact::StepWords& what,
                int merge_id);

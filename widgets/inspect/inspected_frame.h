@@ -1,4 +1,4 @@
-// A frame as the place Inspect shows it: measured, compared, made into surfaces.
+// A frame of the page Inspect: measured, compared, converted to surfaces.
 #pragma once
 
 #include "calibration/live/frame_measurer.h"
@@ -12,7 +12,7 @@ namespace alltact {
 
 struct InspectedFrame : MeasuredFrame {
   std::optional<FaceSurface> surface;
-  /// Of a finger without calibration: the shape of its whole face, all of its depth NaN.
+  /// For a finger without calibration: the shape of its full face, all of its depth NaN.
   std::optional<FaceSurface> bare;
   std::optional<FaceSurface> other_surface;  ///< of `other`
   cv::Mat other_depth_mm;                    ///< on the first surface's grid

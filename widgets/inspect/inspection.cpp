@@ -13,49 +13,50 @@ namespace alltact {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr auto kQuiet = std::chrono::milliseconds(700);
+constexpr auto kScanDelay = std::chrono::milliseconds(700);
 
 }  // namespace
 
-/// The worker and the window meet here.
+/// State shared by the worker and the window's thread.
 struct Inspection::Shared {
   std::mutex mutex;
-  std::condition_variable news;
-  InspectWish wish;
-  bool is_wished = false, is_working = false, looks_further = false, is_at_end = false;
-  Clock::time_point last_wish_at;
+  std::condition_variable wakeup;
+  InspectRequest request;
+  bool is_requested = false, is_working = false, is_scanning = false, is_at_end = false;
+  Clock::time_point last_request_at;
   std::optional<InspectAnswer> answer;
-  std::optional<Inspector::News> summaries;
-  std::shared_ptr<Job> job = std::make_shared<Job>();  // of the work that goes on
+  std::optional<Inspector::SummaryUpdate> summaries;
+  std::shared_ptr<Job> job = std::make_shared<Job>();  // of the running work
   std::jthread thread;
 
-  /// Changes the wish and wakes the worker.
-  void ask(const std::function<void(InspectWish&)>& change, bool is_enough) {
+  /// Changes the request and wakes the worker.
+  void change_request(const std::function<void(InspectRequest&)>& change, bool is_enough) {
     const std::lock_guard lock(mutex);
-    change(wish);
-    is_wished = (is_wished || is_enough) && (wish.live != nullptr || !wish.input.empty());
+    change(request);
+    is_requested =
+        (is_requested || is_enough) && (request.live != nullptr || !request.input.empty());
     is_at_end = false;
-    news.notify_one();
+    wakeup.notify_one();
   }
   /// With the lock held.
-  [[nodiscard]] bool may_look_further() const {
-    return looks_further && !is_at_end && !wish.live && !wish.input.empty();
+  [[nodiscard]] bool may_scan() const {
+    return is_scanning && !is_at_end && !request.live && !request.input.empty();
   }
-  /// Until something is to be done. Wishes that follow each other, as of a recording that plays,
-  /// are not interrupted: what lasts over frames would be forgotten.
+  /// Waits for work. Requests in quick succession, as during playback, are not interrupted by
+  /// scanning: that would clear what is tracked over frames.
   void wait(std::unique_lock<std::mutex>& lock, const std::stop_token& stop) {
-    const auto is_enough = [&] { return stop.stop_requested() || is_wished; };
-    if (may_look_further() && news.wait_until(lock, last_wish_at + kQuiet, is_enough)) return;
-    if (!may_look_further()) news.wait(lock, [&] { return is_enough() || may_look_further(); });
+    const auto is_enough = [&] { return stop.stop_requested() || is_requested; };
+    if (may_scan() && wakeup.wait_until(lock, last_request_at + kScanDelay, is_enough)) return;
+    if (!may_scan()) wakeup.wait(lock, [&] { return is_enough() || may_scan(); });
   }
   /// With the lock held.
   [[nodiscard]] bool is_due() const {
-    return may_look_further() && Clock::now() >= last_wish_at + kQuiet;
+    return may_scan() && Clock::now() >= last_request_at + kScanDelay;
   }
-  /// With the lock held; true where the window is to be told.
-  bool add(Inspector::News more) {
+  /// With the lock held. Returns true where the window must be notified.
+  bool add(Inspector::SummaryUpdate more) {
     if (more.summaries.empty() && !more.is_from_scratch) return false;
-    const bool is_told = summaries.has_value();
+    const bool is_notified = summaries.has_value();
     if (!summaries || more.is_from_scratch) {
       more.is_from_scratch = more.is_from_scratch || (summaries && summaries->is_from_scratch);
       summaries = std::move(more);
@@ -63,7 +64,7 @@ struct Inspection::Shared {
       summaries->summaries.insert(
           summaries->summaries.end(), more.summaries.begin(), more.summaries.end());
     }
-    return !is_told;
+    return !is_notified;
   }
 };
 
@@ -74,32 +75,32 @@ Inspection::Inspection(QObject* parent) : QObject(parent), shared_(std::make_sha
     const std::stop_callback wake(stop, [shared] {
       const std::lock_guard lock(shared->mutex);
       shared->job->request_stop();
-      shared->news.notify_one();
+      shared->wakeup.notify_one();
     });
     std::unique_lock lock(shared->mutex);
     while (!stop.stop_requested()) {
       shared->wait(lock, stop);
       if (stop.stop_requested()) return;
-      const InspectWish wish = shared->wish;
+      const InspectRequest request = shared->request;
       const auto job = shared->job;
-      const bool is_wished = std::exchange(shared->is_wished, false);
-      if (!is_wished && !shared->is_due()) continue;
-      shared->is_working = is_wished;
+      const bool is_requested = std::exchange(shared->is_requested, false);
+      if (!is_requested && !shared->is_due()) continue;
+      shared->is_working = is_requested;
       lock.unlock();
       std::optional<InspectAnswer> answer;
-      const bool goes_on = is_wished || inspector.look_further(*job);
-      if (is_wished) answer = inspector(wish, *job);
-      Inspector::News news = inspector.news();
+      const bool goes_on = is_requested || inspector.scan_next(*job);
+      if (is_requested) answer = inspector(request, *job);
+      Inspector::SummaryUpdate update = inspector.update();
       lock.lock();
       shared->is_working = false;
-      if (is_wished) shared->last_wish_at = Clock::now();
-      shared->is_at_end = !goes_on;  // a wish may have brought another recording
-      if (shared->add(std::move(news)))
+      if (is_requested) shared->last_request_at = Clock::now();
+      shared->is_at_end = !goes_on;  // a request may have opened another recording
+      if (shared->add(std::move(update)))
         QMetaObject::invokeMethod(this, &Inspection::take_summaries, Qt::QueuedConnection);
       if (!answer) continue;
-      const bool is_told = shared->answer.has_value();
+      const bool is_notified = shared->answer.has_value();
       shared->answer = std::move(answer);
-      if (!is_told) QMetaObject::invokeMethod(this, &Inspection::take, Qt::QueuedConnection);
+      if (!is_notified) QMetaObject::invokeMethod(this, &Inspection::take, Qt::QueuedConnection);
     }
   });
 }
@@ -110,19 +111,20 @@ Inspection::~Inspection() {
 }
 
 void Inspection::set_finger(const std::filesystem::path& folder) {
-  if (shared_->wish.finger == folder) return;
-  shared_->ask([&](InspectWish& wish) { wish.finger = folder; }, !shared_->wish.input.empty());
+  if (shared_->request.finger == folder) return;
+  shared_->change_request([&](InspectRequest& request) { request.finger = folder; },
+                          !shared_->request.input.empty());
 }
 
-void Inspection::set_other(const Comparand& other) {
-  if (shared_->wish.other == other) return;
-  shared_->ask([&](InspectWish& wish) { wish.other = other; }, true);
+void Inspection::set_other(const ComparisonSpec& other) {
+  if (shared_->request.other == other) return;
+  shared_->change_request([&](InspectRequest& request) { request.other = other; }, true);
 }
 
-void Inspection::set_looking_further(bool is_on) {
+void Inspection::set_scanning(bool is_on) {
   const std::lock_guard lock(shared_->mutex);
-  shared_->looks_further = is_on;
-  shared_->news.notify_one();
+  shared_->is_scanning = is_on;
+  shared_->wakeup.notify_one();
 }
 
 void Inspection::open(const std::filesystem::path& input, std::size_t number) {
@@ -130,11 +132,11 @@ void Inspection::open(const std::filesystem::path& input, std::size_t number) {
   frame_.reset();
   problem_.reset();
   summaries_.clear();
-  shared_->ask(
-      [&](InspectWish& wish) {
-        wish.input = input;
-        wish.number = number;
-        wish.live.reset();
+  shared_->change_request(
+      [&](InspectRequest& request) {
+        request.input = input;
+        request.number = number;
+        request.live.reset();
       },
       true);
   Q_EMIT state_changed();
@@ -142,37 +144,37 @@ void Inspection::open(const std::filesystem::path& input, std::size_t number) {
 }
 
 void Inspection::show_frame(std::size_t number) {
-  shared_->ask([&](InspectWish& wish) { wish.number = number; }, true);
+  shared_->change_request([&](InspectRequest& request) { request.number = number; }, true);
 }
 
 void Inspection::measure_again() {
-  if (!shared_->wish.input.empty()) shared_->ask([](InspectWish&) {}, true);
+  if (!shared_->request.input.empty()) shared_->change_request([](InspectRequest&) {}, true);
 }
 
 void Inspection::show_live(std::shared_ptr<const LiveView> view, const Finger& finger) {
-  shared_->ask(
-      [&](InspectWish& wish) {
-        wish.live = std::move(view);
-        wish.live_finger = finger;
+  shared_->change_request(
+      [&](InspectRequest& request) {
+        request.live = std::move(view);
+        request.live_finger = finger;
       },
       true);
 }
 
 bool Inspection::is_busy() const {
   const std::lock_guard lock(shared_->mutex);
-  return shared_->is_wished || shared_->is_working;
+  return shared_->is_requested || shared_->is_working;
 }
 
 void Inspection::take_summaries() {
-  Inspector::News news;
+  Inspector::SummaryUpdate update;
   {
     const std::lock_guard lock(shared_->mutex);
     if (!shared_->summaries) return;
-    news = std::move(*shared_->summaries);
+    update = std::move(*shared_->summaries);
     shared_->summaries.reset();
   }
-  if (news.is_from_scratch) summaries_.clear();
-  summaries_.insert(summaries_.end(), news.summaries.begin(), news.summaries.end());
+  if (update.is_from_scratch) summaries_.clear();
+  summaries_.insert(summaries_.end(), update.summaries.begin(), update.summaries.end());
   Q_EMIT summaries_changed();
 }
 
@@ -183,13 +185,13 @@ void Inspection::take() {
     if (!shared_->answer) return;
     answer = std::move(*shared_->answer);
     shared_->answer.reset();
-    // Of a recording that has been closed since, or of the live finger.
-    if (answer.recording && answer.recording->input != shared_->wish.input) return;
-    if (!answer.recording && !answer.problem && !shared_->wish.live) return;
+    // The answer may be of a closed recording, or of the live finger.
+    if (answer.recording && answer.recording->input != shared_->request.input) return;
+    if (!answer.recording && !answer.problem && !shared_->request.live) return;
   }
   recording_ = answer.recording;
   problem_ = answer.problem;
-  if (answer.frame || problem_) {  // what was shown before is of another frame, or another finger
+  if (answer.frame || problem_) {  // the former frame is of another request or finger
     frame_ = answer.frame;
     Q_EMIT frame_ready();
   }

@@ -1,4 +1,5 @@
-// Measures frames of a recording, or those that come live, beside the window: the newest wish wins.
+// Measures frames of a recording or of the live stream on a background thread. The newest request
+// wins.
 #pragma once
 
 #include "calibration/live/live_finger.h"
@@ -13,27 +14,27 @@
 
 namespace alltact {
 
-/// An object of the window's thread; work goes on a thread of its own.
+/// Belongs to the window's thread; works on a thread of its own.
 class Inspection : public QObject {
   Q_OBJECT
  public:
   explicit Inspection(QObject* parent = nullptr);
-  /// The work is asked to stop and waited for: at most one frame, or a stretch of loading.
+  /// Stops the work and waits for it: at most one frame, or one stage of loading.
   ~Inspection() override;
 
-  /// The finger that recordings are measured with; empty: none.
+  /// Folder of the finger that measures recordings; empty: none.
   void set_finger(const std::filesystem::path& folder);
-  void set_other(const Comparand& other);
-  /// While it waits for wishes it measures all frames of a recording one after the other, for their
+  void set_other(const ComparisonSpec& other);
+  /// While on and without a request, measures all frames of a recording in sequence for their
   /// summaries.
-  void set_looking_further(bool is_on);
-  /// A video, or a folder of pictures; an empty path closes it.
-  ///   number: the frame that is shown first; of a shorter one the last
+  void set_scanning(bool is_on);
+  /// A video, or a folder of images; an empty path closes it.
+  ///   number: the first frame to show; past the end, the last frame
   void open(const std::filesystem::path& input, std::size_t number = 0);
   void show_frame(std::size_t number);
-  /// What stands in the finger's folder has changed.
+  /// The finger's folder has changed.
   void measure_again();
-  /// A frame that was measured live, with the finger it was measured with.
+  /// A live frame that was measured already, with its finger.
   void show_live(std::shared_ptr<const LiveView> view, const Finger& finger);
 
   /// Null before the first and while another recording is being opened.
@@ -41,9 +42,9 @@ class Inspection : public QObject {
   [[nodiscard]] const std::optional<RecordingInfo>& recording() const { return recording_; }
   /// Why nothing can be shown at all.
   [[nodiscard]] const std::optional<Error>& problem() const { return problem_; }
-  /// A wish is being worked on.
+  /// A request is being processed.
   [[nodiscard]] bool is_busy() const;
-  /// Of the recording's frames that were measured so far, in any order.
+  /// Summaries of the frames measured so far, in any order.
   [[nodiscard]] const std::vector<FrameSummary>& summaries() const { return summaries_; }
 
  Q_SIGNALS:

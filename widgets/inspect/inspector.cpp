@@ -7,14 +7,14 @@
 namespace alltact {
 namespace {
 
-constexpr int kVertices = 25000;  // 30 faces a second, drawn in software
+constexpr int kVertices = 25000;  // 30 faces per second with software rendering
 
 }  // namespace
 
-InspectAnswer Inspector::operator()(const InspectWish& wish, const Job& job) {
-  if (std::exchange(grid_of_, wish.finger) != wish.finger) grid_ = {};
+InspectAnswer Inspector::operator()(const InspectRequest& request, const Job& job) {
+  if (std::exchange(grid_of_, request.finger) != request.finger) grid_ = {};
   InspectAnswer answer;
-  auto frame = measured(wish, job, answer.recording);
+  auto frame = measured(request, job, answer.recording);
   if (!frame) {
     answer.problem = frame.error();
     return answer;
@@ -24,16 +24,18 @@ InspectAnswer Inspector::operator()(const InspectWish& wish, const Job& job) {
   return answer;
 }
 
-Result<MeasuredFrame> Inspector::measured(const InspectWish& wish,
+Result<MeasuredFrame> Inspector::measured(const InspectRequest& request,
                                           const Job& job,
                                           std::optional<RecordingInfo>& recording) {
-  if (wish.live)
-    return measurer_.complete(wish.live->result, *wish.live_finger, wish.finger, wish.other, job);
-  if (const Status status = measurer_.open_recording(wish.input, job); !status)
+  if (request.live)
+    return measurer_.complete(
+        request.live->result, *request.live_finger, request.finger, request.other, job);
+  if (const Status status = measurer_.open_recording(request.input, job); !status)
     return status.error();
   recording = measurer_.recording();
-  if (const Status status = measurer_.load_finger(wish.finger, job); !status) return status.error();
-  auto frame = measurer_.measure(wish.number, wish.other, job);
+  if (const Status status = measurer_.load_finger(request.finger, job); !status)
+    return status.error();
+  auto frame = measurer_.measure(request.number, request.other, job);
   if (frame) note(*frame);
   return frame;
 }
@@ -45,16 +47,16 @@ void Inspector::note(const MeasuredFrame& frame) {
     summaries_by_ = measurer_.finger();
     has_summary_.assign(recording.count, 0);
     next_ = 0;
-    news_ = {true, {}};
+    update_ = {true, {}};
   }
   if (frame.number < has_summary_.size() && has_summary_[frame.number] == 0) {
     has_summary_[frame.number] = 1;
-    news_.summaries.push_back(summary_of(frame));
+    update_.summaries.push_back(summary_of(frame));
   }
   while (next_ < has_summary_.size() && has_summary_[next_] != 0) ++next_;
 }
 
-bool Inspector::look_further(const Job& job) {
+bool Inspector::scan_next(const Job& job) {
   if (next_ >= has_summary_.size() || !measurer_.is_open() || summaries_by_ != measurer_.finger() ||
       summaries_of_ != measurer_.recording().input)
     return false;
@@ -63,14 +65,14 @@ bool Inspector::look_further(const Job& job) {
     note(*frame);
   } else {
     has_summary_[next_] = 1;  // it cannot be read
-    news_.summaries.push_back({next_, {}, {}, {}, false, frame.error().what});
+    update_.summaries.push_back({next_, {}, {}, {}, false, frame.error().what});
     ++next_;
   }
   return true;
 }
 
-Inspector::News Inspector::news() {
-  return std::exchange(news_, {});
+Inspector::SummaryUpdate Inspector::update() {
+  return std::exchange(update_, {});
 }
 
 std::shared_ptr<const InspectedFrame> Inspector::with_surfaces(MeasuredFrame measured) {
@@ -81,7 +83,7 @@ std::shared_ptr<const InspectedFrame> Inspector::with_surfaces(MeasuredFrame mea
   if (!result.shape || (!result.depth && frame.is_calibrated)) return shown;
   if (grid_.area() == 0) grid_ = grid_for(result, kVertices);
   if (!result.depth) {
-    frame.bare = bare_surface(result, frame.face, grid_.width, grid_.height);
+    frame.bare = uncalibrated_surface(result, frame.face, grid_.width, grid_.height);
     return shown;
   }
   frame.surface = face_surface(result, frame.face, grid_.width, grid_.height);
@@ -91,8 +93,9 @@ std::shared_ptr<const InspectedFrame> Inspector::with_surfaces(MeasuredFrame mea
   for (int j = 0; j < grid_.height; ++j) {
     for (int i = 0; i < grid_.width; ++i) {
       const auto& pixel = frame.surface->pixel.at<cv::Vec2f>(j, i);
-      frame.other_depth_mm.at<float>(j, i) = frame.surface->depth_mm.at<float>(j, i) -
-                                             value_between(frame.difference_mm, pixel[0], pixel[1]);
+      frame.other_depth_mm.at<float>(j, i) =
+          frame.surface->depth_mm.at<float>(j, i) -
+          bilinear_value(frame.difference_mm, pixel[0], pixel[1]);
     }
   }
   return shown;

@@ -1,4 +1,4 @@
-// The work behind Inspection: frames measured and made into surfaces. Of one thread.
+// The worker of Inspection: measures frames and builds surfaces. Used by one thread.
 #pragma once
 
 #include "calibration/live/live_finger.h"
@@ -11,11 +11,11 @@
 
 namespace alltact {
 
-/// What is wished for.
-struct InspectWish {
+/// A frame to be measured.
+struct InspectRequest {
   std::filesystem::path finger;
   std::filesystem::path input;
-  Comparand other;
+  ComparisonSpec other;
   std::size_t number = 0;
   std::shared_ptr<const LiveView> live;  ///< instead of the recording's frame
   std::optional<Finger> live_finger;
@@ -29,22 +29,22 @@ struct InspectAnswer {
 
 class Inspector {
  public:
-  /// Opens and loads what has changed since the last wish.
-  [[nodiscard]] InspectAnswer operator()(const InspectWish& wish, const Job& job);
+  /// Opens and loads what has changed since the last request.
+  [[nodiscard]] InspectAnswer operator()(const InspectRequest& request, const Job& job);
 
-  /// Measures the next frame of the recording that has no summary yet, as the last wish had it;
-  /// false: there is none, or nothing to measure it with.
-  [[nodiscard]] bool look_further(const Job& job);
-  /// Those that came since the last call, also of frames that were wished for.
-  struct News {
-    bool is_from_scratch = false;  ///< those before are of another recording, or another finger
+  /// Measures the next frame of the recording without a summary, with the settings of the last
+  /// request. Returns false when there is none, or no finger to measure it with.
+  [[nodiscard]] bool scan_next(const Job& job);
+  /// Summaries since the last call, including those of requested frames.
+  struct SummaryUpdate {
+    bool is_from_scratch = false;  ///< earlier summaries are of another recording or finger
     std::vector<FrameSummary> summaries;
   };
-  [[nodiscard]] News news();
+  [[nodiscard]] SummaryUpdate update();
 
  private:
   void note(const MeasuredFrame& frame);
-  Result<MeasuredFrame> measured(const InspectWish& wish,
+  Result<MeasuredFrame> measured(const InspectRequest& request,
                                  const Job& job,
                                  std::optional<RecordingInfo>& recording);
   std::shared_ptr<const InspectedFrame> with_surfaces(MeasuredFrame measured);
@@ -52,12 +52,12 @@ class Inspector {
   FrameMeasurer measurer_;
   std::filesystem::path grid_of_;  // a finger's folder
   cv::Size grid_;                  // the same for all its frames
-  // Which frames have a summary, and of what.
+  // Frames with a summary, and the recording and finger of these summaries.
   std::vector<char> has_summary_;
-  std::size_t next_ = 0;  // all before have one
+  std::size_t next_ = 0;  // all frames before it have one
   std::filesystem::path summaries_of_;
   std::shared_ptr<const FingerSnapshot> summaries_by_;
-  News news_;
+  SummaryUpdate update_;
 };
 
 }  // namespace alltact

@@ -1,4 +1,4 @@
-// Beside what is shown: the second finger, how its frames are joined, and how far it is away.
+// The second finger, how both recordings are synchronised, and the distance between the faces.
 #pragma once
 
 #include "widgets/inspect/finger_pair.h"
@@ -15,22 +15,22 @@ class PairBox : public Translated<QGroupBox> {
  public:
   /// `pair` outlives it.
   explicit PairBox(const FingerPair& pair, QWidget* parent = nullptr);
-  /// is_recording: a recording is shown, which a second one can be joined to.
+  /// is_recording: a recording is open, so that a second one can be opened.
   void show_pair(bool is_recording);
-  /// Stands wherever there is room for it: the box is hidden while there is no second finger.
+  /// For the layout of another widget: the box is hidden while there is no second finger.
   [[nodiscard]] QPushButton* open_button() const { return open_; }
 
  Q_SIGNALS:
-  void open_wanted();
-  void close_wanted();
-  void place_wanted(bool is_second);
+  void open_requested();
+  void close_requested();
+  void pose_requested(bool is_second);
 
  private:
   [[nodiscard]] QString joined_text() const;
   [[nodiscard]] QString gap_text() const;
 
   const FingerPair& pair_;
-  QPushButton *open_, *close_, *place_first_, *place_second_;
+  QPushButton *open_, *close_, *pose_first_, *pose_second_;
   QLabel *names_, *joined_, *gap_;
 };
 

@@ -1,6 +1,6 @@
 #include "widgets/inspect/points_box.h"
 
-#include "widgets/inspect/face_places.h"
+#include "widgets/inspect/face_positions.h"
 #include "widgets/inspect/reading_text.h"
 
 #include <QGridLayout>
@@ -11,11 +11,11 @@
 namespace alltact {
 namespace {
 
-enum MergeId { kPointA = 2011 };  // and the next three
-// A digit more would widen the column.
+enum MergeId { kPointA = 2011 };  // ids of the four fields
+// One digit more would widen the column.
 constexpr double kNotChosen_mm = -999, kFurthest_mm = 999;
 
-NumberField* place_box() {
+NumberField* position_box() {
   auto* box = new NumberField;
   box->setRange(kNotChosen_mm, kFurthest_mm);
   box->setSingleStep(0.1);
@@ -28,8 +28,8 @@ NumberField* place_box() {
 
 PointsBox::PointsBox(QWidget* parent)
     : Translated(parent),
-      points_{{{&InspectOptions::a, new QLabel, {place_box(), place_box()}},
-               {&InspectOptions::b, new QLabel, {place_box(), place_box()}}}},
+      points_{{{&InspectOptions::a, new QLabel, {position_box(), position_box()}},
+               {&InspectOptions::b, new QLabel, {position_box(), position_box()}}}},
       deepest_(new QPushButton),
       across_(new QPushButton),
       along_(new QPushButton),
@@ -55,7 +55,7 @@ PointsBox::PointsBox(QWidget* parent)
   grid->addLayout(buttons, row++, 0, 1, 3);
   reading_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   reading_->setWordWrap(true);
-  constexpr int kLines = 7;  // nothing jumps while points come and go
+  constexpr int kLines = 7;  // constant height while points come and go
   reading_->setMinimumHeight(kLines * reading_->fontMetrics().lineSpacing());
   reading_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   grid->addWidget(reading_, row, 0, 1, 3);
@@ -69,7 +69,7 @@ void PointsBox::connect_points() {
   for (const Point& point : points_)
     for (const std::size_t part : {0U, 1U}) {
       connect(point.boxes[part], &NumberField::valueChanged, this, [this, point, part, id] {
-        change_part(point, part, id);
+        change_coordinate(point, part, id);
       });
       ++id;
     }
@@ -77,12 +77,12 @@ void PointsBox::connect_points() {
     const auto at = deepest();
     if (!at) return;
     InspectOptions next = options_;
-    next.a = place_of(*frame_, *at);
+    next.a = position_of(*frame_, *at);
     Q_EMIT changed(
         next, [] { return tr("move point A"); }, -1);
   });
-  connect(across_, &QPushButton::clicked, this, [this] { lay_line(true); });
-  connect(along_, &QPushButton::clicked, this, [this] { lay_line(false); });
+  connect(across_, &QPushButton::clicked, this, [this] { set_section_line(true); });
+  connect(along_, &QPushButton::clicked, this, [this] { set_section_line(false); });
   connect(clear_, &QPushButton::clicked, this, [this] {
     InspectOptions next = options_;
     next.a.reset();
@@ -92,14 +92,14 @@ void PointsBox::connect_points() {
   });
 }
 
-/// The other coordinate stays exactly what it was; of a point that was not there it is the middle.
-void PointsBox::change_part(const Point& point, std::size_t part, int merge_id) {
+/// The other coordinate is unchanged; for a new point it is 0.
+void PointsBox::change_coordinate(const Point& point, std::size_t part, int merge_id) {
   InspectOptions next = options_;
-  auto& place = next.*point.member;
-  if (!place) place = FacePlace();
+  auto& position = next.*point.member;
+  if (!position) position = FacePosition();
   const double value = point.boxes[part]->value();
-  constexpr double kBarelyAbove = kNotChosen_mm + 10;  // one step up from "not chosen"
-  (part == 0 ? place->along_mm : place->across_mm) = value < kBarelyAbove ? 0.0 : value;
+  constexpr double kBarelyAbove = kNotChosen_mm + 10;  // up to one step above "not chosen"
+  (part == 0 ? position->along_mm : position->across_mm) = value < kBarelyAbove ? 0.0 : value;
   Q_EMIT changed(
       next,
       [is_first = point.member == &InspectOptions::a] {
@@ -113,14 +113,14 @@ std::optional<cv::Point2d> PointsBox::deepest() const {
   cv::Mat depth = frame_->result.depth->depth_mm.clone();
   cv::patchNaNs(depth, -1);
   cv::Point at;
-  double most = -1;
-  cv::minMaxLoc(depth, nullptr, &most, nullptr, &at);
-  if (most < 0) return std::nullopt;
+  double max_depth_mm = -1;
+  cv::minMaxLoc(depth, nullptr, &max_depth_mm, nullptr, &at);
+  if (max_depth_mm < 0) return std::nullopt;
   return cv::Point2d(at);
 }
 
 /// From edge to edge through point A, or through the deepest point.
-void PointsBox::lay_line(bool is_across) {
+void PointsBox::set_section_line(bool is_across) {
   if (!frame_ || !frame_->result.shape) return;
   auto through = pixel_of(*frame_, options_.a);
   if (!through) through = deepest();
@@ -136,14 +136,14 @@ void PointsBox::lay_line(bool is_across) {
   InspectOptions next = options_;
   if (is_across) {
     const auto rows = shape.rows(u, 0);
-    next.a = place_of(*frame_, cv::Point2d(u, rows.first));
-    next.b = place_of(*frame_, cv::Point2d(u, rows.last));
+    next.a = position_of(*frame_, cv::Point2d(u, rows.first));
+    next.b = position_of(*frame_, cv::Point2d(u, rows.last));
   } else {
     int first = u, last = u;
     while (first > 0 && holds(first - 1)) --first;
     while (last + 1 < shape.width_px() && holds(last + 1)) ++last;
-    next.a = place_of(*frame_, cv::Point2d(first, v));
-    next.b = place_of(*frame_, cv::Point2d(last, v));
+    next.a = position_of(*frame_, cv::Point2d(first, v));
+    next.b = position_of(*frame_, cv::Point2d(last, v));
   }
   Q_EMIT changed(
       next, [is_across] { return is_across ? tr("cut across") : tr("cut along"); }, -1);
@@ -188,9 +188,9 @@ void PointsBox::set_options(const InspectOptions& options) {
 
 void PointsBox::show_points() {
   for (const Point& point : points_) {
-    const auto& place = options_.*point.member;
-    const std::array now{place ? place->along_mm : kNotChosen_mm,
-                         place ? place->across_mm : kNotChosen_mm};
+    const auto& position = options_.*point.member;
+    const std::array now{position ? position->along_mm : kNotChosen_mm,
+                         position ? position->across_mm : kNotChosen_mm};
     for (std::size_t part = 0; part < 2; ++part) {
       const QSignalBlocker quiet(point.boxes[part]);
       point.boxes[part]->setValue(now[part]);

@@ -1,4 +1,4 @@
-// The two points that one measures with: where they are, and what is read there.
+// The two measuring points: their positions and readings.
 #pragma once
 
 #include "widgets/controls/number_field.h"
@@ -27,21 +27,21 @@ class PointsBox : public Translated<QGroupBox> {
   void show_frame(const std::shared_ptr<const InspectedFrame>& frame);
 
  Q_SIGNALS:
-  /// As of ViewBox.
+  /// As in ViewBox.
   void changed(const alltact::InspectOptions& options,
                const alltact::StepWords& what,
                int merge_id);
 
  private:
   struct Point {
-    std::optional<FacePlace> InspectOptions::*member;
+    std::optional<FacePosition> InspectOptions::*member;
     QLabel* label;
     std::array<NumberField*, 2> boxes;  // along, across
   };
   void connect_points();
-  void change_part(const Point& point, std::size_t part, int merge_id);
+  void change_coordinate(const Point& point, std::size_t part, int merge_id);
   void name_parts();
-  void lay_line(bool is_across);
+  void set_section_line(bool is_across);
   [[nodiscard]] std::optional<cv::Point2d> deepest() const;
   void show_points();
   void show_reading();

@@ -2,7 +2,7 @@
 
 #include "core/sensing/depth/depth_limits.h"
 #include "core/sensing/measures.h"
-#include "widgets/inspect/face_places.h"
+#include "widgets/inspect/face_positions.h"
 #include "widgets/joined_words.h"
 #include "widgets/number_text.h"
 
@@ -17,7 +17,7 @@ struct ReadingWords {
  public:
   static QString number(double value, int digits = 2) { return plain_number(value, digits); }
 
-  /// What makes the number less than it looks, behind it; bits of DepthLimit.
+  /// Limits of the depth, appended to its number; bits of DepthLimit.
   static QString limits(std::uint8_t limits) {
     QStringList words;
     if ((limits & kLayerLimit) != 0) words << tr("at the layer's limit");
@@ -28,29 +28,32 @@ struct ReadingWords {
     return words.isEmpty() ? QString() : tr(" (%1)").arg(joined(words));
   }
 
-  static QString depth(const InspectedFrame& frame, const PlaceReading& place) {
-    if (!place.depth_mm) {
-      if (place.flag == kTooDark) return tr("no depth: too dark");
-      if (place.flag == kSaturated) return tr("no depth: too bright");
+  static QString depth(const InspectedFrame& frame, const FaceSample& position) {
+    if (!position.depth_mm) {
+      if (position.flag == kTooDark) return tr("no depth: too dark");
+      if (position.flag == kSaturated) return tr("no depth: too bright");
       return tr("no depth: near the face's edge");
     }
-    const QString text = is_at_limit(place.flag) ? limit_and_sd(*place.depth_mm, place.sd_mm, 2)
-                                                 : number_and_sd(*place.depth_mm, place.sd_mm, 2);
-    return tr("depth %1 mm").arg(text) + limits(limits_at(frame, place));
+    const QString text = is_at_limit(position.flag)
+                             ? limit_and_sd(*position.depth_mm, position.sd_mm, 2)
+                             : number_and_sd(*position.depth_mm, position.sd_mm, 2);
+    return tr("depth %1 mm").arg(text) + limits(limits_at(frame, position));
   }
 
-  static std::uint8_t limits_at(const InspectedFrame& frame, const PlaceReading& place) {
-    const int u = static_cast<int>(std::lround(place.pixel.x));
-    const int v = static_cast<int>(std::lround(place.pixel.y));
+  static std::uint8_t limits_at(const InspectedFrame& frame, const FaceSample& position) {
+    const int u = static_cast<int>(std::lround(position.pixel.x));
+    const int v = static_cast<int>(std::lround(position.pixel.y));
     const bool is_known = cv::Rect({}, frame.limits.size()).contains({u, v});
-    return static_cast<std::uint8_t>(limit_of_flag(place.flag) |
+    return static_cast<std::uint8_t>(limit_of_flag(position.flag) |
                                      (is_known ? frame.limits.at<std::uint8_t>(v, u) : 0));
   }
 
-  static QString place(const InspectedFrame& frame, const QString& name, const FacePlace& at_mm) {
+  static QString position(const InspectedFrame& frame,
+                          const QString& name,
+                          const FacePosition& at_mm) {
     const auto pixel = pixel_of(frame, at_mm);
     const auto found =
-        pixel ? read_place(frame.result, frame.face, frame.sd_mm, *pixel) : std::nullopt;
+        pixel ? sample_face(frame.result, frame.face, frame.sd_mm, *pixel) : std::nullopt;
     if (!found) return tr("<b>%1</b>: off the face").arg(name);
     const Eigen::Vector3d at = found->point_mm();
     return tr("<b>%1</b>: x %2, y %3, z %4 mm")
@@ -58,20 +61,22 @@ struct ReadingWords {
            QStringLiteral("<br>") + depth(frame, *found);
   }
 
-  static QString apart(const InspectedFrame& frame, const FacePlace& from, const FacePlace& to) {
+  static QString apart(const InspectedFrame& frame,
+                       const FacePosition& from,
+                       const FacePosition& to) {
     const auto a = pixel_of(frame, from), b = pixel_of(frame, to);
     if (!a || !b) return {};
     const auto distance = distance_between(frame.result, frame.face, *a, *b);
     if (!distance) return {};
     const Eigen::Vector3d& by = distance->apart_mm;
     return tr("<b>A to B</b>: %1 mm straight, %2 mm over the face")
-               .arg(number(distance->straight_mm), number(distance->over_face_mm)) +
+               .arg(number(distance->straight_mm), number(distance->along_face_mm)) +
            QStringLiteral("<br>") +
            tr("by x %1, y %2, z %3 mm").arg(number(by.x()), number(by.y()), number(by.z()));
   }
 
   static QString deepest(const ContactRegion& region) {
-    const Eigen::Vector3d& at = region.place_mm;
+    const Eigen::Vector3d& at = region.position_mm;
     const QString deepest = (region.limits & kLayerLimit) != 0
                                 ? limit_and_sd(region.deepest_mm, {}, 2)
                                 : number(region.deepest_mm);
@@ -79,10 +84,11 @@ struct ReadingWords {
         .arg(deepest, number(at.x(), 1), number(at.y(), 1), number(at.z(), 1));
   }
 
-  static ProbeText probe(const InspectedFrame& frame, const PlaceReading& place) {
-    const Eigen::Vector2d on_face = frame.result.shape->place_mm(place.pixel.x, place.pixel.y);
-    const Eigen::Vector3d at = place.point_mm();
-    return {frame.result.depth ? depth(frame, place) : tr("not calibrated: no depth"),
+  static ProbeText probe(const InspectedFrame& frame, const FaceSample& position) {
+    const Eigen::Vector2d on_face =
+        frame.result.shape->position_mm(position.pixel.x, position.pixel.y);
+    const Eigen::Vector3d at = position.point_mm();
+    return {frame.result.depth ? depth(frame, position) : tr("not calibrated: no depth"),
             tr("%1 mm along, %2 mm across; x %3, y %4, z %5 mm")
                 .arg(number(on_face.x(), 1), number(on_face.y(), 1))
                 .arg(number(at.x()), number(at.y()), number(at.z()))};
@@ -97,11 +103,11 @@ struct ReadingWords {
 }  // namespace
 
 QString reading_text(const InspectedFrame& frame,
-                     const std::optional<FacePlace>& a,
-                     const std::optional<FacePlace>& b) {
+                     const std::optional<FacePosition>& a,
+                     const std::optional<FacePosition>& b) {
   QStringList parts;
-  if (a) parts << ReadingWords::place(frame, QStringLiteral("A"), *a);
-  if (b) parts << ReadingWords::place(frame, QStringLiteral("B"), *b);
+  if (a) parts << ReadingWords::position(frame, QStringLiteral("A"), *a);
+  if (b) parts << ReadingWords::position(frame, QStringLiteral("B"), *b);
   if (a && b) parts << ReadingWords::apart(frame, *a, *b);
   parts.removeAll(QString());
   return parts.isEmpty() ? ReadingWords::hint() : parts.join(QStringLiteral("<br>"));
@@ -109,8 +115,8 @@ QString reading_text(const InspectedFrame& frame,
 
 namespace {
 
-/// Of a finger without calibration.
-std::optional<PlaceReading> untouched_place(const InspectedFrame& frame, cv::Point2d pixel) {
+/// For a finger without calibration.
+std::optional<FaceSample> contact_free_reading(const InspectedFrame& frame, cv::Point2d pixel) {
   if (!frame.result.shape) return std::nullopt;
   const FaceShape& shape = *frame.result.shape;
   const int u = static_cast<int>(std::lround(pixel.x)), v = static_cast<int>(std::lround(pixel.y));
@@ -118,19 +124,19 @@ std::optional<PlaceReading> untouched_place(const InspectedFrame& frame, cv::Poi
   const auto rows = shape.rows(u, 0);
   const auto local = shape.at(pixel.x, pixel.y);
   if (v < rows.first || v > rows.last || !local) return std::nullopt;
-  PlaceReading place;
-  place.pixel = pixel;
-  place.untouched_mm = untouched_point_mm(*local, frame.face.layer_mm, MappingAlong::kZ);
-  return place;
+  FaceSample position;
+  position.pixel = pixel;
+  position.untouched_mm = untouched_point_mm(*local, frame.face.layer_mm, MappingAlong::kZ);
+  return position;
 }
 
 }  // namespace
 
 std::optional<ProbeText> probe_text(const InspectedFrame& frame, cv::Point2d pixel) {
-  auto place = read_place(frame.result, frame.face, frame.sd_mm, pixel);
-  if (!place && !frame.result.depth) place = untouched_place(frame, pixel);
-  if (!place) return std::nullopt;
-  return ReadingWords::probe(frame, *place);
+  auto position = sample_face(frame.result, frame.face, frame.sd_mm, pixel);
+  if (!position && !frame.result.depth) position = contact_free_reading(frame, pixel);
+  if (!position) return std::nullopt;
+  return ReadingWords::probe(frame, *position);
 }
 
 QString deepest_text(const InspectedFrame& frame) {

@@ -14,25 +14,25 @@ SaveBar::SaveBar(QWidget* parent)
       progress_(new QProgressBar) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
-  for (const char* ending : kSavedAs) kind_->addItem(QString(), QLatin1String(ending));
+  for (const char* ending : kSaveFormats) kind_->addItem(QString(), QLatin1String(ending));
   progress_->setMaximumWidth(160);
-  kind_->setMinimumWidth(52);  // where the window is small
+  kind_->setMinimumWidth(52);  // px, for small windows
   for (QWidget* widget : std::initializer_list<QWidget*>{progress_, stop_, kind_, save_})
     row->addWidget(widget, widget == kind_ ? 1 : 0);
   connect(save_, &QPushButton::clicked, this, [this] {
-    Q_EMIT wanted(kind_->currentData().toString());
+    Q_EMIT save_requested(kind_->currentData().toString());
   });
-  connect(stop_, &QPushButton::clicked, this, &SaveBar::stop_wanted);
+  connect(stop_, &QPushButton::clicked, this, &SaveBar::stop_requested);
   say([this] {
-    const std::array<QString, kSavedAs.size()> kinds{tr("Mesh, PLY"),
-                                                     tr("Mesh, VTP (VTK)"),
-                                                     tr("Mesh, STL"),
-                                                     tr("Mesh, glTF"),
-                                                     tr("Picture, PNG (300 dpi)"),
-                                                     tr("Cross-section, PDF"),
-                                                     tr("Cross-section, SVG"),
-                                                     tr("Cross-section, CSV"),
-                                                     tr("Video in 3D, MKV")};
+    const std::array<QString, kSaveFormats.size()> kinds{tr("Mesh, PLY"),
+                                                         tr("Mesh, VTP (VTK)"),
+                                                         tr("Mesh, STL"),
+                                                         tr("Mesh, glTF"),
+                                                         tr("Picture, PNG (300 dpi)"),
+                                                         tr("Cross-section, PDF"),
+                                                         tr("Cross-section, SVG"),
+                                                         tr("Cross-section, CSV"),
+                                                         tr("Video in 3D, MKV")};
     for (std::size_t i = 0; i < kinds.size(); ++i)
       kind_->setItemText(static_cast<int>(i), kinds[i]);
     kind_->setAccessibleName(tr("What is saved"));
@@ -45,7 +45,7 @@ SaveBar::SaveBar(QWidget* parent)
 }
 
 bool CanSave::saves(const std::string& ending) const {
-  if (ending == "png") return picture;
+  if (ending == "png") return image;
   if (ending == "pdf" || ending == "svg" || ending == "csv") return section;
   return ending == "mkv" ? film : surface;
 }
@@ -54,13 +54,13 @@ void SaveBar::set_can_save(const CanSave& can) {
   auto* model = qobject_cast<QStandardItemModel*>(kind_->model());
   int first = -1;
   for (int i = 0; i < kind_->count(); ++i) {
-    const bool is_on = can.saves(kSavedAs[static_cast<std::size_t>(i)]);
+    const bool is_on = can.saves(kSaveFormats[static_cast<std::size_t>(i)]);
     model->item(i)->setEnabled(is_on);
     if (is_on && first < 0) first = i;
   }
   kind_->setEnabled(first >= 0);
   save_->setEnabled(first >= 0);
-  if (first >= 0 && !can.saves(kSavedAs[static_cast<std::size_t>(kind_->currentIndex())]))
+  if (first >= 0 && !can.saves(kSaveFormats[static_cast<std::size_t>(kind_->currentIndex())]))
     kind_->setCurrentIndex(first);
 }
 

@@ -1,4 +1,4 @@
-// What is to be saved, and how that goes.
+// Choice of a file format, and the progress of saving.
 #pragma once
 
 #include "widgets/translated.h"
@@ -12,13 +12,13 @@
 
 namespace alltact {
 
-/// What can be saved: the endings that files get.
-inline constexpr std::array<const char*, 9> kSavedAs{
+/// File endings of all formats.
+inline constexpr std::array<const char*, 9> kSaveFormats{
     "ply", "vtp", "stl", "glb", "png", "pdf", "svg", "csv", "mkv"};
 
 struct CanSave {
   bool surface = false;  ///< PLY, VTP, STL, glTF
-  bool picture = false;  ///< PNG
+  bool image = false;    ///< PNG
   bool section = false;  ///< PDF, SVG, CSV of the cross-section
   bool film = false;     ///< MKV
   [[nodiscard]] bool saves(const std::string& ending) const;
@@ -30,12 +30,12 @@ class SaveBar : public Translated<QWidget> {
   explicit SaveBar(QWidget* parent = nullptr);
 
   void set_can_save(const CanSave& can);
-  /// None: nothing is being saved. Below 0: it goes on until it is stopped.
+  /// None: nothing is being saved. Below 0: saving continues until it is stopped.
   void show_progress(std::optional<double> fraction);
 
  Q_SIGNALS:
-  void wanted(const QString& ending);
-  void stop_wanted();
+  void save_requested(const QString& ending);
+  void stop_requested();
 
  private:
   QComboBox* kind_;

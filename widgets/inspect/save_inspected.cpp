@@ -29,7 +29,7 @@ std::vector<std::filesystem::path> files_of_both(const std::filesystem::path& fi
   return files;
 }
 
-Status save_both(const std::array<PlacedFrame, 2>& frames, const std::filesystem::path& file) {
+Status save_both(const std::array<PosedFrame, 2>& frames, const std::filesystem::path& file) {
   const auto files = files_of_both(file);
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const InspectedFrame& frame = *frames[i].frame;
@@ -47,34 +47,34 @@ Status save_both(const std::array<PlacedFrame, 2>& frames, const std::filesystem
 
 namespace {
 
-/// The second finger's frame that belongs to one of the first.
+/// Frames of the second finger, synchronised with the first.
 class SecondFilm {
  public:
   explicit SecondFilm(const SecondFinger& second) {
-    wish_.finger = second.finger;
-    wish_.input = second.recording;
+    request_.finger = second.finger;
+    request_.input = second.recording;
   }
-  /// Null where that frame cannot be had. Error: the recording, or the finger, cannot be.
-  Result<std::shared_ptr<const InspectedFrame>> beside(std::size_t number,
-                                                       const RecordingInfo& first,
-                                                       const Job& job) {
+  /// Null where that frame cannot be measured. Error: the recording or the finger cannot be opened.
+  Result<std::shared_ptr<const InspectedFrame>> partner(std::size_t number,
+                                                        const RecordingInfo& first,
+                                                        const Job& job) {
     if (!recording_) {
-      const InspectAnswer begin = inspector_(wish_, job);
+      const InspectAnswer begin = inspector_(request_, job);
       if (!begin.recording) return *begin.problem;
       recording_ = begin.recording;
     }
     static const FrameTimes kNone;
-    wish_.number = frame_beside(number,
-                                first.times_ns ? *first.times_ns : kNone,
-                                recording_->times_ns ? *recording_->times_ns : kNone,
-                                recording_->count)
-                       .number;
-    return inspector_(wish_, job).frame;
+    request_.number = match_frame(number,
+                                  first.times_ns ? *first.times_ns : kNone,
+                                  recording_->times_ns ? *recording_->times_ns : kNone,
+                                  recording_->count)
+                          .number;
+    return inspector_(request_, job).frame;
   }
 
  private:
   Inspector inspector_;
-  InspectWish wish_;
+  InspectRequest request_;
   std::optional<RecordingInfo> recording_;
 };
 
@@ -84,24 +84,24 @@ Status save_film(const FilmOptions& options, const std::filesystem::path& file, 
   const InspectOptions& view = options.view.options;
   FilmWriter writer(file, options.view);
   Inspector inspector;
-  InspectWish wish;
-  wish.finger = options.finger;
-  wish.input = options.input;
-  wish.other = view.comparand();
+  InspectRequest request;
+  request.finger = options.finger;
+  request.input = options.input;
+  request.other = view.comparand();
   std::optional<SecondFilm> second;
   if (view.second) second.emplace(*view.second);
-  for (std::size_t count = 1; wish.number < count && !job.stop_requested(); ++wish.number) {
-    const InspectAnswer answer = inspector(wish, job);
+  for (std::size_t count = 1; request.number < count && !job.stop_requested(); ++request.number) {
+    const InspectAnswer answer = inspector(request, job);
     if (!answer.recording) return *answer.problem;
     if (answer.frame && answer.frame->other_problem) return *answer.frame->other_problem;
     count = answer.recording->count;
-    job.report(static_cast<double>(wish.number) / static_cast<double>(count),
-               en::say("frame {} of {}", wish.number + 1, count));
-    FilmMoment moment{answer.frame, nullptr, options.places};
+    job.report(static_cast<double>(request.number) / static_cast<double>(count),
+               en::say("frame {} of {}", request.number + 1, count));
+    FilmMoment moment{answer.frame, nullptr, options.poses};
     if (second) {
-      auto beside = second->beside(wish.number, *answer.recording, job);
-      if (!beside) return beside.error();
-      moment.second = std::move(*beside);
+      auto partner = second->partner(request.number, *answer.recording, job);
+      if (!partner) return partner.error();
+      moment.second = std::move(*partner);
       if (!moment.second) continue;
     }
     const Status status = writer.add(moment, answer.recording->frames_per_s);
@@ -113,17 +113,17 @@ Status save_film(const FilmOptions& options, const std::filesystem::path& file, 
 void FilmQueue::add(FilmMoment moment) {
   const std::lock_guard lock(mutex_);
   moments_.push_back(std::move(moment));
-  if (moments_.size() > kMost) {
+  if (moments_.size() > kMaxMoments) {
     moments_.pop_front();
     ++left_out_;
   }
-  news_.notify_one();
+  added_.notify_one();
 }
 
 std::optional<FilmMoment> FilmQueue::next() {
   constexpr auto kWhile = std::chrono::milliseconds(100);
   std::unique_lock lock(mutex_);
-  if (!news_.wait_for(lock, kWhile, [this] { return !moments_.empty(); })) return std::nullopt;
+  if (!added_.wait_for(lock, kWhile, [this] { return !moments_.empty(); })) return std::nullopt;
   FilmMoment moment = std::move(moments_.front());
   moments_.pop_front();
   return moment;
@@ -138,10 +138,10 @@ Status save_live_film(FilmQueue& queue,
                       const FilmView& view,
                       const std::filesystem::path& file,
                       const Job& job) {
-  constexpr double kFramesPerS = 30;  // where frames have no times of their own
+  constexpr double kFramesPerS = 30;  // for frames without times
   FilmWriter writer(file, view);
-  // What has come by the time it is stopped is written all the same.
-  for (std::size_t left = FilmQueue::kMost; left > 0; left -= job.stop_requested() ? 1 : 0)
+  // Moments queued before the stop are still written.
+  for (std::size_t left = FilmQueue::kMaxMoments; left > 0; left -= job.stop_requested() ? 1 : 0)
     if (const auto moment = queue.next())
       if (const Status status = writer.add(*moment, kFramesPerS); !status) return status;
   return writer.finish();

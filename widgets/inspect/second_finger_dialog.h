@@ -1,4 +1,4 @@
-// Which finger is shown beside the first, and its recording.
+// Dialog for the second finger and its recording.
 #pragma once
 
 #include "widgets/inspect/inspect_options.h"

@@ -20,7 +20,7 @@ QString SectionPlot::csv() const {
   const auto number = [](double value) {
     return std::isfinite(value) ? QString::number(value, 'g', 8) : QString();
   };
-  /// Of the other one, whose places may be others: where it lies between two of its own.
+  /// Depth of `other`, linearly interpolated between its own positions.
   const auto other_at = [&](double along_mm) {
     if (!other_) return std::numeric_limits<double>::quiet_NaN();
     const auto& all = other_->along_mm;
@@ -60,7 +60,7 @@ bool SectionPlot::draw() {
     }
   };
   widen(profile_.depth_mm);
-  // One standard deviation to both sides.
+  // One standard deviation on each side.
   auto* upper = chart().addGraph();
   auto* lower = chart().addGraph();
   for (std::size_t i = 0; i < profile_.along_mm.size(); ++i) {

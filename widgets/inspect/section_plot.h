@@ -1,4 +1,4 @@
-// Depth along a line over the face, to look at, and for a paper.
+// Plot of depth along a line over the face, for the screen and for a paper.
 #pragma once
 
 #include "core/sensing/measures.h"
@@ -12,13 +12,13 @@ class SectionPlot : public Plot {
   Q_OBJECT
  public:
   using Plot::Plot;
-  /// `other`: of what it is compared with, drawn dashed. Empty profiles: nothing is drawn.
+  /// `other`: the compared profile, drawn dashed. Empty profiles: nothing is drawn.
   void set_profiles(Profile profile, std::optional<Profile> other);
-  /// What `other` is, for the legend; from the next profiles on.
+  /// Legend text of `other`; used from the next set_profiles() on.
   void set_other_name(const QString& name) { other_name_ = name; }
   [[nodiscard]] bool is_empty() const { return profile_.along_mm.size() < 2; }
-  /// A headline and a line for each place: mm along, depth, standard deviation, and the depth of
-  /// `other`, empty where there is none; numbers as programs read them.
+  /// A header and a line for each position: mm along, depth, standard deviation, and the depth of
+  /// `other`, empty where there is none. Numbers in the C locale.
   [[nodiscard]] QString csv() const;
 
  protected:

@@ -1,7 +1,7 @@
 #include "widgets/inspect/shown_scene.h"
 
 #include "core/sensing/measures.h"
-#include "widgets/inspect/face_places.h"
+#include "widgets/inspect/face_positions.h"
 
 namespace alltact {
 
@@ -13,8 +13,8 @@ void show_in(FaceScene& scene,
   if (frame.bare)
     scene.show(*frame.bare, *frame.camera);
   else if (other)
-    scene.show_in_gripper({*frame.surface, *frame.camera, other->places[0]},
-                          {*other->frame->surface, *other->frame->camera, other->places[1]});
+    scene.show_in_gripper({*frame.surface, *frame.camera, other->poses[0]},
+                          {*other->frame->surface, *other->frame->camera, other->poses[1]});
   else if (content == PaneContent::kDifference && has_other)
     scene.show_difference(*frame.surface, frame.other_depth_mm, *frame.camera);
   else if (content == PaneContent::kSecond && has_other)

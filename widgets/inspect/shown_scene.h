@@ -1,4 +1,4 @@
-// What is inspected, in a scene: for the window, for films and for pictures alike.
+// Fills a 3D scene with the inspected faces, for the window, films and images.
 #pragma once
 
 #include "widgets/inspect/inspect_options.h"
@@ -11,20 +11,20 @@
 
 namespace alltact {
 
-/// The second finger beside the first: where both cameras sit in the gripper.
+/// A second finger in the same scene; gripper_from_camera of both cameras.
 struct OtherInGripper {
   std::shared_ptr<const InspectedFrame> frame;
-  std::array<RigidTransform, 2> places;
+  std::array<RigidTransform, 2> poses;
 };
 
-/// The frame has a surface, or a bare one; with kSecond or kDifference one to compare with, else it
-/// is shown as kFirst.
+/// The frame has a surface, or a bare one. Without a compared surface, kSecond and kDifference are
+/// shown as kFirst.
 void show_in(FaceScene& scene,
              const InspectedFrame& frame,
              PaneContent content,
              const std::optional<OtherInGripper>& other);
 
-/// The points, and the way over the face between them.
+/// The points, and the path over the face between them.
 [[nodiscard]] SceneMarks marks_of(const InspectedFrame& frame, const InspectOptions& options);
 
 }  // namespace alltact

@@ -1,4 +1,4 @@
-// What is measured of the face between A and B, as a table to read and to copy.
+// Table of the readings between A and B, to read and to copy.
 #pragma once
 
 #include "widgets/inspect/surface_readings.h"

@@ -14,9 +14,9 @@
 namespace alltact {
 namespace {
 
-constexpr double kPressedMm = 0.05;  // less is not told from noise everywhere
+constexpr double kPressedMm = 0.05;  // smaller depths may be noise
 constexpr int kAroundPx = 6;
-constexpr std::size_t kVolume = 3, kMean = 4;  // of the readings
+constexpr std::size_t kVolume = 3, kMean = 4;  // indices of the readings
 
 struct SurfaceWords {
   Q_DECLARE_TR_FUNCTIONS(alltact::SurfaceWords)
@@ -67,10 +67,10 @@ std::vector<SurfaceReading> surface_readings(const InspectedFrame& frame,
   const auto patch = [&](const cv::Rect& box) {
     return patch_in(frame.result, frame.face, *frame.mapping, frame.smoothing_px, box);
   };
-  const SurfacePatch whole = patch(box_of(a, b));
-  const auto ball = fit_ball(whole);
-  const auto part = pressed_part(whole, kPressedMm);
-  const auto rough = roughness(whole);
+  const SurfacePatch box_patch = patch(box_of(a, b));
+  const auto ball = fit_ball(box_patch);
+  const auto part = pressed_part(box_patch, kPressedMm);
+  const auto rough = roughness(box_patch);
   const SurfaceLine line =
       line_between(frame.result, frame.face, *frame.mapping, frame.smoothing_px, a, b);
   const auto step = step_height(line.patch, line.along_mm);
@@ -88,8 +88,8 @@ std::vector<SurfaceReading> surface_readings(const InspectedFrame& frame,
       reading(W::mean(), "mm", 3, part, &PressedSurface::mean_mm),
       reading(W::rough(), "mm", 4, rough, &Roughness::sq_mm),
       reading(W::step(), "mm", 3, step, &StepHeight::height_mm)};
-  if (part && part->is_least)
-    for (const std::size_t least : {kVolume, kMean}) all[least].is_least = true;
+  if (part && part->is_lower_bound)
+    for (const std::size_t i : {kVolume, kMean}) all[i].is_lower_bound = true;
   const auto at_a = fit_plane(patch(around(a))), at_b = fit_plane(patch(around(b)));
   SurfaceReading angle{W::angle(), QStringLiteral("°"), {}, 2, {}};
   if (at_a && at_b)
@@ -103,8 +103,9 @@ std::vector<SurfaceReading> surface_readings(const InspectedFrame& frame,
 QString value_text(const SurfaceReading& reading) {
   if (!reading.measured) return SurfaceWords::none();
   const auto& [value, sd] = *reading.measured;
-  return QStringLiteral("%1 %2").arg(reading.is_least ? limit_and_sd(value, sd, reading.decimals)
-                                                      : number_and_sd(value, sd, reading.decimals),
+  return QStringLiteral("%1 %2").arg(reading.is_lower_bound
+                                         ? limit_and_sd(value, sd, reading.decimals)
+                                         : number_and_sd(value, sd, reading.decimals),
                                      reading.unit);
 }
 
@@ -125,7 +126,7 @@ QString csv_of(const std::vector<SurfaceReading>& readings) {
                  .arg(reading.measured->value, 0, 'g', 8)
                  .arg(sd_kind(sd, 0) == SdKind::kUnknown ? QString() : QString::number(sd, 'g', 4))
                  .arg(reading.unit)
-                 .arg(reading.is_least ? QStringLiteral("layer_limit") : QString());
+                 .arg(reading.is_lower_bound ? QStringLiteral("layer_limit") : QString());
   }
   return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
 }

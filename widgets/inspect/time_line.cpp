@@ -16,7 +16,7 @@ TimeLine::TimeLine(QWidget* parent)
       earlier_(new QToolButton),
       later_(new QToolButton),
       slider_(new QSlider(Qt::Horizontal)),
-      number_(new WholeNumberField),
+      number_(new IntegerField),
       of_(new QLabel),
       name_(new QLabel),
       strip_(new EventStrip) {
@@ -33,13 +33,13 @@ TimeLine::TimeLine(QWidget* parent)
   row->addSpacing(6);
   row->addWidget(name_);
   connect(play_, &QToolButton::clicked, this, [this] { play(!is_playing()); });
-  connect(slider_, &QSlider::valueChanged, this, &TimeLine::want);
-  connect(number_, &WholeNumberField::valueChanged, this, [this](int value) { want(value - 1); });
+  connect(slider_, &QSlider::valueChanged, this, &TimeLine::request);
+  connect(number_, &IntegerField::valueChanged, this, [this](int value) { request(value - 1); });
   connect(&timer_, &QTimer::timeout, this, &TimeLine::go_on);
   connect(earlier_, &QToolButton::clicked, this, [this] { go_to_event(false); });
   connect(later_, &QToolButton::clicked, this, [this] { go_to_event(true); });
-  connect(strip_, &EventStrip::wanted, this, [this](std::size_t number) {
-    want(static_cast<int>(number));
+  connect(strip_, &EventStrip::frame_requested, this, [this](std::size_t number) {
+    request(static_cast<int>(number));
   });
   say([this] {
     slider_->setAccessibleName(tr("Frame of the recording"));
@@ -54,8 +54,9 @@ TimeLine::TimeLine(QWidget* parent)
 }
 
 void TimeLine::set_recording(std::size_t count, double frames_per_s) {
-  constexpr double kMost = 30;
-  timer_.setInterval(static_cast<int>(std::lround(1000 / std::clamp(frames_per_s, 1.0, kMost))));
+  constexpr double kMaxRate_per_s = 30;
+  timer_.setInterval(
+      static_cast<int>(std::lround(1000 / std::clamp(frames_per_s, 1.0, kMaxRate_per_s))));
   if (count == count_) return;
   count_ = count;
   const QSignalBlocker still(slider_), quiet(number_);
@@ -76,38 +77,38 @@ void TimeLine::go_to_event(bool is_next) {
   const auto& events = strip_->events();
   const auto later = std::upper_bound(events.begin(), events.end(), shown_);
   const auto earlier = std::lower_bound(events.begin(), events.end(), shown_);
-  if (is_next && later != events.end()) want(static_cast<int>(*later));
-  if (!is_next && earlier != events.begin()) want(static_cast<int>(*std::prev(earlier)));
+  if (is_next && later != events.end()) request(static_cast<int>(*later));
+  if (!is_next && earlier != events.begin()) request(static_cast<int>(*std::prev(earlier)));
 }
 
 void TimeLine::begin(std::size_t number) {
   play(false);
-  wanted_ = shown_ = number;
+  requested_ = shown_ = number;
 }
 
 void TimeLine::set_shown(std::size_t number, const QString& name) {
   shown_ = number;
   name_->setText(name);
   strip_->set_shown(number);
-  // A hand on the slider is ahead of what is shown.
-  if (!is_playing() && wanted_ != number) return;
+  // During a drag the slider is ahead of the shown frame.
+  if (!is_playing() && requested_ != number) return;
   const QSignalBlocker still(slider_), quiet(number_);
   slider_->setValue(static_cast<int>(number));
   number_->setValue(static_cast<int>(number) + 1);
 }
 
-void TimeLine::want(int number) {
-  wanted_ = static_cast<std::size_t>(number);
+void TimeLine::request(int number) {
+  requested_ = static_cast<std::size_t>(number);
   const QSignalBlocker still(slider_), quiet(number_);
   slider_->setValue(number);
   number_->setValue(number + 1);
-  Q_EMIT wanted(wanted_);
+  Q_EMIT frame_requested(requested_);
 }
 
 void TimeLine::play(bool is_on) {
   if (is_on == is_playing()) return;
   if (is_on) {
-    if (shown_ + 1 >= count_) want(0);
+    if (shown_ + 1 >= count_) request(0);
     timer_.start();
   } else {
     timer_.stop();
@@ -116,9 +117,9 @@ void TimeLine::play(bool is_on) {
 }
 
 void TimeLine::go_on() {
-  if (shown_ != wanted_) return;  // the last one is not there yet
+  if (shown_ != requested_) return;  // the last requested frame is not there yet
   if (shown_ + 1 >= count_) return play(false);
-  want(static_cast<int>(shown_) + 1);
+  request(static_cast<int>(shown_) + 1);
 }
 
 void TimeLine::show_button() {

@@ -1,5 +1,5 @@
-// Which frame of a recording is shown: play, scrub, a number, the next event; and what the
-// recording tells over time.
+// Chooses a frame of a recording by play, slider, number or next event, and plots the recording
+// over time.
 #pragma once
 
 #include "widgets/controls/number_field.h"
@@ -21,16 +21,16 @@ class TimeLine : public Translated<QWidget> {
   void set_recording(std::size_t count, double frames_per_s);
   /// Another recording, from this frame on.
   void begin(std::size_t number);
-  /// The frame that is shown now; while playing, the next one is asked for when it is due.
+  /// The frame shown now; while playing, the next one is requested when it is due.
   void set_shown(std::size_t number, const QString& name);
   [[nodiscard]] bool is_playing() const { return timer_.isActive(); }
   void play(bool is_on);
-  /// Of the frames that were measured so far.
+  /// Summaries of the frames measured so far.
   void set_summaries(const std::vector<FrameSummary>& summaries);
   [[nodiscard]] const EventStrip& strip() const { return *strip_; }
 
  Q_SIGNALS:
-  void wanted(std::size_t number);
+  void frame_requested(std::size_t number);
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -39,15 +39,15 @@ class TimeLine : public Translated<QWidget> {
   void go_on();
   void show_button();
   void go_to_event(bool is_next);
-  void want(int number);
+  void request(int number);
 
   QToolButton *play_, *earlier_, *later_;
   QSlider* slider_;
-  WholeNumberField* number_;
+  IntegerField* number_;
   QLabel *of_, *name_;
   EventStrip* strip_;
   QTimer timer_;
-  std::size_t count_ = 0, wanted_ = 0, shown_ = 0;
+  std::size_t count_ = 0, requested_ = 0, shown_ = 0;
 };
 
 }  // namespace alltact

@@ -29,20 +29,20 @@ void set_entry_enabled(QComboBox& box, int index, bool is_enabled) {
   model->item(index)->setEnabled(is_enabled);
 }
 
-/// One setting with one value that is not its usual one.
+/// One setting with one value other than its default.
 struct SettingChoice {
   std::string name, value;
   QString words;
 };
 std::vector<SettingChoice> setting_choices() {
   std::vector<SettingChoice> choices;
-  const PipelineSettings usual;
+  const PipelineSettings defaults;
   for (const auto& setting : pipeline_settings()) {
     if (!setting.trade) continue;
     for (const std::string& value : setting.trade->tried) {
       PipelineSettings choice;
-      if (!setting.set(choice, value) || setting.get(choice) == setting.get(usual)) continue;
-      choices.push_back({setting.name, value, difference_words(choice, usual)});
+      if (!setting.set(choice, value) || setting.get(choice) == setting.get(defaults)) continue;
+      choices.push_back({setting.name, value, difference_words(choice, defaults)});
     }
   }
   return choices;
@@ -54,7 +54,7 @@ OtherMethod method_at(int index) {
 
 }  // namespace
 
-QString comparand_text(const Comparand& other) {
+QString comparand_text(const ComparisonSpec& other) {
   switch (other.method) {
     case OtherMethod::kSetting:
       for (const SettingChoice& choice : setting_choices())
@@ -77,7 +77,7 @@ ViewBox::ViewBox(QWidget* parent)
       comparison_(new QComboBox),
       with_(new QComboBox),
       setting_(new QComboBox),
-      frame_(new WholeNumberField),
+      frame_(new IntegerField),
       top_(spin(0.05, 10, 0.05, 2)),
       difference_top_(spin(0.01, 2, 0.01, 2)),
       times_(spin(1, 50, 1, 0)) {
@@ -188,8 +188,8 @@ void ViewBox::connect_view() {
   });
   connect(standpoint_, &QComboBox::activated, this, [this](int index) {
     InspectOptions next = options_;
-    next.standpoint = static_cast<Standpoint>(index + 1);
-    next.look.reset();
+    next.viewpoint = static_cast<Viewpoint>(index + 1);
+    next.view_pose.reset();
     Q_EMIT changed(
         next, [this, index] { return tr("look from: %1").arg(standpoint_->itemText(index)); }, -1);
   });
@@ -209,7 +209,7 @@ void ViewBox::connect_view() {
       [] { return tr("change the difference's colours"); },
       kDifferenceTop);
   on_number(
-      times_, &SceneOptions::times, [] { return tr("draw depth larger"); }, kTimes);
+      times_, &SceneOptions::exaggeration, [] { return tr("draw depth larger"); }, kTimes);
   for (const Part& part : parts_)
     connect(part.box, &QCheckBox::clicked, this, [this, part](bool is_on) {
       InspectOptions next = options_;
@@ -229,14 +229,14 @@ void ViewBox::connect_comparison() {
     Q_EMIT changed(
         next, [this, index] { return tr("compare: %1").arg(comparison_->itemText(index)); }, -1);
   });
-  const auto change_with = [this](const Comparand& with, int merge_id) {
+  const auto change_with = [this](const ComparisonSpec& with, int merge_id) {
     InspectOptions next = options_;
     next.with = with;
     Q_EMIT changed(
         next, [with] { return tr("compare with %1").arg(comparand_text(with)); }, merge_id);
   };
   connect(with_, &QComboBox::activated, this, [this, change_with](int index) {
-    Comparand with = options_.with;
+    ComparisonSpec with = options_.with;
     with.method = method_at(index);
     if (with.method == OtherMethod::kSetting && with.setting.empty()) {
       const SettingChoice first = setting_choices().front();
@@ -247,13 +247,13 @@ void ViewBox::connect_comparison() {
   });
   connect(setting_, &QComboBox::activated, this, [this, change_with](int index) {
     const QStringList choice = setting_->itemData(index).toStringList();
-    Comparand with = options_.with;
+    ComparisonSpec with = options_.with;
     with.setting = choice[0].toStdString();
     with.value = choice[1].toStdString();
     change_with(with, -1);
   });
-  connect(frame_, &WholeNumberField::valueChanged, this, [this, change_with](int number) {
-    Comparand with = options_.with;
+  connect(frame_, &IntegerField::valueChanged, this, [this, change_with](int number) {
+    ComparisonSpec with = options_.with;
     with.frame = static_cast<std::size_t>(number - 1);
     change_with(with, kFrameNumber);
   });
@@ -270,7 +270,7 @@ void ViewBox::set_options(const InspectOptions& options) {
   const QSignalBlocker quiet[] = {
       QSignalBlocker(top_), QSignalBlocker(difference_top_), QSignalBlocker(times_)};
   shown_as_->setCurrentIndex(VtkView::is_supported() ? static_cast<int>(options.shown_as) - 1 : 1);
-  standpoint_->setCurrentIndex(static_cast<int>(options.standpoint) - 1);
+  standpoint_->setCurrentIndex(static_cast<int>(options.viewpoint) - 1);
   comparison_->setCurrentIndex(static_cast<int>(options.shown_comparison()) - 1);
   with_->setCurrentIndex(
       std::max(0, static_cast<int>(options.with.method) - static_cast<int>(OtherMethod::kPaper)));
@@ -278,12 +278,12 @@ void ViewBox::set_options(const InspectOptions& options) {
       QString::fromStdString(options.with.setting), QString::fromStdString(options.with.value)}));
   top_->setValue(options.scene.top_mm);
   difference_top_->setValue(options.scene.difference_top_mm);
-  times_->setValue(options.scene.times);
+  times_->setValue(options.scene.exaggeration);
   for (const Part& part : parts_) part.box->setChecked(options.scene.*part.member);
   show_rows();
 }
 
-/// What has no effect now is hidden where it belongs to a choice above, else greyed.
+/// Hides what depends on another choice above; disables what has no effect in this view.
 void ViewBox::show_rows() {
   const QSignalBlocker quiet(frame_);
   frame_->setRange(1, std::max(1, static_cast<int>(frame_count_)));

@@ -1,4 +1,4 @@
-// How the face is shown: where from, in which colours, beside what.
+// Settings of the view: standpoint, colours and comparison.
 #pragma once
 
 #include "widgets/controls/number_field.h"
@@ -20,11 +20,11 @@ class ViewBox : public Translated<QGroupBox> {
   explicit ViewBox(QWidget* parent = nullptr);
 
   void set_options(const InspectOptions& options);
-  /// Of the recording that is shown; 0: none is, so that there is no other frame.
+  /// Frames of the open recording; 0: none is open, and no other frame can be compared.
   void set_frame_count(std::size_t count);
 
  Q_SIGNALS:
-  /// merge_id: of changes that are one step when they follow each other; -1: none.
+  /// merge_id: consecutive changes with the same id become one undo step; -1: none.
   void changed(const alltact::InspectOptions& options,
                const alltact::StepWords& what,
                int merge_id);
@@ -45,7 +45,7 @@ class ViewBox : public Translated<QGroupBox> {
   InspectOptions options_;
   std::size_t frame_count_ = 0;
   QComboBox *shown_as_, *standpoint_, *comparison_, *with_, *setting_;
-  WholeNumberField* frame_;
+  IntegerField* frame_;
   NumberField *top_, *difference_top_, *times_;
   std::vector<Row> rows_;
   struct Part {
@@ -56,7 +56,7 @@ class ViewBox : public Translated<QGroupBox> {
   std::vector<Part> parts_;
 };
 
-/// What a frame is compared with, in words, to stand over its picture.
-[[nodiscard]] QString comparand_text(const Comparand& other);
+/// What a frame is compared with, as a title over its image.
+[[nodiscard]] QString comparand_text(const ComparisonSpec& other);
 
 }  // namespace alltact

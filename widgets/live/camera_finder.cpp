@@ -13,39 +13,40 @@
 namespace alltact {
 namespace {
 
-// Without news, too: rarely where udev tells of them, because looking opens every camera.
-constexpr int kBetweenCameraLooks_ms = 30'000;
-constexpr int kBetweenLooksWithoutUdev_ms = 2000;
-constexpr int kAfterNews_ms = 300;  // udev's links come a little behind the node
+// Polling besides udev events. With udev it is rare, because listing opens every camera.
+constexpr int kSearchInterval_ms = 30'000;
+constexpr int kSearchIntervalWithoutUdev_ms = 2000;
+constexpr int kHotPlugDelay_ms = 300;  // udev creates its links shortly after the node
 
 bool is_same(const std::vector<FoundCamera>& a, const std::vector<FoundCamera>& b) {
   return std::equal(
       a.begin(), a.end(), b.begin(), b.end(), [](const FoundCamera& x, const FoundCamera& y) {
-        return x.identity.node == y.identity.node && x.identity.lasting() == y.identity.lasting() &&
+        return x.identity.node == y.identity.node &&
+               x.identity.stable_name() == y.identity.stable_name() &&
                x.problem.has_value() == y.problem.has_value();
       });
 }
 
 }  // namespace
 
-// The thread shares it: a stuck driver must not hold the window.
+// Shared with the thread, so that a stuck driver does not block the window.
 struct CameraFinder::Shared {
   std::mutex mutex;
-  CameraFinder* finder = nullptr;  // null once it has gone
+  CameraFinder* finder = nullptr;  // null after the finder was destroyed
   Lister lister;
   int wake = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
   ~Shared() { ::close(wake); }
 
   void run() {
     const auto plug = HotPlug::watch();
-    std::vector<FoundCamera> told;
+    std::vector<FoundCamera> reported;
     for (bool is_first = true;; is_first = false) {
       auto found = lister();
       {
         const std::lock_guard lock(mutex);
         if (finder == nullptr) return;
-        if (is_first || !is_same(found, told)) {
-          told = found;
+        if (is_first || !is_same(found, reported)) {
+          reported = found;
           QMetaObject::invokeMethod(
               finder,
               [finder = finder, found = std::move(found)]() mutable {
@@ -56,10 +57,10 @@ struct CameraFinder::Shared {
         }
       }
       pollfd descriptors[2] = {{wake, POLLIN, 0}, {plug ? plug->descriptor() : -1, POLLIN, 0}};
-      const int wait_ms = plug ? kBetweenCameraLooks_ms : kBetweenLooksWithoutUdev_ms;
+      const int wait_ms = plug ? kSearchInterval_ms : kSearchIntervalWithoutUdev_ms;
       if (poll(descriptors, 2, wait_ms) > 0 && descriptors[0].revents == 0) {
         static_cast<void>(plug->read());
-        poll(descriptors, 1, kAfterNews_ms);
+        poll(descriptors, 1, kHotPlugDelay_ms);
       }
     }
   }

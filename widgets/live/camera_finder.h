@@ -1,4 +1,4 @@
-// Which cameras there are, told anew whenever one comes or goes.
+// Lists the connected cameras and reports each change.
 #pragma once
 
 #include "core/sources/v4l2/camera_list.h"
@@ -10,7 +10,7 @@
 
 namespace alltact {
 
-/// Looks on a thread of its own: asking a camera can take long.
+/// Lists on a background thread, because a camera may answer slowly.
 class CameraFinder : public QObject {
   Q_OBJECT
  public:

@@ -1,4 +1,4 @@
-// What is behind a pedal or a lamp, for tests to replace.
+// Functions behind a pedal or a lamp, replaceable in tests.
 #pragma once
 
 #include "core/sources/hid/hid_port.h"
@@ -10,10 +10,10 @@
 
 namespace alltact {
 
-/// Called on threads of their own.
+/// Called on background threads.
 struct HidPorts {
   std::function<std::vector<FoundHid>()> list = &list_hids;
-  std::function<Result<std::unique_ptr<HidPort>>(const std::string& wanted)> open = &open_hid;
+  std::function<Result<std::unique_ptr<HidPort>>(const std::string& requested)> open = &open_hid;
 };
 
 }  // namespace alltact

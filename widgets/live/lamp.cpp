@@ -2,18 +2,18 @@
 
 namespace alltact {
 
-/// Used by one piece of work after the other.
+/// Used by one background task after the other.
 struct Lamp::Device {
   std::optional<LedDimmer> dimmer;
 };
 
 Lamp::Lamp(HidPorts ports, QObject* parent)
     : QObject(parent), ports_(std::move(ports)), device_(std::make_shared<Device>()) {
-  connect(&setting_work_, &BackgroundWork::finished, this, &Lamp::work);
+  connect(&setting_work_, &BackgroundWork::finished, this, &Lamp::send);
 }
 
-void Lamp::look() {
-  looking_.start([this, list = ports_.list](const Job&) {
+void Lamp::find_devices() {
+  finding_.start([this, list = ports_.list](const Job&) {
     return std::function<void()>([this, found = list()] {
       found_ = found;
       Q_EMIT changed();
@@ -21,43 +21,44 @@ void Lamp::look() {
   });
 }
 
-void Lamp::set(const std::optional<DimmerSetting>& wanted) {
-  wanted_ = wanted;
-  is_told_ = !wanted;
+void Lamp::set(const std::optional<DimmerSetting>& requested) {
+  requested_ = requested;
+  is_sent_ = !requested;
   problem_.reset();
-  if (!wanted) setting_.reset();
-  work();
+  if (!requested) setting_.reset();
+  send();
   Q_EMIT changed();
 }
 
-void Lamp::work() {
-  if (is_told_ || setting_work_.is_running()) return;
-  is_told_ = true;
-  setting_work_.start([this, wanted = *wanted_, device = device_, open = ports_.open](const Job&) {
-    const auto told = [&]() -> Result<DimmerSetting> {
-      auto& dimmer = device->dimmer;
-      if (!dimmer || dimmer->setting().device != wanted.device ||
-          dimmer->setting().control != wanted.control) {
-        dimmer.reset();
-        auto port = open(wanted.device);
-        if (!port) return port.error();
-        auto made = LedDimmer::create(std::move(*port), wanted.device, wanted.control);
-        if (!made) return made.error();
-        dimmer.emplace(std::move(*made));
-      }
-      if (const Status set = dimmer->set(wanted.level); !set) {
-        dimmer.reset();  // plugged in again it is another one
-        return set.error();
-      }
-      return dimmer->setting();
-    }();
-    return std::function<void()>([this, told] {
-      if (!wanted_) return;
-      setting_ = told ? std::optional(*told) : std::nullopt;
-      problem_ = told ? std::nullopt : std::optional(told.error());
-      Q_EMIT changed();
-    });
-  });
+void Lamp::send() {
+  if (is_sent_ || setting_work_.is_running()) return;
+  is_sent_ = true;
+  setting_work_.start(
+      [this, requested = *requested_, device = device_, open = ports_.open](const Job&) {
+        const auto result = [&]() -> Result<DimmerSetting> {
+          auto& dimmer = device->dimmer;
+          if (!dimmer || dimmer->setting().device != requested.device ||
+              dimmer->setting().control != requested.control) {
+            dimmer.reset();
+            auto port = open(requested.device);
+            if (!port) return port.error();
+            auto made = LedDimmer::create(std::move(*port), requested.device, requested.control);
+            if (!made) return made.error();
+            dimmer.emplace(std::move(*made));
+          }
+          if (const Status set = dimmer->set(requested.level); !set) {
+            dimmer.reset();  // plugged in again it is another device
+            return set.error();
+          }
+          return dimmer->setting();
+        }();
+        return std::function<void()>([this, result] {
+          if (!requested_) return;
+          setting_ = result ? std::optional(*result) : std::nullopt;
+          problem_ = result ? std::nullopt : std::optional(result.error());
+          Q_EMIT changed();
+        });
+      });
 }
 
 }  // namespace alltact

@@ -1,4 +1,4 @@
-// The finger's lamp for the window: one dimmer, set beside it.
+// The finger's lamp: one dimmer, set on a background thread.
 #pragma once
 
 #include "core/sources/hid/led_dimmer.h"
@@ -12,24 +12,23 @@
 
 namespace alltact {
 
-/// An object of the window's thread; the device is looked for and told beside it.
+/// Belongs to the window's thread; finds and sets the device on background threads.
 class Lamp : public QObject {
   Q_OBJECT
  public:
   explicit Lamp(HidPorts ports = {}, QObject* parent = nullptr);
 
-  /// Which devices there are; found() holds them when changed() tells.
-  void look();
+  /// Lists the devices; found() holds them when changed() is emitted.
+  void find_devices();
   [[nodiscard]] const std::vector<FoundHid>& found() const { return found_; }
 
-  /// From now on; the newest wins where several follow each other quickly. None: the lamp is left
-  /// as it is.
-  void set(const std::optional<DimmerSetting>& wanted);
-  /// What somebody wants; what it came to is in setting().
-  [[nodiscard]] const std::optional<DimmerSetting>& wanted() const { return wanted_; }
-  /// As the device took it, rounded to its steps; nullopt while it has not.
+  /// Sets the lamp; of several quick calls the newest wins. None: the lamp is left as it is.
+  void set(const std::optional<DimmerSetting>& requested);
+  /// Requested setting; the setting of the device is in setting().
+  [[nodiscard]] const std::optional<DimmerSetting>& requested() const { return requested_; }
+  /// Setting that the device accepted, rounded to its steps; nullopt: not yet.
   [[nodiscard]] const std::optional<DimmerSetting>& setting() const { return setting_; }
-  /// Why it has not.
+  /// Why the device did not accept it.
   [[nodiscard]] const std::optional<Error>& problem() const { return problem_; }
 
  Q_SIGNALS:
@@ -37,15 +36,15 @@ class Lamp : public QObject {
 
  private:
   struct Device;
-  void work();
+  void send();
 
   HidPorts ports_;
   std::vector<FoundHid> found_;
-  std::optional<DimmerSetting> wanted_, setting_;
-  bool is_told_ = true;  // wanted_ was told to the device
+  std::optional<DimmerSetting> requested_, setting_;
+  bool is_sent_ = true;  // requested_ was sent to the device
   std::optional<Error> problem_;
   std::shared_ptr<Device> device_;
-  BackgroundWork looking_, setting_work_;
+  BackgroundWork finding_, setting_work_;
 };
 
 }  // namespace alltact

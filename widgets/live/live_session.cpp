@@ -1,6 +1,6 @@
 #include "widgets/live/live_session.h"
 
-#include "core/sources/files/ending.h"
+#include "core/sources/files/file_extension.h"
 #include "core/sources/open/open_source.h"
 
 #include <QMetaObject>
@@ -9,10 +9,10 @@
 namespace alltact {
 namespace {
 
-constexpr int kBetweenStatusLooks_ms = 200;
+constexpr int kStatusInterval_ms = 200;
 constexpr std::int64_t kSecond_ns = 1'000'000'000;
-constexpr std::size_t kMostAges = 1000;
-constexpr double kNewShare = 0.2;  // of a frame in the times shown
+constexpr std::size_t kMaxAges = 1000;
+constexpr double kNewShare = 0.2;  // weight of a frame in the smoothed times
 
 void smooth(StepTimes& shown, const StepTimes& next) {
   for (const auto step : {&StepTimes::prepare,
@@ -29,23 +29,23 @@ void smooth(StepTimes& shown, const StepTimes& next) {
 
 bool is_scene(const std::vector<std::filesystem::path>& inputs) {
   return inputs.size() == 1 &&
-         (ending_of(inputs.front()) == ".yaml" || ending_of(inputs.front()) == ".yml");
+         (extension_of(inputs.front()) == ".yaml" || extension_of(inputs.front()) == ".yml");
 }
 
 }  // namespace
 
 LiveSession::LiveSession(SourceOpener opener, QObject* parent)
     : QObject(parent), opener_(std::move(opener)) {
-  // On the measuring thread: one event at most waits for this one.
-  const auto tell = [this] {
-    if (is_told_.exchange(true)) return;
+  // On the measuring thread. At most one event is queued.
+  const auto notify = [this] {
+    if (is_view_pending_.exchange(true)) return;
     QMetaObject::invokeMethod(
         this, [this] { take_view(); }, Qt::QueuedConnection);
   };
-  live_finger_ = std::make_unique<LiveFinger>(hub_, tell);
+  live_finger_ = std::make_unique<LiveFinger>(hub_, notify);
   runner_ = std::make_unique<SourceRunner>(hub_, opener_);
   connect(&timer_, &QTimer::timeout, this, &LiveSession::refresh);
-  timer_.start(kBetweenStatusLooks_ms);
+  timer_.start(kStatusInterval_ms);
 }
 
 LiveSession::~LiveSession() {
@@ -56,7 +56,7 @@ LiveSession::~LiveSession() {
 void LiveSession::open_source(const std::vector<std::filesystem::path>& inputs,
                               const std::vector<ControlValue>& controls) {
   inputs_ = inputs;
-  wanted_controls_ = controls;
+  requested_controls_ = controls;
   if (status_.recording.state != RecordingState::kNone) last_recording_ = status_.recording;
   runner_->open(inputs);
   view_.reset();
@@ -98,16 +98,16 @@ void LiveSession::start_recording(const std::filesystem::path& file,
 }
 
 void LiveSession::set_control(const ControlValue& control) {
-  std::erase_if(wanted_controls_, [&](const ControlValue& old) { return old.id == control.id; });
-  wanted_controls_.push_back(control);
+  std::erase_if(requested_controls_, [&](const ControlValue& old) { return old.id == control.id; });
+  requested_controls_.push_back(control);
   controller_.set(control);
 }
 
 void LiveSession::take_view() {
-  is_told_ = false;
+  is_view_pending_ = false;
   auto view = live_finger_->take();
   if (!view) return;
-  // A finger's first view may come before the status that tells of it.
+  // A finger's first view may precede the status that reports the finger.
   if (live_finger_->status().state != status_.finger.state) refresh();
   view_ = std::move(view);
   smooth(times_ms_, view_->result.times_ms);
@@ -121,7 +121,7 @@ void LiveSession::take_view() {
   if (status_.age_ms) {
     view_ns_ = now_ns - std::llround(1e6 * *status_.age_ms);
     ages_ms_.push_back(*status_.age_ms);
-    if (ages_ms_.size() > kMostAges) ages_ms_.pop_front();
+    if (ages_ms_.size() > kMaxAges) ages_ms_.pop_front();
   }
   Q_EMIT view_ready();
 }
@@ -132,8 +132,9 @@ void LiveSession::refresh() {
   if (status_.recording.state == RecordingState::kNone) status_.recording = last_recording_;
   const std::uint64_t before = status_.finger.opened;
   status_.finger = live_finger_->status();
-  if (status_.finger.opened != before) touch_history_.forget();  // another's, or its older self's
-  controller_.attach(runner_->camera(), wanted_controls_);
+  // The history is of another finger, or of its former version.
+  if (status_.finger.opened != before) touch_history_.forget();
+  controller_.attach(runner_->camera(), requested_controls_);
   status_.controller = controller_.status();
   follow_remarks();
   const std::int64_t now_ns = monotonic_ns();
@@ -146,7 +147,7 @@ void LiveSession::refresh() {
 }
 
 void LiveSession::follow_touch() {
-  // Until a finger is loaded, and for a view or so after, the one before it is what measures.
+  // While a finger loads, and for a view or two after, the former finger measures.
   if (view_->opened != status_.finger.opened) return;
   const FramePtr& frame = view_->result.frame;
   const std::int64_t time_ns = frame && frame->time_ns != 0 ? frame->time_ns : monotonic_ns();

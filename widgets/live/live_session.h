@@ -1,5 +1,5 @@
-// Everything that runs while a source is shown, as one object of the window's thread: the source,
-// its recording, the finger, the camera's controls. Nothing here waits.
+// The running source with its recording, the finger and the camera's controls, as one object of the
+// window's thread. No call blocks.
 #pragma once
 
 #include "calibration/live/live_finger.h"
@@ -16,14 +16,14 @@
 
 namespace alltact {
 
-/// All that the window tells beside the picture.
+/// Status for the window, except the image.
 struct LiveStatus {
   SourceStatus source;
   RecordingStatus recording;
   FingerStatus finger;
   CameraControllerStatus controller;
   double shown_per_s = 0;        ///< views taken over the last second
-  std::optional<double> age_ms;  ///< of the last view, when it was taken
+  std::optional<double> age_ms;  ///< age of the last view when it was taken
   Message remark;                ///< the camera's latest, for ten seconds; then empty
 };
 
@@ -40,36 +40,36 @@ class LiveSession : public QObject {
   void open_finger(const std::filesystem::path& folder);
   void start_recording(const std::filesystem::path& file, const RecorderSettings& settings = {});
   void stop_recording() { runner_->stop_recording(); }
-  void set_layers(WantedLayers layers) { live_finger_->set_layers(layers); }
+  void set_layers(RequestedLayers layers) { live_finger_->set_layers(layers); }
   void set_depth_top_mm(double top_mm) { live_finger_->set_depth_top_mm(top_mm); }
-  /// A camera that is still being opened gets it as soon as it is there.
+  /// A camera that is still being opened gets it when it is ready.
   void set_control(const ControlValue& control);
-  /// Every frame from now on tells it; see SourceRunner.
+  /// Light setting stored with every frame from now on; see SourceRunner.
   void set_light(const std::optional<DimmerSetting>& light) { runner_->set_light(light); }
   void set_lock(bool is_locked) { controller_.set_lock(is_locked); }
 
-  /// From which reading on forces of the open finger count; none: as measured.
+  /// Zero of the open finger's forces; none: as measured.
   void set_force_zero(const std::optional<SessionZero>& zero);
 
   /// The newest view; null before the first.
   [[nodiscard]] const std::shared_ptr<const LiveView>& view() const { return view_; }
   [[nodiscard]] const LiveStatus& status() const { return status_; }
-  /// When its frame was taken, ns of the monotonic clock; absent where its source has no times.
+  /// Capture time of its frame, ns of the monotonic clock; empty where its source has no times.
   [[nodiscard]] std::optional<std::int64_t> view_ns() const { return view_ns_; }
   [[nodiscard]] const SourceOpener& opener() const { return opener_; }
-  /// Times of a frame, smoothed over several so that they can be read.
+  /// Times of a frame, smoothed over several frames to be readable.
   [[nodiscard]] const StepTimes& times_ms() const { return times_ms_; }
-  /// Of the open finger, by views that were taken.
+  /// Of the open finger, from the views taken.
   [[nodiscard]] const TouchHistory& touch_history() const { return touch_history_; }
-  /// The one that was set, as long as it is of the open finger and its force model.
+  /// The zero that was set, as long as it is of the open finger and its force model.
   [[nodiscard]] std::optional<SessionZero> force_zero() const;
   /// Ages of the last views when they were taken, ms; at most the last thousand.
   [[nodiscard]] const std::deque<double>& ages_ms() const { return ages_ms_; }
 
  Q_SIGNALS:
-  /// There is a newer view. Never queued twice: whoever is slow sees fewer.
+  /// There is a newer view. Never queued twice: a slow receiver gets fewer views.
   void view_ready();
-  /// status() was made anew: several times a second, and at once after a change made here.
+  /// status() was updated: several times a second, and at once after a call of this object.
   void status_ready();
 
  private:
@@ -81,12 +81,12 @@ class LiveSession : public QObject {
 
   SourceOpener opener_;
   FrameHub hub_;
-  std::atomic<bool> is_told_{false};
+  std::atomic<bool> is_view_pending_{false};
   std::unique_ptr<LiveFinger> live_finger_;
   std::unique_ptr<SourceRunner> runner_;
   CameraController controller_;
-  std::vector<std::filesystem::path> inputs_;  // of the source that is wanted; empty for none
-  std::vector<ControlValue> wanted_controls_;
+  std::vector<std::filesystem::path> inputs_;  // of the requested source; empty for none
+  std::vector<ControlValue> requested_controls_;
   std::filesystem::path folder_;
   std::shared_ptr<const LiveView> view_;
   std::optional<std::int64_t> view_ns_;

@@ -10,8 +10,8 @@
 namespace alltact {
 namespace {
 
-constexpr int kBetweenPedalLooks_ms = 250;  // at what is wrong
-constexpr int kPatience_ms = 20'000;
+constexpr int kPollInterval_ms = 250;  // for problems of the device
+constexpr int kLearnTimeout_ms = 20'000;
 
 Result<LearntButton> learn_from_all(const HidPorts& ports, const Job& job) {
   std::vector<std::unique_ptr<HidPort>> open;
@@ -20,34 +20,34 @@ Result<LearntButton> learn_from_all(const HidPorts& ports, const Job& job) {
     auto port = hid.problem ? *hid.problem : ports.open(hid.identity.node);
     if (!port) continue;
     open.push_back(std::move(*port));
-    names.push_back(hid.identity.lasting());
+    names.push_back(hid.identity.stable_name());
   }
   if (open.empty())
     return Error{
         en::say("there is no HID device that can be read"), "", en::say("plugging in a pedal")};
   std::vector<HidPort*> listening;
   for (const auto& port : open) listening.push_back(port.get());
-  const auto found = learn_button(listening, kPatience_ms, job);
+  const auto found = learn_button(listening, kLearnTimeout_ms, job);
   if (!found) return found.error();
   return LearntButton{names[found->first], found->second};
 }
 
 }  // namespace
 
-// The threads share it: a device that does not answer must not hold the window.
+// Shared with the threads, so that a device that does not answer does not block the window.
 struct Pedal::Shared {
   std::mutex mutex;
-  Pedal* pedal = nullptr;  // null once it has gone, or listens to another one
+  Pedal* pedal = nullptr;  // null after it was destroyed, or listens to another device
   std::atomic<bool> is_opened{false};
   std::unique_ptr<HidButton> button;
 
-  void tell() {
+  void notify() {
     const std::lock_guard lock(mutex);
     if (pedal != nullptr)
       QMetaObject::invokeMethod(
           pedal, [pedal = pedal] { Q_EMIT pedal->pressed(); }, Qt::QueuedConnection);
   }
-  /// Ends the thread that listens, on another one.
+  /// Ends the listening thread on another thread, because that may block.
   static void end(std::shared_ptr<Shared> shared) {
     if (!shared) return;
     {
@@ -59,7 +59,7 @@ struct Pedal::Shared {
 };
 
 Pedal::Pedal(HidPorts ports, QObject* parent) : QObject(parent), ports_(std::move(ports)) {
-  connect(&timer_, &QTimer::timeout, this, &Pedal::look);
+  connect(&timer_, &QTimer::timeout, this, &Pedal::check_status);
   connect(&learning_, &BackgroundWork::progressed, this, [this] {
     const QString text = learning_.fraction() > 0    ? tr("Press it once more.")
                          : !learning_.what().empty() ? tr("Press the pedal twice now.")
@@ -86,16 +86,16 @@ void Pedal::listen(const std::optional<LearntButton>& button) {
       shared->is_opened = true;
       return port;
     };
-    // It begins at once and tells as soon as it is there.
+    // It begins at once and may report before the assignment is done.
     const std::lock_guard lock(shared_->mutex);
     shared_->button = std::make_unique<HidButton>(
-        open, button->pattern, [shared = shared_.get()] { shared->tell(); });
-    timer_.start(kBetweenPedalLooks_ms);
+        open, button->pattern, [shared = shared_.get()] { shared->notify(); });
+    timer_.start(kPollInterval_ms);
   }
   Q_EMIT changed();
 }
 
-void Pedal::look() {
+void Pedal::check_status() {
   if (!shared_->is_opened) return;
   const Status status = shared_->button->status();
   const bool was_well = !problem_.has_value();
@@ -107,7 +107,7 @@ void Pedal::learn() {
   if (is_learning()) return;
   learning_text_ = tr("Leave the pedal alone for a moment.");
   const auto before = button_;
-  listen(std::nullopt);  // what is pressed to be learnt is to do nothing
+  listen(std::nullopt);  // the learnt presses must have no effect
   learning_.start([this, ports = ports_, before](const Job& job) {
     auto learnt = std::make_shared<Result<LearntButton>>(learn_from_all(ports, job));
     return std::function<void()>([this, learnt, before] { end_learning(*learnt, before); });

@@ -1,4 +1,4 @@
-// A foot pedal or button for the window: learnt once, heard wherever a press does something.
+// A foot pedal or button: learnt once, then reported with each press.
 #pragma once
 
 #include "core/sources/hid/hid_button.h"
@@ -14,25 +14,25 @@
 
 namespace alltact {
 
-/// An object of the window's thread; devices are looked for, learnt from and read beside it.
+/// Belongs to the window's thread; finds, learns and reads devices on background threads.
 class Pedal : public QObject {
   Q_OBJECT
  public:
   explicit Pedal(HidPorts ports = {}, QObject* parent = nullptr);
   ~Pedal() override;
 
-  /// Listens to it from now on, also when it is unplugged and comes back; none: to none.
+  /// Listens to it from now on, also after it was unplugged and plugged in again; none: to none.
   void listen(const std::optional<LearntButton>& button);
   [[nodiscard]] const std::optional<LearntButton>& button() const { return button_; }
-  /// Why presses are not heard now; none while all is well or no pedal is chosen.
+  /// Why presses are not heard; none while it works or no pedal is chosen.
   [[nodiscard]] const std::optional<Error>& problem() const { return problem_; }
 
-  /// Waits for a pedal that is pressed twice and listens to it; where none is, to the one before.
+  /// Waits for a pedal that is pressed twice and listens to it; without one, to the former pedal.
   /// Does nothing while it learns.
   void learn();
   void stop_learning();
   [[nodiscard]] bool is_learning() const { return learning_.is_running(); }
-  /// What to do now, or why nothing was learnt; empty when there is nothing to say.
+  /// Next instruction, or why nothing was learnt; may be empty.
   [[nodiscard]] const QString& learning_text() const { return learning_text_; }
 
  Q_SIGNALS:
@@ -42,7 +42,7 @@ class Pedal : public QObject {
 
  private:
   struct Shared;
-  void look();
+  void check_status();
   void end_learning(const Result<LearntButton>& learnt, const std::optional<LearntButton>& before);
 
   HidPorts ports_;

@@ -20,8 +20,8 @@ void change_zero(LiveSession& session,
                  StepWords what) {
   using Zero = std::optional<SessionZero>;
   undo.push(new ValueChange<Zero>(
-      std::move(what), session.force_zero(), zero, [&session](const Zero& wanted) {
-        session.set_force_zero(wanted);
+      std::move(what), session.force_zero(), zero, [&session](const Zero& requested) {
+        session.set_force_zero(requested);
       }));
 }
 

@@ -1,4 +1,4 @@
-// Re-zeroing the force, as steps that can be undone.
+// Re-zeroing the force, as undo steps.
 #pragma once
 
 #include "widgets/live/live_session.h"
@@ -7,10 +7,10 @@
 
 namespace alltact {
 
-/// A reading of the live finger counts as no force: the one its user saw, whatever came since. Does
-/// nothing where there is no finger. Session and stack outlive the steps.
+/// Sets this reading of the live finger as zero force. `zero` is the reading that the user saw,
+/// whatever was measured since. Does nothing without a finger. Session and stack outlive the steps.
 void take_zero(LiveSession& session, QUndoStack& undo, const ForceZero& zero);
-/// Forces count as measured again.
+/// Shows forces as measured again.
 void drop_zero(LiveSession& session, QUndoStack& undo);
 
 }  // namespace alltact

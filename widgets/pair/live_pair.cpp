@@ -19,7 +19,7 @@ void LivePair::open(const std::optional<SecondCamera>& second) {
   const std::optional<SecondCamera> before = std::exchange(opened_, second);
   reading_.reset();
   reading_problem_.reset();
-  asked_.reset();
+  request_.reset();
   const bool is_other =
       !before || !second || before->finger != second->finger || before->source != second->source;
   if (is_other) {
@@ -32,7 +32,7 @@ void LivePair::open(const std::optional<SecondCamera>& second) {
     connect(second_.get(), &LiveSession::status_ready, this, &LivePair::changed);
   }
   if (is_other && second_) {
-    second_->set_lock(true);  // brightness is the measurement
+    second_->set_lock(true);  // brightness is the measured quantity
     second_->open_finger(second ? second->finger : std::filesystem::path());
     if (second)
       second_->open_source(second->source);
@@ -55,16 +55,16 @@ void LivePair::add(std::size_t which) {
 }
 
 void LivePair::load_gripper() {
-  const std::filesystem::path wanted = opened_ ? opened_->gripper : std::filesystem::path();
-  if (wanted == gripper_of_) return;
+  const std::filesystem::path requested = opened_ ? opened_->gripper : std::filesystem::path();
+  if (requested == gripper_of_) return;
   gripper_.reset();
   gripper_problem_.reset();
-  gripper_of_ = wanted;
-  if (wanted.empty()) return loading_.stop();
-  loading_.restart([this, wanted](const Job&) {
-    auto loaded = OpenGripper::load(wanted);
-    return std::function<void()>([this, wanted, loaded = std::move(loaded)] {
-      if (wanted != gripper_of_) return;
+  gripper_of_ = requested;
+  if (requested.empty()) return loading_.stop();
+  loading_.restart([this, requested](const Job&) {
+    auto loaded = OpenGripper::load(requested);
+    return std::function<void()>([this, requested, loaded = std::move(loaded)] {
+      if (requested != gripper_of_) return;
       if (loaded)
         gripper_ = std::make_shared<const OpenGripper>(*loaded);
       else
@@ -82,20 +82,20 @@ std::optional<double> LivePair::motor_turns() const {
 void LivePair::measure() {
   const auto turns = motor_turns();
   if (!turns || !pair_ || !pair_->is_in_time || measuring_.is_running()) return;
-  const Asked asked{pair_->views, *turns};
-  if (asked_ == asked) return;
-  const auto &ours = first_.status().finger, &other = second_->status().finger;
-  if (!ours.finger || !other.finger) return;
+  const Request request{pair_->views, *turns};
+  if (request_ == request) return;
+  const auto &own = first_.status().finger, &other = second_->status().finger;
+  if (!own.finger || !other.finger) return;
   const std::array<PairedFinger, 2> fingers{
-      {{ours.folder, ours.finger->face}, {other.folder, other.finger->face}}};
-  asked_ = asked;
+      {{own.folder, own.finger->face}, {other.folder, other.finger->face}}};
+  request_ = request;
   measuring_.start([this, gripper = gripper_, turns = *turns, pair = *pair_, fingers](const Job&) {
     auto reading = read_pair(*gripper, turns, pair, fingers);
     return std::function<void()>([this, reading = std::move(reading)] { take(reading); });
   });
 }
 
-/// Of what was asked for before another was opened it tells nothing.
+/// A reading requested before another finger was opened is dropped.
 void LivePair::take(const Result<PairReading>& reading) {
   reading_problem_.reset();
   if (!reading) {

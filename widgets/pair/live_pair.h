@@ -1,5 +1,5 @@
-// A second finger beside the live one: its own source, in time with the first, and what both tell
-// together in their gripper.
+// A second live finger: its own source, synchronised with the first, and joint readings of both in
+// their gripper.
 #pragma once
 
 #include "widgets/background_work.h"
@@ -14,7 +14,7 @@
 
 namespace alltact {
 
-/// What is open beside the first finger.
+/// The second finger and its source.
 struct SecondCamera {
   std::filesystem::path finger;               ///< folder
   std::vector<std::filesystem::path> source;  ///< as LiveSession::open_source
@@ -23,7 +23,7 @@ struct SecondCamera {
   bool operator==(const SecondCamera&) const = default;
 };
 
-/// An object of the window's thread; the gripper is read, and distances measured, beside it.
+/// Belongs to the window's thread; reads the gripper and measures distances on background threads.
 class LivePair : public QObject {
   Q_OBJECT
  public:
@@ -36,14 +36,14 @@ class LivePair : public QObject {
   /// Null before the first open().
   [[nodiscard]] LiveSession* second() const { return second_.get(); }
 
-  /// What is to be shown; nullopt before both have a view, and while nothing is open.
+  /// Views to be shown; nullopt before both have a view, and while nothing is open.
   [[nodiscard]] const std::optional<ViewPair>& pair() const { return pair_; }
   /// Null without a gripper.
   [[nodiscard]] const OpenGripper* gripper() const { return gripper_.get(); }
   [[nodiscard]] std::optional<double> motor_turns() const;
-  /// The latest; of a pair that may be older than pair().
+  /// The latest reading; its pair may be older than pair().
   [[nodiscard]] const std::optional<PairReading>& reading() const { return reading_; }
-  /// Why there is no reading; of the second source or finger where it is these.
+  /// Why there is no reading, including problems of the second source and finger.
   [[nodiscard]] std::optional<Error> problem() const;
 
  Q_SIGNALS:
@@ -63,15 +63,15 @@ class LivePair : public QObject {
   ViewPairing pairing_;
   std::optional<ViewPair> pair_;
   std::shared_ptr<const OpenGripper> gripper_;
-  std::filesystem::path gripper_of_;  // what gripper_ or its problem was read from
+  std::filesystem::path gripper_of_;  // file of gripper_ or of its problem
   std::optional<Error> gripper_problem_, reading_problem_;
   std::optional<PairReading> reading_;
-  struct Asked {
+  struct Request {
     std::array<std::shared_ptr<const LiveView>, 2> views;
     double motor_turns;
-    bool operator==(const Asked&) const = default;
+    bool operator==(const Request&) const = default;
   };
-  std::optional<Asked> asked_;  // of the work that goes on, or went on last
+  std::optional<Request> request_;  // of the running or last measurement
   BackgroundWork loading_, measuring_;
 };
 

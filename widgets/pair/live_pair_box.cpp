@@ -42,9 +42,9 @@ LivePairBox::LivePairBox(const LivePair& pair, const LiveSession& first, QWidget
   motor_label_->setBuddy(motor_);
   motor_->set_shown_decimals(3);
   motor_->setSingleStep(0.1);
-  connect(open_, &QPushButton::clicked, this, &LivePairBox::open_wanted);
-  connect(close_, &QPushButton::clicked, this, &LivePairBox::close_wanted);
-  connect(motor_, &NumberField::valueChanged, this, &LivePairBox::motor_wanted);
+  connect(open_, &QPushButton::clicked, this, &LivePairBox::open_requested);
+  connect(close_, &QPushButton::clicked, this, &LivePairBox::close_requested);
+  connect(motor_, &NumberField::valueChanged, this, &LivePairBox::motor_requested);
   say([this] { name_parts(); });
 }
 
@@ -87,7 +87,7 @@ QString LivePairBox::names_text() const {
     const LiveSession& session = i == 0 ? first_ : *pair_.second();
     QString line =
         labelled(QString::number(i + 1), finger_name(session.status().finger).toHtmlEscaped());
-    const QString felt = pair ? brief_touch_words(pair->views[i]->result) : QString();
+    const QString felt = pair ? brief_contact_words(pair->views[i]->result) : QString();
     if (!felt.isEmpty()) line += QStringLiteral("<br>&nbsp;&nbsp;&nbsp;") + felt;
     lines << line;
   }

@@ -1,5 +1,4 @@
-// Beside the live pictures: the second finger, whether both are of one moment, and what both tell
-// together.
+// The second live finger, the time difference of both views, and joint readings.
 #pragma once
 
 #include "widgets/controls/number_field.h"
@@ -20,9 +19,9 @@ class LivePairBox : public Translated<QGroupBox> {
   void show_pair();
 
  Q_SIGNALS:
-  void open_wanted();
-  void close_wanted();
-  void motor_wanted(double turns);
+  void open_requested();
+  void close_requested();
+  void motor_requested(double turns);
 
  private:
   void name_parts();
@@ -37,7 +36,7 @@ class LivePairBox : public Translated<QGroupBox> {
   NumberField* motor_;
 };
 
-/// As it is called on the screen: the finger's name, or its folder's while that is read.
+/// The finger's name or, while it is being read, its folder's name.
 [[nodiscard]] QString finger_name(const FingerStatus& finger);
 
 }  // namespace alltact

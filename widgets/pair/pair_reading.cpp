@@ -6,10 +6,10 @@ namespace alltact {
 namespace fs = std::filesystem;
 namespace {
 
-fs::path whole_folder(const fs::path& folder) {
+fs::path canonical_folder(const fs::path& folder) {
   std::error_code ignored;
-  const fs::path whole = fs::weakly_canonical(folder, ignored);
-  return whole.has_filename() ? whole : whole.parent_path();  // "left/" is "left"
+  const fs::path canonical = fs::weakly_canonical(folder, ignored);
+  return canonical.has_filename() ? canonical : canonical.parent_path();  // "left/" is "left"
 }
 
 GapFace gap_face(const FrameResult& result, const Face& face) {
@@ -33,15 +33,18 @@ Result<OpenGripper> OpenGripper::load(const fs::path& path) {
   const fs::path folder = fs::is_directory(path, ignored) ? path : path.parent_path();
   OpenGripper open{std::move(*gripper), {}};
   for (std::size_t i = 0; i < 2; ++i)
-    open.folders[i] = whole_folder(fs::absolute(folder, ignored) / open.gripper.fingers[i].folder);
+    open.folders[i] =
+        canonical_folder(fs::absolute(folder, ignored) / open.gripper.fingers[i].folder);
   return open;
 }
 
 std::optional<std::array<std::size_t, 2>> OpenGripper::order_of(
     const std::array<fs::path, 2>& fingers) const {
-  const std::array whole{whole_folder(fingers[0]), whole_folder(fingers[1])};
-  if (whole[0] == folders[0] && whole[1] == folders[1]) return std::array<std::size_t, 2>{0, 1};
-  if (whole[0] == folders[1] && whole[1] == folders[0]) return std::array<std::size_t, 2>{1, 0};
+  const std::array canonical{canonical_folder(fingers[0]), canonical_folder(fingers[1])};
+  if (canonical[0] == folders[0] && canonical[1] == folders[1])
+    return std::array<std::size_t, 2>{0, 1};
+  if (canonical[0] == folders[1] && canonical[1] == folders[0])
+    return std::array<std::size_t, 2>{1, 0};
   return std::nullopt;
 }
 
@@ -69,9 +72,9 @@ Result<PairReading> read_pair(const OpenGripper& gripper,
     reading.gap =
         face_gap(*pose, {gap_face(*results[0], *faces[0]), gap_face(*results[1], *faces[1])});
   if (!results[0]->regions.empty() && !results[1]->regions.empty())
-    reading.width = held_width(
-        *pose,
-        {seen_contact(results[0]->regions.front()), seen_contact(results[1]->regions.front())});
+    reading.width = held_width(*pose,
+                               {observed_contact(results[0]->regions.front()),
+                                observed_contact(results[1]->regions.front())});
   return reading;
 }
 

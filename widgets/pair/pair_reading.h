@@ -1,4 +1,4 @@
-// What two fingers of one gripper tell together of one moment.
+// Joint readings of two fingers of one gripper at one moment.
 #pragma once
 
 #include "core/gripper/face_gap.h"
@@ -12,14 +12,14 @@
 
 namespace alltact {
 
-/// A gripper with the folders of its fingers, whole paths.
+/// A gripper with the absolute folders of its fingers.
 struct OpenGripper {
   Gripper gripper;
   std::array<std::filesystem::path, 2> folders;
 
   /// Errors: those of Gripper::load.
   static Result<OpenGripper> load(const std::filesystem::path& path);
-  /// Which finger of the gripper each of these is; nullopt: they are not its two.
+  /// Indices of these fingers in the gripper; nullopt: they are not its two.
   [[nodiscard]] std::optional<std::array<std::size_t, 2>> order_of(
       const std::array<std::filesystem::path, 2>& fingers) const;
 };
@@ -27,11 +27,11 @@ struct OpenGripper {
 struct PairReading {
   ViewPair of;
   double motor_turns = 0;
-  std::optional<FaceGap> gap;      ///< absent where a face has no depth
-  std::optional<HeldWidth> width;  ///< absent where one of them touches nothing
+  std::optional<FaceGap> gap;      ///< empty where a face has no depth
+  std::optional<HeldWidth> width;  ///< empty where a finger has no contact
 };
 
-/// A finger that a view of the pair shows.
+/// A finger in a view of the pair.
 struct PairedFinger {
   std::filesystem::path folder;
   Face face;

@@ -1,4 +1,4 @@
-// Which finger is watched beside the first, by which camera, and in which gripper.
+// Dialog for the second live finger, its camera and the gripper.
 #pragma once
 
 #include "widgets/pair/live_pair.h"
@@ -15,7 +15,7 @@ namespace alltact {
 class SecondCameraDialog : public FittedDialog {
   Q_OBJECT
  public:
-  /// cameras: names that open them.
+  /// cameras: identifiers that open them.
   SecondCameraDialog(const std::optional<SecondCamera>& now,
                      const QStringList& cameras,
                      QWidget* parent = nullptr);

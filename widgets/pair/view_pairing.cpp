@@ -9,13 +9,13 @@ namespace alltact {
 std::optional<ViewPair> ViewPairing::add(std::size_t which,
                                          std::shared_ptr<const LiveView> view,
                                          std::optional<std::int64_t> time_ns) {
-  auto &own = kept_[which], &other = kept_[1 - which];
+  auto &own = views_[which], &other = views_[1 - which];
   if (!own.empty() && time_ns && own.back().time_ns && *time_ns < *own.back().time_ns)
-    forget();  // another source, or one that began anew
+    forget();  // another source, or a restarted one
   Timed now{std::move(view), time_ns};
   measure_period(which, now);
   own.push_back(std::move(now));
-  if (own.size() > kKept) own.pop_front();
+  if (own.size() > kMaxViews) own.pop_front();
   if (!waiting_since_ns_) waiting_since_ns_ = time_ns;
   if (other.empty()) return std::nullopt;
   const auto pair_with = [&](const Timed& partner) {
@@ -27,17 +27,18 @@ std::optional<ViewPair> ViewPairing::add(std::size_t which,
   if (!time_ns || !other.back().time_ns) return pair_with(other.back());
 
   const Timed* nearest = nullptr;
-  const auto off_ns = [&](const Timed& timed) { return std::abs(*timed.time_ns - *time_ns); };
+  const auto offset_ns = [&](const Timed& timed) { return std::abs(*timed.time_ns - *time_ns); };
   for (const Timed& timed : other)
-    if (timed.time_ns && (nearest == nullptr || off_ns(timed) < off_ns(*nearest))) nearest = &timed;
+    if (timed.time_ns && (nearest == nullptr || offset_ns(timed) < offset_ns(*nearest)))
+      nearest = &timed;
   ViewPair pair = pair_with(*nearest);
   std::array<std::int64_t, 2> times_ns{};
   times_ns[which] = *time_ns;
   times_ns[1 - which] = *nearest->time_ns;
   pair.later_ms = 1e-6 * static_cast<double>(times_ns[1] - times_ns[0]);
-  pair.is_in_time = static_cast<double>(off_ns(*nearest)) <= tolerance_ns();
+  pair.is_in_time = static_cast<double>(offset_ns(*nearest)) <= tolerance_ns();
   if (!pair.is_in_time) {
-    const bool is_waiting = static_cast<double>(*time_ns - *waiting_since_ns_) < 1e9 * kPatience_s;
+    const bool is_waiting = static_cast<double>(*time_ns - *waiting_since_ns_) < 1e9 * kTimeout_s;
     return is_waiting ? std::nullopt : std::optional(pair);
   }
   if (shown_ns_ && (times_ns[0] < (*shown_ns_)[0] || times_ns[1] < (*shown_ns_)[1]))
@@ -47,10 +48,10 @@ std::optional<ViewPair> ViewPairing::add(std::size_t which,
   return pair;
 }
 
-/// By the frames' numbers, so that those that nobody measured do not count.
+/// Divides by frame numbers, so that frames that were not measured are counted.
 void ViewPairing::measure_period(std::size_t which, const Timed& now) {
-  if (kept_[which].empty()) return;
-  const Timed& before = kept_[which].back();
+  if (views_[which].empty()) return;
+  const Timed& before = views_[which].back();
   const FramePtr &frame = now.view->result.frame, &last = before.view->result.frame;
   if (!frame || !last || !now.time_ns || !before.time_ns || frame->sequence <= last->sequence)
     return;

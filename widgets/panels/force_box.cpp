@@ -36,12 +36,12 @@ ForceBox::ForceBox(std::function<ShownForce()> ask, QWidget* parent)
   row->addStretch();
   column->addLayout(row);
   timer_.setSingleShot(true);
-  timer_.setInterval(kBetweenDrawings_ms);
+  timer_.setInterval(kDrawInterval_ms);
   connect(&timer_, &QTimer::timeout, this, &ForceBox::draw);
   connect(take_zero_, &QPushButton::clicked, this, [this] {
-    if (offered_zero_) Q_EMIT zero_wanted(*offered_zero_);
+    if (offered_zero_) Q_EMIT zero_requested(*offered_zero_);
   });
-  connect(no_zero_, &QPushButton::clicked, this, &ForceBox::no_zero_wanted);
+  connect(no_zero_, &QPushButton::clicked, this, &ForceBox::no_zero_requested);
   say([this] {
     setTitle(tr("Force"));
     take_zero_->setText(tr("Re-&zero"));
@@ -59,7 +59,7 @@ ForcePlot* ForceBox::take_plot() {
   return plot_;
 }
 
-void ForceBox::news() {
+void ForceBox::schedule_update() {
   if (isVisible() && !timer_.isActive()) timer_.start();
 }
 
@@ -116,7 +116,7 @@ QString ForceBox::zero_text(const ShownForce& shown) const {
   if (!shown.zero) return tr("Zero: the model's own.");
   const ForceZero& zero = shown.zero->zero;
   const QString since = QLocale().toString(shown.zero->since.time(), QStringLiteral("HH:mm:ss"));
-  return zero.is_touched
+  return zero.has_contact
              ? tr("Zero: the reading of %1, while something touched the finger.").arg(since)
              : tr("Zero: the reading of %1.").arg(since);
 }

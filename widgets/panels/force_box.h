@@ -1,4 +1,4 @@
-// The force on the finger: in figures, over time, and from which zero it counts.
+// The force on the finger: as numbers, over time, and its zero.
 #pragma once
 
 #include "widgets/plots/force_plot.h"
@@ -14,35 +14,36 @@
 
 namespace alltact {
 
-/// What the box shows.
+/// The data that the box shows.
 struct ShownForce {
   std::optional<Force> now;               ///< as measured
   const TouchHistory* history = nullptr;  ///< null: none
   std::optional<SessionZero> zero;
-  bool is_live = true;  ///< else what is shown was recorded, and counts from no zero
-  QString why_none;     ///< in place of the plot, where no force was told at all
+  bool is_live = true;  ///< false: recorded data, for which no zero counts
+  QString why_none;     ///< shown instead of the plot where there is no force at all
 };
 
 class ForceBox : public Translated<QGroupBox> {
   Q_OBJECT
  public:
-  /// At most so often, however often there is news.
-  static constexpr int kBetweenDrawings_ms = 200;
+  /// Minimum time between two drawings, however often updates come.
+  static constexpr int kDrawInterval_ms = 200;
 
-  /// `ask` tells what there is to show; called while the box is visible, some time after news().
+  /// `ask` returns the data to show; called while the box is visible, some time after
+  /// schedule_update().
   explicit ForceBox(std::function<ShownForce()> ask, QWidget* parent = nullptr);
-  void news();
+  void schedule_update();
   [[nodiscard]] ForcePlot& plot() const { return *plot_; }
   /// For a layout elsewhere, where there is more room.
   [[nodiscard]] ForcePlot* take_plot();
-  /// How often it was drawn.
+  /// Number of drawings so far.
   [[nodiscard]] int drawings() const { return drawings_; }
 
  Q_SIGNALS:
-  /// This reading, which the button offered as it was last drawn, is to count as none.
-  void zero_wanted(const alltact::ForceZero& zero);
-  /// Forces are to count as measured.
-  void no_zero_wanted();
+  /// Use this reading, which the button offered when it was last drawn, as zero.
+  void zero_requested(const alltact::ForceZero& zero);
+  /// Show forces as measured, without a zero.
+  void no_zero_requested();
 
  protected:
   void showEvent(QShowEvent* event) override;

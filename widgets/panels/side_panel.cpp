@@ -9,20 +9,21 @@ namespace {
 
 class SideColumn : public QScrollArea {
  public:
-  explicit SideColumn(int least_width_px) : least_width_px_(least_width_px) {
+  explicit SideColumn(int min_width_px) : least_width_px_(min_width_px) {
     setWidget(new QWidget);
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    setFixedWidth(least_width_px);
+    setFixedWidth(min_width_px);
     setFocusPolicy(Qt::NoFocus);
   }
 
  protected:
   bool eventFilter(QObject* object, QEvent* event) override {
     const bool is_handled = QScrollArea::eventFilter(object, event);
-    // Always with room for the scroll bar: else it would come and go with what it makes narrower.
-    // A page that was laid out unseen, in other fonts, asks for no new layout when it is shown.
+    // Always with room for the scroll bar, which otherwise would toggle, as it makes the content
+    // narrower. A page whose layout was made hidden, in other fonts, requests no new layout when it
+    // is shown.
     if (object == widget() &&
         (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Show))
       setFixedWidth(
@@ -37,11 +38,11 @@ class SideColumn : public QScrollArea {
 
 }  // namespace
 
-SidePanel::SidePanel(int least_width_px) : whole(new QWidget) {
-  auto* scrolled = new SideColumn(least_width_px);
+SidePanel::SidePanel(int min_width_px) : root(new QWidget) {
+  auto* scrolled = new SideColumn(min_width_px);
   column = new QVBoxLayout(scrolled->widget());
   column->setContentsMargins(4, 0, 2, 0);
-  auto* all = new QVBoxLayout(whole);
+  auto* all = new QVBoxLayout(root);
   all->setContentsMargins(0, 0, 0, 0);
   all->addWidget(scrolled, 1);
   foot = new QVBoxLayout;

@@ -1,4 +1,4 @@
-// The column of groups beside a place's picture.
+// The column of groups next to a page's image.
 #pragma once
 
 #include <QScrollArea>
@@ -6,11 +6,11 @@
 
 namespace alltact {
 
-/// `column` takes the groups, and scrolls where the window is low; `foot` what stays below them.
-/// As wide as told, or as its content needs in the window's language.
+/// `column` takes the groups, and scrolls in a low window; `foot` takes what stays below them. As
+/// wide as `min_width_px`, or as its content needs in the window's language.
 struct SidePanel {
-  explicit SidePanel(int least_width_px);
-  QWidget* whole;
+  explicit SidePanel(int min_width_px);
+  QWidget* root;
   QVBoxLayout *column, *foot;
 };
 

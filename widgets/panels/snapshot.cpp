@@ -26,8 +26,8 @@ struct SnapshotWords {
 };
 
 QString proposed_file() {
-  const QDir pictures(QStandardPaths::writableLocation(QStandardPaths::PicturesLocation));
-  const QDir where = pictures.exists() ? pictures : QDir::home();
+  const QDir images_dir(QStandardPaths::writableLocation(QStandardPaths::PicturesLocation));
+  const QDir where = images_dir.exists() ? images_dir : QDir::home();
   return where.filePath(
       QStringLiteral("finger_%1.png")
           .arg(QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd_HHmmss"))));
@@ -35,16 +35,16 @@ QString proposed_file() {
 
 }  // namespace
 
-QImage drawn_picture(const cv::Mat& grey, const std::vector<Overlay>& overlays) {
-  QImage picture = grey_image(grey).convertToFormat(QImage::Format_RGB32);
-  QPainter painter(&picture);
+QImage image_with_overlays(const cv::Mat& grey, const std::vector<Overlay>& overlays) {
+  QImage image = grey_image(grey).convertToFormat(QImage::Format_RGB32);
+  QPainter painter(&image);
   painter.setRenderHint(QPainter::Antialiasing);
   for (const Overlay& overlay : overlays) {
     painter.save();
     overlay(painter, ImageTransform());
     painter.restore();
   }
-  return picture;
+  return image;
 }
 
 void choose_snapshot(const cv::Mat& grey, const std::vector<Overlay>& overlays, QWidget& parent) {
@@ -53,20 +53,20 @@ void choose_snapshot(const cv::Mat& grey, const std::vector<Overlay>& overlays, 
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix(QStringLiteral("png"));
   dialog->setNameFilters({SnapshotWords::drawn(), SnapshotWords::bare()});
-  const QImage drawn = drawn_picture(grey, overlays), bare = grey_image(grey).copy();
+  const QImage drawn = image_with_overlays(grey, overlays), bare = grey_image(grey).copy();
   QObject::connect(dialog,
                    &QFileDialog::fileSelected,
                    &parent,
                    [drawn, bare, dialog, &parent](const QString& file) {
                      const bool is_bare = dialog->selectedNameFilter() == SnapshotWords::bare();
                      if ((is_bare ? bare : drawn).save(file, "PNG")) return;
-                     auto* told = new QMessageBox(QMessageBox::Warning,
-                                                  SnapshotWords::title(),
-                                                  SnapshotWords::failed(file),
-                                                  QMessageBox::Ok,
-                                                  &parent);
-                     told->setAttribute(Qt::WA_DeleteOnClose);
-                     told->show();
+                     auto* box = new QMessageBox(QMessageBox::Warning,
+                                                 SnapshotWords::title(),
+                                                 SnapshotWords::failed(file),
+                                                 QMessageBox::Ok,
+                                                 &parent);
+                     box->setAttribute(Qt::WA_DeleteOnClose);
+                     box->show();
                    });
   dialog->show();
 }

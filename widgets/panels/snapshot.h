@@ -1,15 +1,15 @@
-// A picture of what is shown, saved where somebody says.
+// Saves an image of the current view to a chosen file.
 #pragma once
 
-#include "widgets/picture/image_view.h"
+#include "widgets/image/image_view.h"
 
 namespace alltact {
 
-/// `grey` (CV_8UC1) in its own size, with what is drawn over it.
-[[nodiscard]] QImage drawn_picture(const cv::Mat& grey, const std::vector<Overlay>& overlays);
+/// `grey` (CV_8UC1) in its own size, with the overlays.
+[[nodiscard]] QImage image_with_overlays(const cv::Mat& grey, const std::vector<Overlay>& overlays);
 
-/// Asks for a file, beside the window, and saves the picture as it is now: with what is drawn over
-/// it or, by another filter, as the camera gave it. What cannot be written is told in a dialog.
+/// Opens a file dialog without blocking the window, and saves the image of this moment: with the
+/// overlays or, by another filter, as the camera gave it. A dialog reports a failure to write.
 void choose_snapshot(const cv::Mat& grey, const std::vector<Overlay>& overlays, QWidget& parent);
 
 }  // namespace alltact

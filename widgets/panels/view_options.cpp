@@ -1,8 +1,8 @@
 #include "widgets/panels/view_options.h"
 
+#include "widgets/image/overlays.h"
 #include "widgets/joined_words.h"
 #include "widgets/number_text.h"
-#include "widgets/picture/overlays.h"
 
 #include <QCoreApplication>
 #include <cmath>
@@ -55,7 +55,7 @@ std::vector<Overlay> overlays_for(const LiveView& view, const ViewOptions& optio
   if (options.markers && !view.result.dots.empty())
     overlays.push_back(dots_overlay(view.result.dots));
   if (options.direction && result.push && result.markers)
-    overlays.push_back(push_overlay(*result.push, *result.markers));
+    overlays.push_back(force_overlay(*result.push, *result.markers));
   if (options.depth && view.depth_layer)
     overlays.push_back(
         colour_bar_overlay(depth_scale(view.depth_top_mm), FrameWords::colour_bar()));

@@ -14,10 +14,10 @@
 namespace alltact {
 namespace {
 
-constexpr double kAroundFrontMs = 1.6;  // times the slowest that is worth taking
-constexpr double kBudgetNear = 2.5;     // times that: as far the axis goes to show the line
-constexpr double kAbove = 1.12;         // times the largest whisker
-constexpr double kReachPx = 12;         // of a dot
+constexpr double kTimeMargin = 1.6;      // times the slowest point on the front
+constexpr double kMaxBudgetRatio = 2.5;  // times that: largest extension to the line
+constexpr double kHeadroom = 1.12;       // axis height as a multiple of the largest whisker
+constexpr double kClickRadiusPx = 12;    // from a dot
 constexpr double kDotPx = 9;
 constexpr int kFocusPx = 2;
 
@@ -28,7 +28,7 @@ AccuracyPlot::AccuracyPlot(QWidget* parent) : Plot(parent) {
   setFocusPolicy(Qt::StrongFocus);
   set_accessible_role(*this, QAccessible::Chart);
   chart().setMouseTracking(true);
-  connect(&chart(), &QCustomPlot::afterLayout, this, &AccuracyPlot::place_labels_now);
+  connect(&chart(), &QCustomPlot::afterLayout, this, &AccuracyPlot::layout_labels_now);
   connect(&chart(), &QCustomPlot::mouseMove, this, &AccuracyPlot::hover);
   connect(&chart(), &QCustomPlot::mousePress, this, &AccuracyPlot::press);
 }
@@ -36,12 +36,12 @@ AccuracyPlot::AccuracyPlot(QWidget* parent) : Plot(parent) {
 void AccuracyPlot::set_points(std::vector<AccuracyPoint> points) {
   points_ = std::move(points);
   if (picked_ && *picked_ >= points_.size()) picked_.reset();
-  tell();
+  announce();
   rebuild();
 }
 
-void AccuracyPlot::set_budget(double pictures_per_s) {
-  pictures_per_s_ = pictures_per_s;
+void AccuracyPlot::set_budget(double frames_per_s) {
+  frames_per_s_ = frames_per_s;
   rebuild();
 }
 
@@ -49,11 +49,11 @@ void AccuracyPlot::pick(std::optional<std::size_t> point) {
   if (point && *point >= points_.size()) point.reset();
   if (point == picked_) return;
   picked_ = point;
-  tell();
+  announce();
   rebuild();
 }
 
-void AccuracyPlot::tell() {
+void AccuracyPlot::announce() {
   setAccessibleName(tr("What accuracy costs in time"));
   if (picked_)
     set_accessible_value(*this,
@@ -77,7 +77,7 @@ std::vector<std::size_t> AccuracyPlot::front() const {
 }
 
 void AccuracyPlot::set_ranges() {
-  // What is far slower or worse than what is worth taking would squeeze that into a corner.
+  // Limits the axes: far slower or worse points would squeeze the front into a corner.
   double slowest_ms = 0, worst_mm = 0;
   for (const AccuracyPoint& point : points_) {
     const bool matters =
@@ -86,18 +86,18 @@ void AccuracyPlot::set_ranges() {
     slowest_ms = std::max(slowest_ms, point.time_ms);
     worst_mm = std::max(worst_mm, point.p95_mm);
   }
-  most_ms_ = std::max(kAroundFrontMs * slowest_ms, 1e-3);
-  const double budget_ms = 1000 / pictures_per_s_;
-  if (budget_ms < kBudgetNear * slowest_ms) most_ms_ = std::max(most_ms_, 1.05 * budget_ms);
-  most_mm_ = std::max(kAbove * worst_mm, 1e-4);
-  chart().xAxis->setRange(0, most_ms_);
-  chart().yAxis->setRange(0, most_mm_);
+  max_ms_ = std::max(kTimeMargin * slowest_ms, 1e-3);
+  const double budget_ms = 1000 / frames_per_s_;
+  if (budget_ms < kMaxBudgetRatio * slowest_ms) max_ms_ = std::max(max_ms_, 1.05 * budget_ms);
+  max_mm_ = std::max(kHeadroom * worst_mm, 1e-4);
+  chart().xAxis->setRange(0, max_ms_);
+  chart().yAxis->setRange(0, max_mm_);
   chart().xAxis->setLabel(tr("Time of a picture on this computer (ms)"));
   chart().yAxis->setLabel(tr("Error of depth (mm)"));
 }
 
 bool AccuracyPlot::is_shown(const AccuracyPoint& point) const {
-  return point.time_ms <= most_ms_ && point.median_mm <= most_mm_;
+  return point.time_ms <= max_ms_ && point.median_mm <= max_mm_;
 }
 
 bool AccuracyPlot::draw() {
@@ -129,7 +129,7 @@ void AccuracyPlot::draw_others() {
       others->addData(point.time_ms, point.median_mm);
   }
   if (beyond > 0)
-    add_note(most_ms_,
+    add_note(max_ms_,
              0,
              tr("%n slower or worse, beyond this figure", "", beyond),
              Qt::AlignRight | Qt::AlignBottom);
@@ -146,11 +146,11 @@ void AccuracyPlot::draw_front() {
   dots->setLineStyle(QCPGraph::lsNone);
   dots->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, colour, colour, kDotPx));
   const auto along = front();
-  double least_mm = std::numeric_limits<double>::infinity();  // so far: a place may be what is best
+  double min_mm = std::numeric_limits<double>::infinity();  // smallest so far, by time
   for (const std::size_t i : along) {
     const AccuracyPoint& point = points_[i];
-    least_mm = std::min(least_mm, point.median_mm);
-    stairs->addData(point.time_ms, least_mm);
+    min_mm = std::min(min_mm, point.median_mm);
+    stairs->addData(point.time_ms, min_mm);
     dots->addData(point.time_ms, point.median_mm);
     auto* whisker = new QCPItemLine(&chart());
     whisker->start->setCoords(point.time_ms, point.median_mm);
@@ -158,7 +158,7 @@ void AccuracyPlot::draw_front() {
     whisker->setHead(QCPLineEnding(QCPLineEnding::esBar, 7, 0));
     whisker->setPen(QPen(colour, 1));
   }
-  if (!along.empty()) stairs->addData(most_ms_, least_mm);
+  if (!along.empty()) stairs->addData(max_ms_, min_mm);
 }
 
 void AccuracyPlot::draw_marks() {
@@ -183,29 +183,29 @@ void AccuracyPlot::draw_marks() {
 }
 
 void AccuracyPlot::draw_budget() {
-  const double budget_ms = 1000 / pictures_per_s_;
+  const double budget_ms = 1000 / frames_per_s_;
   const QColor colour = meaning_colour(Meaning::kBad, palette());
-  const QString words = tr("%1 pictures per second").arg(QLocale().toString(pictures_per_s_));
-  if (budget_ms > most_ms_) {
-    add_note(most_ms_,
-             most_mm_,
+  const QString words = tr("%1 pictures per second").arg(QLocale().toString(frames_per_s_));
+  if (budget_ms > max_ms_) {
+    add_note(max_ms_,
+             max_mm_,
              tr("%1: at %2 ms, further right →").arg(words, QLocale().toString(budget_ms, 'f', 1)),
              Qt::AlignRight | Qt::AlignTop);
     return;
   }
   auto* line = new QCPItemLine(&chart());
   line->start->setCoords(budget_ms, 0);
-  line->end->setCoords(budget_ms, most_mm_);
+  line->end->setCoords(budget_ms, max_mm_);
   line->setPen(QPen(colour, 2, Qt::DashLine));
-  const bool is_left = budget_ms < 0.5 * most_ms_;
-  add_note(budget_ms, most_mm_, words, (is_left ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignTop);
+  const bool is_left = budget_ms < 0.5 * max_ms_;
+  add_note(budget_ms, max_mm_, words, (is_left ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignTop);
 }
 
 QPointF AccuracyPlot::pixel_of(const AccuracyPoint& point) const {
   return {chart().xAxis->coordToPixel(point.time_ms), chart().yAxis->coordToPixel(point.median_mm)};
 }
 
-QPoint AccuracyPlot::place_of(std::size_t point) const {
+QPoint AccuracyPlot::dot_pixel(std::size_t point) const {
   return chart().mapTo(this, pixel_of(points_[point]).toPoint());
 }
 
@@ -225,13 +225,13 @@ std::vector<std::optional<QPointF>> AccuracyPlot::dots() const {
   return dots;
 }
 
-std::optional<std::size_t> AccuracyPlot::at(const QPointF& place) const {
+std::optional<std::size_t> AccuracyPlot::at(const QPointF& pixel) const {
   std::optional<std::size_t> nearest;
-  double least = kReachPx;
+  double least = kClickRadiusPx;
   for (std::size_t i = 0; i < points_.size(); ++i) {
     if (!is_shown(points_[i])) continue;
-    const QPointF off = place - pixel_of(points_[i]);
-    // Of dots that lie over each other the one that is worth taking.
+    const QPointF off = pixel - pixel_of(points_[i]);
+    // Of overlapping dots the one on the front wins.
     const double far = std::hypot(off.x(), off.y()) - (points_[i].is_on_front ? 3 : 0);
     if (far < least) least = far, nearest = i;
   }
@@ -263,7 +263,7 @@ void AccuracyPlot::walk(int steps) {
   if (picked_) {
     const double here_ms = points_[*picked_].time_ms;
     const auto found = std::find(along.begin(), along.end(), *picked_);
-    now = 0;  // from one that is not on the front: as if from the next faster one
+    now = 0;  // from a point off the front: as if from the next faster one on it
     for (std::size_t i = 0; i < along.size(); ++i)
       if (points_[along[i]].time_ms <= here_ms) now = static_cast<int>(i);
     if (found == along.end() && steps < 0) ++now;
@@ -289,10 +289,10 @@ void AccuracyPlot::keyPressEvent(QKeyEvent* event) {
       return walk(kToTheEnd);
     case Qt::Key_Return:
     case Qt::Key_Enter:
-      if (picked_) Q_EMIT point_taken();
+      if (picked_) Q_EMIT point_activated();
       return;
     case Qt::Key_Escape:
-      return void(Q_EMIT point_dropped());
+      return void(Q_EMIT pick_cleared());
     default:
       Plot::keyPressEvent(event);
   }

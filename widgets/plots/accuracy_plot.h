@@ -1,4 +1,4 @@
-// What accuracy costs in time: error over the time of a picture, with what is worth taking.
+// Accuracy against time: depth error over the time per frame, with the Pareto front.
 #pragma once
 
 #include "widgets/plots/plot.h"
@@ -11,47 +11,48 @@ class QCPItemText;
 
 namespace alltact {
 
-/// One setting: depth errors and place in mm.
+/// One setting: depth errors and position error in mm.
 struct AccuracyPoint {
-  QString words;  ///< what the setting is
-  QString hint;   ///< more of it, for who points at it
+  QString words;  ///< name of the setting
+  QString hint;   ///< more of it, for the tool tip
   double time_ms = 0, median_mm = 0, p95_mm = 0;
-  std::optional<double> place_mm;
-  bool is_on_front = false;  ///< nothing measured is both faster and more accurate
+  std::optional<double> position_mm;
+  bool is_on_front = false;  ///< Pareto optimal: nothing measured is both faster and more accurate
   bool is_in_use = false;
-  bool is_proven = true;  ///< false: what it loses is not in the pictures, and it is never chosen
-  std::optional<std::size_t> worse_than;  ///< a point that is better in both
+  bool is_proven = true;  ///< false: its loss does not show in the frames, so it is never chosen
+  std::optional<std::size_t> dominated_by;  ///< index of a point that is better in both
 };
 
-/// The front as a staircase with whiskers up to what 95 % lie within, in words as far as they have
-/// room; the others grey. A click picks a dot, arrow keys walk along the front, Enter takes it.
+/// The Pareto front as a staircase with whiskers up to the 95 % quantile, labelled as far as there
+/// is room; all other points grey. A click picks a dot, arrow keys walk along the front, Enter
+/// takes it.
 class AccuracyPlot : public Plot {
   Q_OBJECT
  public:
-  static constexpr std::size_t kMostLabels = 7;
+  static constexpr std::size_t kMaxLabels = 7;
 
   explicit AccuracyPlot(QWidget* parent = nullptr);
 
   void set_points(std::vector<AccuracyPoint> points);
-  /// Time that one picture may take; a line stands there.
-  void set_budget(double pictures_per_s);
+  /// Draws a line at the time that one frame may take.
+  void set_budget(double frames_per_s);
   void pick(std::optional<std::size_t> point);
   [[nodiscard]] std::optional<std::size_t> picked() const { return picked_; }
 
-  /// Time (ms) and median error (mm) of every dot that is drawn, by its point; nullopt: it lies
-  /// beyond the axes, and a note counts it.
+  /// Time (ms) and median error (mm) of every drawn dot, by its point. nullopt: it lies beyond the
+  /// axes, and a note counts it.
   [[nodiscard]] std::vector<std::optional<QPointF>> dots() const;
-  /// Where a point's dot is now, px of this widget.
-  [[nodiscard]] QPoint place_of(std::size_t point) const;
-  /// Labels as they lie now, px.
-  [[nodiscard]] std::vector<QRectF> label_places() const;
+  /// Current pixel of a point's dot, px of this widget.
+  [[nodiscard]] QPoint dot_pixel(std::size_t point) const;
+  /// Current boxes of the labels, px.
+  [[nodiscard]] std::vector<QRectF> label_boxes() const;
 
  Q_SIGNALS:
   void point_picked(std::size_t point);
-  /// The picked one, by Enter.
-  void point_taken();
-  /// Escape: none of them.
-  void point_dropped();
+  /// Enter on the picked point.
+  void point_activated();
+  /// Escape: no point is picked any more.
+  void pick_cleared();
 
  protected:
   bool draw() override;
@@ -71,21 +72,21 @@ class AccuracyPlot : public Plot {
   void draw_marks();
   void draw_budget();
   void draw_labels();
-  void place_labels_now();
+  void layout_labels_now();
   [[nodiscard]] std::vector<std::size_t> front() const;
   [[nodiscard]] std::vector<std::size_t> named() const;
   [[nodiscard]] bool is_shown(const AccuracyPoint& point) const;
   [[nodiscard]] QPointF pixel_of(const AccuracyPoint& point) const;
-  [[nodiscard]] std::optional<std::size_t> at(const QPointF& place) const;
+  [[nodiscard]] std::optional<std::size_t> at(const QPointF& pixel) const;
   void hover(QMouseEvent* event);
   void press(QMouseEvent* event);
   void walk(int steps);
-  void tell();
+  void announce();
 
   std::vector<AccuracyPoint> points_;
-  double pictures_per_s_ = 30;
+  double frames_per_s_ = 30;
   std::optional<std::size_t> picked_;
-  double most_ms_ = 1, most_mm_ = 1;
+  double max_ms_ = 1, max_mm_ = 1;
   std::vector<Label> labels_;
 };
 

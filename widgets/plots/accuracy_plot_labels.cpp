@@ -1,7 +1,7 @@
-// The words of AccuracyPlot.
+// The labels of AccuracyPlot.
 #include "widgets/plots/accuracy_plot.h"
 #include "widgets/plots/custom_plot.h"
-#include "widgets/plots/label_places.h"
+#include "widgets/plots/label_layout.h"
 
 #include <QTextLayout>
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace alltact {
 namespace {
 
-constexpr double kNamedApartPx = 12;  // nearer ones are told by their neighbour
+constexpr double kNamedApartPx = 12;  // nearer dots share the label of their neighbour
 constexpr double kLabelWidthPx = 170;
 
 QString in_lines(const QString& text, const QFont& font) {
@@ -27,11 +27,11 @@ QString in_lines(const QString& text, const QFont& font) {
 
 }  // namespace
 
-// The chosen, the one in use, and of the front from its accurate end on what stands apart.
+// The picked one, the one in use, and the front from its accurate end on, without near neighbours.
 std::vector<std::size_t> AccuracyPlot::named() const {
   std::vector<std::size_t> named;
   const auto add = [&](std::size_t point, bool must) {
-    if (named.size() >= kMostLabels || !is_shown(points_[point]) ||
+    if (named.size() >= kMaxLabels || !is_shown(points_[point]) ||
         std::find(named.begin(), named.end(), point) != named.end())
       return;
     const QPointF here = pixel_of(points_[point]);
@@ -51,7 +51,7 @@ std::vector<std::size_t> AccuracyPlot::named() const {
 }
 
 void AccuracyPlot::draw_labels() {
-  for (std::size_t i = 0; i < kMostLabels; ++i) {
+  for (std::size_t i = 0; i < kMaxLabels; ++i) {
     Label label{0, new QCPItemText(&chart()), new QCPItemLine(&chart())};
     label.text->position->setType(QCPItemPosition::ptAbsolute);
     label.text->setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
@@ -73,17 +73,17 @@ void AccuracyPlot::draw_labels() {
   }
 }
 
-// Called whenever the axes have their place: only then there are pixels.
-void AccuracyPlot::place_labels_now() {
+// Called after the layout of the axes: pixel coordinates are valid only then.
+void AccuracyPlot::layout_labels_now() {
   if (labels_.empty()) return;
   const std::vector<std::size_t> points = named();
   const QFontMetricsF metrics(font());
-  std::vector<WantedLabel> wanted;
+  std::vector<LabelRequest> requests;
   std::vector<QString> words;
   for (const std::size_t point : points) {
     words.push_back(in_lines(points_[point].words, font()));
     const QSizeF size = metrics.boundingRect(QRectF(0, 0, 1000, 1000), 0, words.back()).size();
-    wanted.push_back({pixel_of(points_[point]), size + QSizeF(6, 4)});
+    requests.push_back({pixel_of(points_[point]), size + QSizeF(6, 4)});
   }
   std::vector<QRectF> taken;
   for (const AccuracyPoint& point : points_) {
@@ -97,30 +97,30 @@ void AccuracyPlot::place_labels_now() {
   }
   QRectF room = chart().axisRect()->rect();
   room.adjust(2, metrics.height() + 8, -2, -metrics.height() - 8);  // notes above and below
-  const auto places = place_labels(room, wanted, taken);
+  const auto boxes = layout_labels(room, requests, taken);
   for (std::size_t i = 0; i < labels_.size(); ++i) {
     Label& label = labels_[i];
-    const bool is_there = i < places.size() && places[i];
+    const bool is_there = i < boxes.size() && boxes[i];
     label.text->setVisible(is_there);
     label.line->setVisible(is_there);
     if (!is_there) continue;
     label.point = points[i];
     label.text->setText(words[i]);
-    label.text->position->setCoords(places[i]->topLeft());
-    const QPointF dot = wanted[i].dot;
+    label.text->position->setCoords(boxes[i]->topLeft());
+    const QPointF dot = requests[i].dot;
     label.line->start->setCoords(dot);
-    label.line->end->setCoords(std::clamp(dot.x(), places[i]->left(), places[i]->right()),
-                               std::clamp(dot.y(), places[i]->top(), places[i]->bottom()));
+    label.line->end->setCoords(std::clamp(dot.x(), boxes[i]->left(), boxes[i]->right()),
+                               std::clamp(dot.y(), boxes[i]->top(), boxes[i]->bottom()));
   }
 }
 
-std::vector<QRectF> AccuracyPlot::label_places() const {
-  std::vector<QRectF> places;
+std::vector<QRectF> AccuracyPlot::label_boxes() const {
+  std::vector<QRectF> boxes;
   for (const Label& label : labels_)
     if (label.text->visible())
-      places.emplace_back(label.text->topLeft->pixelPosition(),
-                          label.text->bottomRight->pixelPosition());
-  return places;
+      boxes.emplace_back(label.text->topLeft->pixelPosition(),
+                         label.text->bottomRight->pixelPosition());
+  return boxes;
 }
 
 }  // namespace alltact

@@ -10,7 +10,7 @@
 namespace alltact {
 namespace {
 
-/// 10⁻⁶ and 1 where the library would write 1E-06.
+/// Labels 10⁻⁶ and 1 where the library writes 1E-06.
 class PowersOfTen final : public QCPAxisTickerLog {
  protected:
   QString getTickLabel(double tick, const QLocale&, QChar, int) override {
@@ -31,7 +31,7 @@ ConvergencePlot::ConvergencePlot(QWidget* parent) : Plot(parent) {
 }
 
 void ConvergencePlot::set_rounds(const std::vector<Round>& rounds) {
-  if (rounds.size() == rounds_.size() && !rounds.empty()) return;  // they are only added to
+  if (rounds.size() == rounds_.size() && !rounds.empty()) return;  // rounds are only appended
   rounds_ = rounds;
   if (!rounds_.empty())
     setAccessibleDescription(
@@ -59,7 +59,7 @@ void ConvergencePlot::draw_residual() {
 }
 
 void ConvergencePlot::draw_change() {
-  constexpr double kNone = 1e-12;  // nothing smaller can be told from none
+  constexpr double kNone = 1e-12;  // smaller changes are drawn as this
   QCPAxis& axis = *chart().yAxis2;
   auto* line = chart().addGraph(chart().xAxis, &axis);
   double least = 1, most = kNone;
@@ -86,10 +86,10 @@ bool ConvergencePlot::draw() {
   draw_residual();
   draw_change();
   chart().xAxis->setRange(0.5, static_cast<double>(std::max<std::size_t>(rounds_.size(), 8)) + 0.5);
-  auto whole = QSharedPointer<QCPAxisTickerFixed>::create();
-  whole->setTickStep(1);
-  whole->setScaleStrategy(QCPAxisTickerFixed::ssMultiples);
-  chart().xAxis->setTicker(whole);
+  auto integer_ticks = QSharedPointer<QCPAxisTickerFixed>::create();
+  integer_ticks->setTickStep(1);
+  integer_ticks->setScaleStrategy(QCPAxisTickerFixed::ssMultiples);
+  chart().xAxis->setTicker(integer_ticks);
   chart().xAxis->setLabel(tr("Round"));
   show_legend();
   return true;

@@ -1,4 +1,4 @@
-// How a solution settles, round by round.
+// Convergence of a calibration, iteration by iteration.
 #pragma once
 
 #include "calibration/joint/round.h"
@@ -8,8 +8,8 @@
 
 namespace alltact {
 
-/// What is left between presses and mapping (mm, to the left), and how much the unknowns still move
-/// (mm, in powers of ten to the right). Rounds count on where a new stretch begins.
+/// Residual between presses and mapping (mm, left axis) and change of the unknowns (mm, right axis,
+/// logarithmic). The iteration number continues where a new stage begins.
 class ConvergencePlot : public Plot {
   Q_OBJECT
  public:

@@ -1,8 +1,9 @@
-// QCustomPlot, whose header is written in Qt's lower-case keywords, which we go without.
+// Includes QCustomPlot, whose header uses Qt's lower-case keywords; this project compiles without
+// them.
 #pragma once
 
 #include <QtCore/qobjectdefs.h>
-// NOLINTBEGIN: the library's words, not ours
+// NOLINTBEGIN: names of the library
 #define signals Q_SIGNALS
 #define slots Q_SLOTS
 #define emit Q_EMIT

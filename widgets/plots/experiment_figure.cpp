@@ -10,21 +10,22 @@
 namespace alltact {
 namespace {
 
-using Look = ExperimentSeries::Look;
+using Style = ExperimentSeries::Style;
 
 QString words_of(const Message& message) {
   return QString::fromStdString(message.english());
 }
 
-/// With room behind: a legend in a sharp picture is cut off a little too early.
+/// With spaces behind: in a high-resolution image QCustomPlot clips the legend a little too early.
 QString legend_words(const Message& message) {
   return words_of(message) + QStringLiteral("    ");
 }
 
-constexpr std::size_t kPointsToMark = 30;  // of a line; more hide it
+constexpr std::size_t kPointsToMark = 30;  // on a line; with more points no markers are drawn
 
 bool is_bar(const ExperimentPlot& plot, const ExperimentSeries& series) {
-  return !plot.categories.empty() && (series.look == Look::kBars || series.look == Look::kPaper);
+  return !plot.categories.empty() &&
+         (series.style == Style::kBars || series.style == Style::kPaper);
 }
 
 QCPScatterStyle mark_of(int which, const QColor& colour, double size = 6) {
@@ -39,7 +40,7 @@ QCPScatterStyle mark_of(int which, const QColor& colour, double size = 6) {
 
 ExperimentFigurePlot::ExperimentFigurePlot(QWidget* parent) : Plot(parent) {
   setAccessibleName(tr("Figure of an experiment"));
-  // Above the plot, where it hides nothing.
+  // Above the plot, so that it covers no data.
   constexpr int kSideBySide = 2;
   QCPLegend* legend = chart().legend;
   chart().axisRect()->insetLayout()->take(legend);
@@ -61,12 +62,12 @@ QString ExperimentFigurePlot::empty_text() const {
 }
 
 void ExperimentFigurePlot::draw_bars(const ExperimentSeries& series, int which, int of) {
-  constexpr double kTogether = 0.7;  // of the way from one to the next
-  const bool is_paper = series.look == Look::kPaper;
+  constexpr double kTogether = 0.7;  // fraction of the distance between two groups
+  const bool is_paper = series.style == Style::kPaper;
   auto* bars = new QCPBars(chart().xAxis, chart().yAxis);
   const double width = kTogether / of;
   bars->setWidth(0.92 * width);
-  if (plot_.logarithmic_y) bars->setBaseValue(least_shown_);
+  if (plot_.logarithmic_y) bars->setBaseValue(min_shown_);
   for (std::size_t i = 0; i < series.x.size(); ++i)
     bars->addData(series.x[i] + (which - 0.5 * (of - 1)) * width, series.y[i]);
   const QColor colour = series_colour(which, palette());
@@ -78,26 +79,26 @@ void ExperimentFigurePlot::draw_bars(const ExperimentSeries& series, int which, 
 void ExperimentFigurePlot::draw_points(const ExperimentSeries& series, int which) {
   auto* curve = new QCPCurve(chart().xAxis, chart().yAxis);
   for (std::size_t i = 0; i < series.x.size(); ++i)
-    curve->addData(series.x[i], std::max(series.y[i], least_shown_));
+    curve->addData(series.x[i], std::max(series.y[i], min_shown_));
   const QColor colour = series_colour(which, palette());
   const QColor text = palette().color(QPalette::Text);
-  switch (series.look) {
-    case Look::kPaper:
+  switch (series.style) {
+    case Style::kPaper:
       curve->setPen(QPen(colour, 2, Qt::DashLine));
       if (series.x.size() == 1) curve->setScatterStyle(mark_of(which, colour, 12));
       break;
-    case Look::kAim:
+    case Style::kAim:
       curve->setPen(QPen(text, 1.5, Qt::DotLine));
       break;
-    case Look::kExact:
+    case Style::kExact:
       curve->setPen(QPen(text, 1));
       break;
-    case Look::kLine:
+    case Style::kLine:
       curve->setPen(QPen(colour, 2));
       if (series.x.size() <= kPointsToMark) curve->setScatterStyle(mark_of(which, colour));
       break;
-    case Look::kDots:
-    case Look::kBars:
+    case Style::kDots:
+    case Style::kBars:
       curve->setPen(Qt::NoPen);
       curve->setScatterStyle(series.x.size() > 200
                                  ? QCPScatterStyle(QCPScatterStyle::ssDisc, colour, 3)
@@ -109,20 +110,20 @@ void ExperimentFigurePlot::draw_points(const ExperimentSeries& series, int which
 
 void ExperimentFigurePlot::find_extent() {
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
-  least_ = {kInfinite, kInfinite}, most_ = {-kInfinite, -kInfinite};
-  double least_above_0 = kInfinite;
+  min_ = {kInfinite, kInfinite}, max_ = {-kInfinite, -kInfinite};
+  double min_above_0 = kInfinite;
   for (const ExperimentSeries& series : plot_.series) {
     for (const double x : series.x)
-      least_.rx() = std::min(least_.x(), x), most_.rx() = std::max(most_.x(), x);
+      min_.rx() = std::min(min_.x(), x), max_.rx() = std::max(max_.x(), x);
     for (const double y : series.y) {
-      least_.ry() = std::min(least_.y(), y), most_.ry() = std::max(most_.y(), y);
-      if (y > 0) least_above_0 = std::min(least_above_0, y);
+      min_.ry() = std::min(min_.y(), y), max_.ry() = std::max(max_.y(), y);
+      if (y > 0) min_above_0 = std::min(min_above_0, y);
     }
   }
-  least_shown_ = -kInfinite;
+  min_shown_ = -kInfinite;
   if (!plot_.logarithmic_y) return;
-  // The power of ten below; an error of exactly 0 stands on the axis.
-  least_shown_ = std::pow(10, std::floor(std::log10(0.9 * std::min(least_above_0, 1e9))));
+  // The power of ten below the smallest value; an error of exactly 0 stands on the axis.
+  min_shown_ = std::pow(10, std::floor(std::log10(0.9 * std::min(min_above_0, 1e9))));
 }
 
 void ExperimentFigurePlot::set_ranges() {
@@ -131,12 +132,12 @@ void ExperimentFigurePlot::set_ranges() {
     chart().yAxis->setTicker(QSharedPointer<QCPAxisTickerLog>::create());
     chart().yAxis->setNumberFormat("g");
     chart().yAxis->setNumberPrecision(3);
-    chart().yAxis->setRange(least_shown_, 1.6 * std::max(most_.y(), 2 * least_shown_));
+    chart().yAxis->setRange(min_shown_, 1.6 * std::max(max_.y(), 2 * min_shown_));
   } else {
-    // Errors and shares begin at 0; what has a sign lies around it.
-    const double low = std::min(least_.y(), 0.0);
-    const double height = std::max(most_.y() - low, 1e-9);
-    chart().yAxis->setRange(low < 0 ? low - 0.06 * height : 0, most_.y() + 0.08 * height);
+    // Errors and fractions begin at 0; signed values lie around it.
+    const double low = std::min(min_.y(), 0.0);
+    const double height = std::max(max_.y() - low, 1e-9);
+    chart().yAxis->setRange(low < 0 ? low - 0.06 * height : 0, max_.y() + 0.08 * height);
   }
   if (!plot_.categories.empty()) {
     chart().xAxis->setRange(-0.6, static_cast<double>(plot_.categories.size()) - 0.4);
@@ -147,8 +148,8 @@ void ExperimentFigurePlot::set_ranges() {
     chart().xAxis->grid()->setVisible(false);
     return;
   }
-  const double margin = 0.04 * std::max(most_.x() - least_.x(), 1e-9);
-  chart().xAxis->setRange(least_.x() - margin, most_.x() + margin);
+  const double margin = 0.04 * std::max(max_.x() - min_.x(), 1e-9);
+  chart().xAxis->setRange(min_.x() - margin, max_.x() + margin);
 }
 
 bool ExperimentFigurePlot::draw() {

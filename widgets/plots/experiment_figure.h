@@ -1,4 +1,4 @@
-// A plot of an experiment: ours, and beside it what the paper measured.
+// A plot of an experiment: its measured values next to those of the paper.
 #pragma once
 
 #include "calibration/experiments/experiment_plot.h"
@@ -25,8 +25,8 @@ class ExperimentFigurePlot : public Plot {
   void find_extent();
   void set_ranges();
   ExperimentPlot plot_;
-  QPointF least_, most_;    // of all points
-  double least_shown_ = 0;  // of y, where it is logarithmic
+  QPointF min_, max_;     // of all points
+  double min_shown_ = 0;  // of y, where it is logarithmic
 };
 
 }  // namespace alltact

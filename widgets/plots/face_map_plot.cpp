@@ -10,7 +10,8 @@
 namespace alltact {
 namespace {
 
-/// Viridis (van der Walt and Smith 2015): even to the eye, also in grey and to the colour-blind.
+/// Viridis (van der Walt and Smith 2015): perceptually uniform, also in grey and to the
+/// colour-blind.
 QCPColorGradient viridis() {
   static const char* const kStops[] = {"#440154",
                                        "#482878",
@@ -39,7 +40,7 @@ void FaceMapPlot::set_data(FaceMapData data) {
   rebuild();
 }
 
-void FaceMapPlot::let_choose() {
+void FaceMapPlot::enable_choice() {
   chart().setMouseTracking(true);
   connect(&chart(), &QCustomPlot::mouseMove, this, [this](QMouseEvent* event) {
     chart().setCursor(contact_at(event->position()) ? Qt::PointingHandCursor : Qt::ArrowCursor);
@@ -50,9 +51,9 @@ void FaceMapPlot::let_choose() {
   });
 }
 
-std::optional<std::size_t> FaceMapPlot::contact_at(const QPointF& place) const {
-  const double along_mm = chart().xAxis->pixelToCoord(place.x());
-  const double across_mm = chart().yAxis->pixelToCoord(place.y());
+std::optional<std::size_t> FaceMapPlot::contact_at(const QPointF& pixel) const {
+  const double along_mm = chart().xAxis->pixelToCoord(pixel.x());
+  const double across_mm = chart().yAxis->pixelToCoord(pixel.y());
   std::optional<std::size_t> found;
   for (std::size_t i = 0; i < data_.contacts.size(); ++i) {
     const FaceMapData::Contact& contact = data_.contacts[i];
@@ -104,7 +105,7 @@ void FaceMapPlot::draw_contacts() {
                                contact.across_mm - contact.radius_mm);
     circle->bottomRight->setCoords(contact.along_mm + contact.radius_mm,
                                    contact.across_mm + contact.radius_mm);
-    circle->setPen(contact.is_wanted
+    circle->setPen(contact.is_target
                        ? QPen(series_colour(1, palette()), 3, Qt::DashLine)
                        : QPen(palette().color(QPalette::Text), contact.is_chosen ? 3 : 1));
     if (!contact.name.empty())
@@ -115,7 +116,7 @@ void FaceMapPlot::draw_contacts() {
   }
 }
 
-/// Hatched where nothing is known of it.
+/// Hatched where the value is unknown.
 void FaceMapPlot::draw_face() {
   QColor nothing = palette().color(QPalette::Text);
   nothing.setAlpha(70);
@@ -127,8 +128,8 @@ void FaceMapPlot::draw_face() {
   face->setLayer(QStringLiteral("background"));
 }
 
-/// A mm is as long along the face as across it: contacts are circles. The room between the axes
-/// depends on their numbers, and these on the room: from the same beginning, twice.
+/// One mm is as long along the face as across it, so that contacts are circles. The room between
+/// the axes depends on their numbers, and these on the room: two passes from the same start.
 void FaceMapPlot::fit(const QSize& size) {
   if (scale_ == nullptr) return;
   chart().xAxis->setRange(0, data_.length_mm);
@@ -167,7 +168,7 @@ bool FaceMapPlot::draw() {
   chart().xAxis->setLabel(data_.has_base ? tr("Along the finger, from the base (mm)")
                                          : tr("Along the picture, from the left (mm)"));
   chart().yAxis->setLabel(tr("Across (mm)"));
-  chart().yAxis->setRangeReversed(true);  // as in the picture, v grows downwards
+  chart().yAxis->setRangeReversed(true);  // as in the image, v grows downwards
   chart().xAxis->grid()->setVisible(false);
   chart().yAxis->grid()->setVisible(false);
   return true;

@@ -1,4 +1,4 @@
-// Something in mm over the face, seen from outside: base left, tip right.
+// A quantity in mm over the face, seen from outside: base left, tip right.
 #pragma once
 
 #include "widgets/plots/plot.h"
@@ -10,18 +10,18 @@
 namespace alltact {
 
 struct FaceMapData {
-  QString quantity;  ///< what is shown, with its unit: "Residual (mm)"
+  QString quantity;  ///< quantity with its unit: "Residual (mm)"
   double length_mm = 0, width_mm = 0;
   int columns = 0, rows = 0;  ///< cells along and across
-  std::vector<double> cells;  ///< row by row from small v, NaN: nothing is known there
+  std::vector<double> cells;  ///< row by row from small v; NaN: unknown
   struct Contact {
     double along_mm = 0, across_mm = 0, radius_mm = 0;
     std::string name;        ///< may be empty
-    bool is_wanted = false;  ///< drawn bold and dashed: where there should be one
+    bool is_target = false;  ///< drawn bold and dashed: where a press is needed
     bool is_chosen = false;  ///< drawn bold
   };
   std::vector<Contact> contacts;  ///< drawn as circles
-  bool has_base = true;           ///< false: a flat sensor, whose picture has a left and a right
+  bool has_base = true;           ///< false: a flat sensor, whose image has a left and a right side
 };
 
 class FaceMapPlot : public Plot {
@@ -30,11 +30,11 @@ class FaceMapPlot : public Plot {
   explicit FaceMapPlot(QWidget* parent = nullptr) : Plot(parent) {}
   ~FaceMapPlot() override;
   void set_data(FaceMapData data);
-  /// From now on a click into a contact's circle tells of it.
-  void let_choose();
+  /// A click into a contact's circle emits contact_chosen from now on.
+  void enable_choice();
 
  Q_SIGNALS:
-  /// Of the data's contacts, the smallest there.
+  /// Index of the smallest contact at the click.
   void contact_chosen(std::size_t contact);
 
  protected:
@@ -46,18 +46,18 @@ class FaceMapPlot : public Plot {
   void draw_face();
   void draw_cells();
   void draw_contacts();
-  [[nodiscard]] std::optional<std::size_t> contact_at(const QPointF& place) const;
+  [[nodiscard]] std::optional<std::size_t> contact_at(const QPointF& pixel) const;
   FaceMapData data_;
   QObject* scale_ = nullptr;
 };
 
-/// Gathers values that lie anywhere on the face into cells: the mean of each cell.
+/// Averages values at any positions on the face over the cells of a grid.
 class FaceCells {
  public:
   FaceCells(double length_mm, double width_mm, double cell_mm);
-  /// Off the face it is ignored.
+  /// Values off the face are ignored.
   void add(double along_mm, double across_mm, double value);
-  /// Sizes and cells of a map.
+  /// The map with sizes and cells.
   [[nodiscard]] FaceMapData map() const;
 
  private:

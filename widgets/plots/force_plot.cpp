@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kNoForce = std::numeric_limits<double>::quiet_NaN();  // breaks a line
 constexpr double kLeastSpan_N = 1.0;
-constexpr double kBetweenPoints_s = 0.05;  // nearer ones share a pixel, and cost as much each
+constexpr double kBetweenPoints_s = 0.05;  // nearer points share a pixel and cost drawing time
 
 }  // namespace
 
@@ -30,8 +30,8 @@ void ForcePlot::set_empty_text(const QString& text) {
   rebuild();
 }
 
-/// Of the readings in range with their intervals; of the others only where there are no such: they
-/// can be anything.
+/// Covers the readings in range with their intervals. Readings out of range count only where there
+/// are no others, since they can have any value.
 void ForcePlot::set_span() {
   for (const bool is_in_range : {true, false}) {
     double low = 0, top = 0;
@@ -83,21 +83,21 @@ void ForcePlot::draw_axis(int axis) {
   std::array<QVector<double>, 5> columns;  // time, force, both ends, out of range
   auto& [times, forces, uppers, lowers, others] = columns;
   std::optional<double> last_s;
-  bool was_told = false;
+  bool had_force = false;
   for (const auto& reading : history_.forces()) {
-    const bool is_like_last = was_told == reading.force.has_value();
+    const bool is_like_last = had_force == reading.force.has_value();
     if (last_s && is_like_last && reading.time_s - *last_s < kBetweenPoints_s) continue;
     last_s = reading.time_s;
-    was_told = reading.force.has_value();
+    had_force = reading.force.has_value();
     times << reading.time_s - *history_.now_s();
-    const bool is_told = reading.force && axis < reading.force->axes;
-    const Force force = is_told ? zeroed(*reading.force, zero_) : Force();
+    const bool has_force = reading.force && axis < reading.force->axes;
+    const Force force = has_force ? zeroed(*reading.force, zero_) : Force();
     const double value = force.force_N[axis], half = force.half_95_N[axis];
-    const bool is_sure = is_told && force.in_range;
-    forces << (is_sure ? value : kNoForce);
-    uppers << (is_sure ? value + half : kNoForce);
-    lowers << (is_sure ? value - half : kNoForce);
-    others << (is_told && !is_sure ? value : kNoForce);
+    const bool is_valid = has_force && force.in_range;
+    forces << (is_valid ? value : kNoForce);
+    uppers << (is_valid ? value + half : kNoForce);
+    lowers << (is_valid ? value - half : kNoForce);
+    others << (has_force && !is_valid ? value : kNoForce);
   }
   auto* upper = chart().addGraph();
   auto* lower = chart().addGraph();

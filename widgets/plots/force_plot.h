@@ -1,4 +1,4 @@
-// Forces of the last half minute, with their intervals, over what touched meanwhile.
+// Forces of the last 30 s with their intervals, above the contacts in the same time.
 #pragma once
 
 #include "widgets/plots/plot.h"
@@ -14,9 +14,9 @@ class ForcePlot : public Plot {
  public:
   using Plot::Plot;
   void set_data(const TouchHistory& history, const std::optional<ForceZero>& zero);
-  /// Why there is nothing to draw.
+  /// The reason why there is nothing to draw.
   void set_empty_text(const QString& text);
-  /// Newtons at the lower and the upper end, as they are drawn.
+  /// Newtons at the lower and the upper end of the drawn axis.
   [[nodiscard]] std::pair<double, double> span_N() const { return {low_N_, top_N_}; }
 
  protected:

@@ -9,7 +9,7 @@
 namespace alltact {
 namespace {
 
-constexpr int kBins = 41;  // odd: one bin holds zero in its middle
+constexpr int kBins = 41;  // not even, so that one bin is centred at zero
 
 }  // namespace
 
@@ -43,7 +43,7 @@ void HistogramPlot::add_line(double x, const QString& text, Qt::Alignment side) 
 
 bool HistogramPlot::draw() {
   if (errors_mm_.empty()) return false;
-  // Whatever lies further out than this is counted in the outermost bins.
+  // Values beyond this count in the outermost bins.
   const double reach = std::max(2.2 * error_95_mm_, 1e-6);
   const double width = 2 * reach / kBins;
   std::vector<double> counts(kBins, 0.0);

@@ -1,4 +1,4 @@
-// How errors are spread around zero.
+// Distribution of errors around zero.
 #pragma once
 
 #include "widgets/plots/plot.h"
@@ -11,11 +11,11 @@ class HistogramPlot : public Plot {
   Q_OBJECT
  public:
   using Plot::Plot;
-  /// Signed errors in mm, positive where the mapping reads too deep; values that are no numbers are
-  /// left out. `axis`: what they are, with the unit.
+  /// Signed errors in mm, positive where the mapping reads too deep; not finite values are left
+  /// out. `axis`: label with the unit.
   void set_data(std::vector<double> errors_mm, const QString& axis);
 
-  /// Of 95 % of the errors, the largest magnitude; 0 without errors.
+  /// The 95 % quantile of the magnitude; 0 without errors.
   [[nodiscard]] double error_95_mm() const { return error_95_mm_; }
 
  protected:

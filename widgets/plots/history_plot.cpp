@@ -41,7 +41,7 @@ bool HistoryPlot::draw() {
   for (const auto& point : data_.points) worst = std::max(worst, 1.1 * point.error_mm);
   const double first = data_.points.front().time_s, last = data_.points.back().time_s;
   const double room = std::max(1800.0, 0.08 * (last - first));
-  // The words of the bands stand to the right of the last point.
+  // Leaves room for the bands' labels right of the last point.
   chart().xAxis->setRange(first - room, last + 3.0 * room);
   chart().yAxis->setRange(0, worst);
   draw_band(0, data_.drifting_above_mm, meaning_colour(Meaning::kGood, palette()), tr("pass"));

@@ -1,4 +1,4 @@
-// How a finger's error went over time, against what its calibration allows.
+// A finger's error over time, with the limits of its calibration.
 #pragma once
 
 #include "widgets/plots/plot.h"
@@ -13,7 +13,7 @@ struct HistoryData {
     double error_mm = 0;
   };
   std::vector<Point> points;     ///< in any order
-  double drifting_above_mm = 0;  ///< up to here a check passes
+  double drifting_above_mm = 0;  ///< a check passes below
   double recalibrate_above_mm = 0;
 };
 

@@ -17,7 +17,7 @@ QString MappingPlot::empty_text() const {
   return tr("No mapping yet: calibrate with ball presses");
 }
 
-/// Two standard deviations each way, below points and curve.
+/// Plus and minus two standard deviations, below points and curve.
 void MappingPlot::draw_band() {
   auto* low = chart().addGraph();
   auto* high = chart().addGraph();
@@ -35,16 +35,16 @@ void MappingPlot::draw_band() {
   low->removeFromLegend();
 }
 
-void MappingPlot::draw_points(bool sure, const QString& name) {
+void MappingPlot::draw_points(bool certain, const QString& name) {
   auto* cloud = chart().addGraph();
   QColor colour =
-      sure ? series_colour(0, palette()) : palette().color(QPalette::Disabled, QPalette::Text);
-  colour.setAlpha(sure ? 170 : 120);
+      certain ? series_colour(0, palette()) : palette().color(QPalette::Disabled, QPalette::Text);
+  colour.setAlpha(certain ? 170 : 120);
   cloud->setLineStyle(QCPGraph::lsNone);
   cloud->setScatterStyle(QCPScatterStyle(
-      sure ? QCPScatterStyle::ssDisc : QCPScatterStyle::ssCross, colour, sure ? 3.0 : 4.0));
+      certain ? QCPScatterStyle::ssDisc : QCPScatterStyle::ssCross, colour, certain ? 3.0 : 4.0));
   for (const auto& point : data_.points)
-    if (point.is_sure == sure) cloud->addData(point.x, point.depth_mm);
+    if (point.is_certain == certain) cloud->addData(point.x, point.depth_mm);
   cloud->setName(name);
   if (cloud->dataCount() == 0) chart().removeGraph(cloud);
 }

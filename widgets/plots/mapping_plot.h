@@ -1,4 +1,4 @@
-// The mapping: every block of every contact, and the curve that was fitted through them.
+// The mapping: every block of every contact, and the fitted curve.
 #pragma once
 
 #include "widgets/plots/plot.h"
@@ -10,18 +10,18 @@ namespace alltact {
 struct MappingPlotData {
   struct Point {
     double x = 0, depth_mm = 0;
-    bool is_sure = true;     ///< false: near the rim, where the skin may have left the ball
-    bool is_chosen = false;  ///< of the press that is chosen: drawn over the others
+    bool is_certain = true;  ///< false: near the rim, where the skin may have left the ball
+    bool is_chosen = false;  ///< of the chosen press: drawn over the others
   };
   struct CurvePoint {
     double x = 0, depth_mm = 0, sd_mm = 0;
   };
   std::vector<Point> points;
-  std::vector<CurvePoint> curve;  ///< in the order of x
+  std::vector<CurvePoint> curve;  ///< ascending in x
   double x_max = 0;               ///< end of the calibrated range; 0: none
   bool is_small = false;          ///< no room for legend and notes
   QString chosen;                 ///< the chosen press' name, for the legend
-  QString depth_axis;             ///< what depth is and its unit; empty: "Press depth (mm)"
+  QString depth_axis;             ///< its label with unit; empty: "Press depth (mm)"
 };
 
 class MappingPlot : public Plot {
@@ -36,7 +36,7 @@ class MappingPlot : public Plot {
 
  private:
   void draw_band();
-  void draw_points(bool sure, const QString& name);
+  void draw_points(bool certain, const QString& name);
   void draw_chosen();
   MappingPlotData data_;
 };

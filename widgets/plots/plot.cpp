@@ -11,11 +11,11 @@
 namespace alltact {
 namespace {
 
-/// What beside an axis takes of the plot's width and height, px: ticks and titles of the others.
-constexpr int kBesideAcross = 90, kBesideUp = 60;
+/// Plot width and height taken by the ticks and titles of the other axes, px.
+constexpr int kMarginAcross = 90, kMarginUp = 60;
 constexpr int kLegendIcon = 48;  // with the space around it
 
-/// Broken at spaces so that no line is longer than `room` px, as far as words allow.
+/// Wraps at spaces so that no line is longer than `room` px, as far as words allow.
 QString broken(const QString& text, const QFontMetrics& metrics, int room) {
   QString lines, line;
   for (const QString& word : text.split(QLatin1Char(' '))) {
@@ -43,7 +43,7 @@ Plot::Plot(QWidget* parent) : QWidget(parent), chart_(new QCustomPlot(this)) {
 
 Plot::~Plot() = default;
 
-QImage Plot::picture(const QSize& size, double scale) {
+QImage Plot::image(const QSize& size, double scale) {
   ensurePolished();
   draw_now(size);
   return chart_->toPixmap(size.width(), size.height(), scale).toImage();
@@ -87,7 +87,7 @@ void Plot::showEvent(QShowEvent* event) {
 void Plot::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   if (is_stale_) return;
-  fit_words(size());
+  fit_text(size());
   fit(size());
   chart_->replot(QCustomPlot::rpQueuedReplot);  // it was resized before this
 }
@@ -101,7 +101,7 @@ void Plot::draw_now(const QSize& size) {
   is_stale_ = false;
   chart_->clearPlottables();
   chart_->clearItems();
-  dress();
+  apply_style();
   titles_.clear();
   if (!draw()) {
     for (QCPAxis* axis : {chart_->xAxis, chart_->yAxis, chart_->xAxis2, chart_->yAxis2})
@@ -115,12 +115,12 @@ void Plot::draw_now(const QSize& size) {
   }
   for (QCPAxis* axis : {chart_->xAxis, chart_->yAxis, chart_->xAxis2, chart_->yAxis2})
     if (axis->visible() && !axis->label().isEmpty()) titles_.emplace_back(axis, axis->label());
-  fit_words(size);
+  fit_text(size);
   fit(size);
   chart_->replot(QCustomPlot::rpQueuedReplot);
 }
 
-void Plot::dress_axis(QCPAxis* axis) const {
+void Plot::style_axis(QCPAxis* axis) const {
   const QColor text = palette().color(QPalette::Text);
   QColor faint = text;
   faint.setAlpha(38);
@@ -137,18 +137,18 @@ void Plot::dress_axis(QCPAxis* axis) const {
 }
 
 void Plot::add_axis(QCPAxis* axis) {
-  dress_axis(axis);
+  style_axis(axis);
   titles_.emplace_back(axis, axis->label());
 }
 
-void Plot::dress() {
+void Plot::apply_style() {
   QLocale numbers;  // the window's, which may have changed since
   numbers.setNumberOptions(QLocale::OmitGroupSeparator);
   chart_->setLocale(numbers);
   chart_->setBackground(QBrush(palette().color(QPalette::Base)));
-  for (QCPAxis* axis : {chart_->xAxis, chart_->yAxis}) dress_axis(axis);
+  for (QCPAxis* axis : {chart_->xAxis, chart_->yAxis}) style_axis(axis);
   for (QCPAxis* axis : {chart_->xAxis2, chart_->yAxis2}) {
-    dress_axis(axis);
+    style_axis(axis);
     axis->setTicks(false);
     axis->setTickLabels(false);
   }
@@ -182,12 +182,12 @@ void Plot::show_legend() {
   chart_->plotLayout()->setRowStretchFactor(0, 1e-3);
 }
 
-void Plot::fit_words(const QSize& size) {
+void Plot::fit_text(const QSize& size) {
   const QFontMetrics metrics(font());
   for (const auto& [axis, title] : titles_) {
     const bool is_across = axis->orientation() == Qt::Horizontal;
     axis->setLabel(broken(
-        title, metrics, is_across ? size.width() - kBesideAcross : size.height() - kBesideUp));
+        title, metrics, is_across ? size.width() - kMarginAcross : size.height() - kMarginUp));
   }
   QCPLegend* legend = chart_->legend;
   if (!legend->visible() || legend->itemCount() == 0) return;

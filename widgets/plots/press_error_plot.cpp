@@ -14,8 +14,8 @@ namespace {
 
 constexpr int kLongestName = 22;
 
-/// What presses are sorted and named by: the press's error, as everywhere; with one press only,
-/// where it has none, the residual.
+/// Presses are sorted and labelled by the press's error; where it is missing (one press only) by
+/// the residual.
 double shown_mm(const PressError& error) {
   return error.held_out_mm.value_or(error.residual_mm);
 }
@@ -41,11 +41,11 @@ void PressErrorPlot::set_data(std::vector<PressError> errors) {
     return shown_mm(a) > shown_mm(b);
   });
   if (!chosen_row()) chosen_.clear();
-  tell();
+  announce();
   rebuild();
 }
 
-void PressErrorPlot::let_choose() {
+void PressErrorPlot::enable_choice() {
   can_choose_ = true;
   setFocusPolicy(Qt::StrongFocus);
   set_accessible_role(*this, QAccessible::Chart);
@@ -65,7 +65,7 @@ void PressErrorPlot::choose(const std::string& press) {
   const std::string before = std::exchange(chosen_, press);
   if (!chosen_row()) chosen_.clear();
   if (chosen_ == before) return;
-  tell();
+  announce();
   rebuild();
 }
 
@@ -75,7 +75,7 @@ void PressErrorPlot::choose_by_hand(const std::string& press) {
   if (chosen_ != before) Q_EMIT press_chosen(chosen_);
 }
 
-void PressErrorPlot::tell() {
+void PressErrorPlot::announce() {
   setAccessibleName(tr("Error of every press, worst first"));
   if (errors_.empty()) return;
   const auto words = [](const QString& sentence, const PressError& error) {
@@ -102,18 +102,18 @@ std::optional<int> PressErrorPlot::chosen_row() const {
   return std::nullopt;
 }
 
-/// A row reaches over its name and its bars.
-std::optional<int> PressErrorPlot::row_at(const QPointF& place) const {
+/// A row includes its name and its bars.
+std::optional<int> PressErrorPlot::row_at(const QPointF& pixel) const {
   const QRect axes = chart().axisRect()->rect();
-  if (errors_.empty() || place.y() < axes.top() || place.y() > axes.bottom()) return std::nullopt;
-  const double from_below = chart().yAxis->pixelToCoord(place.y());
+  if (errors_.empty() || pixel.y() < axes.top() || pixel.y() > axes.bottom()) return std::nullopt;
+  const double from_below = chart().yAxis->pixelToCoord(pixel.y());
   const int row = shown() - 1 - static_cast<int>(std::lround(from_below));
   return row >= 0 && row < shown() ? std::optional(row) : std::nullopt;
 }
 
-void PressErrorPlot::press(const QPointF& place) {
+void PressErrorPlot::press(const QPointF& pixel) {
   setFocus(Qt::MouseFocusReason);
-  const auto row = row_at(place);
+  const auto row = row_at(pixel);
   choose_by_hand(row ? errors_[static_cast<std::size_t>(*row)].press : std::string());
 }
 
@@ -179,7 +179,7 @@ bool PressErrorPlot::draw() {
   auto* group = new QCPBarsGroup(&chart());
   group->setSpacingType(QCPBarsGroup::stAbsolute);
   group->setSpacing(1);
-  // The group stacks upwards: what is read first comes last.
+  // The group stacks upwards, so the first to read comes last.
   for (QCPBars* bars : {held_out, own}) {
     bars->setBarsGroup(group);
     bars->setWidth(0.36);

@@ -1,4 +1,4 @@
-// The error of every press, worst first; one of them can be chosen, by mouse or keys.
+// The error of every press, worst first; one can be chosen, by mouse or keys.
 #pragma once
 
 #include "widgets/plots/plot.h"
@@ -12,20 +12,20 @@ namespace alltact {
 /// One measure on two sets of data: the mean magnitude of mapping minus ball in one contact, mm.
 struct PressError {
   std::string press;
-  double residual_mm = 0;             ///< of the mapping that it helped to make
-  std::optional<double> held_out_mm;  ///< of one made without it: the press's error
+  double residual_mm = 0;             ///< of the mapping that was fitted with it
+  std::optional<double> held_out_mm;  ///< of a mapping fitted without it: the press's error
 };
 
 class PressErrorPlot : public Plot {
   Q_OBJECT
  public:
   using Plot::Plot;
-  /// In any order. More than kShown are cut off at the good end, and it says so. What is chosen
-  /// stays so while there is a press of this name.
+  /// In any order. Presses beyond kShown are cut off at the good end, with a note. The choice stays
+  /// while there is a press of this name.
   void set_data(std::vector<PressError> errors);
-  /// From now on a press can be chosen: by a click on its row, and by the keys of a list.
-  void let_choose();
-  /// Empty: none. Says nothing to press_chosen's listeners.
+  /// A press can be chosen from now on: by a click on its row, and by the keys of a list.
+  void enable_choice();
+  /// Empty: none. Does not emit press_chosen.
   void choose(const std::string& press);
   [[nodiscard]] const std::string& chosen() const { return chosen_; }
   static constexpr int kShown = 24;
@@ -33,9 +33,9 @@ class PressErrorPlot : public Plot {
   [[nodiscard]] int comfortable_height() const;
 
  Q_SIGNALS:
-  /// By hand; empty: none any more.
+  /// By the user; empty: none any more.
   void press_chosen(const std::string& press);
-  /// By a double click or Enter: it is to be shown.
+  /// By a double click or Enter: show this press.
   void press_opened(const std::string& press);
 
  protected:
@@ -45,12 +45,12 @@ class PressErrorPlot : public Plot {
 
  private:
   [[nodiscard]] int shown() const;
-  /// Of errors_; nullopt: none.
+  /// Index into errors_; nullopt: none.
   [[nodiscard]] std::optional<int> chosen_row() const;
-  [[nodiscard]] std::optional<int> row_at(const QPointF& place) const;
-  void press(const QPointF& place);
+  [[nodiscard]] std::optional<int> row_at(const QPointF& pixel) const;
+  void press(const QPointF& pixel);
   void choose_by_hand(const std::string& press);
-  void tell();
+  void announce();
   void draw_chosen();
   std::vector<PressError> errors_;  // worst first
   std::string chosen_;

@@ -35,9 +35,9 @@ bool PressLightPlot::draw() {
   const double last = static_cast<double>(presses_.size());
   chart().xAxis->setRange(0.3, last + 0.7);
   chart().yAxis->setRange(-reach, reach);
-  QSharedPointer<QCPAxisTickerFixed> whole(new QCPAxisTickerFixed);
-  whole->setTickStep(std::max(1.0, std::ceil(last / 12)));
-  chart().xAxis->setTicker(whole);
+  QSharedPointer<QCPAxisTickerFixed> integer_ticks(new QCPAxisTickerFixed);
+  integer_ticks->setTickStep(std::max(1.0, std::ceil(last / 12)));
+  chart().xAxis->setTicker(integer_ticks);
   chart().xAxis->grid()->setVisible(false);
   chart().xAxis->setLabel(tr("Press, by number"));
   chart().yAxis->setLabel(tr("Light (%)"));

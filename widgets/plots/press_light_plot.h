@@ -1,4 +1,4 @@
-// The light of every press against that of the reference, as the untouched skin tells it.
+// Brightness of every press relative to the reference, measured on the skin out of contact.
 #pragma once
 
 #include "widgets/plots/plot.h"
@@ -10,7 +10,7 @@ namespace alltact {
 
 struct PressLight {
   std::string press;
-  double percent = 0;  ///< 2: the untouched face is 2 % brighter than in the reference
+  double percent = 0;  ///< 2: the face out of contact is 2 % brighter than in the reference
 };
 
 class PressLightPlot : public Plot {

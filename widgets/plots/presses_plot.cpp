@@ -18,7 +18,7 @@ void PressesPlot::set_points(std::vector<PressesPoint> points) {
   for (const PressesPoint& point : points_)
     words << tr("%n press(es): %1 µm", nullptr, point.presses)
                  .arg(QLocale().toString(1000 * point.median_mm, 'f', 1));
-  setAccessibleDescription(set_apart(words));
+  setAccessibleDescription(joined_clauses(words));
   rebuild();
 }
 
@@ -42,9 +42,9 @@ bool PressesPlot::draw() {
                  p95_um = 1000 * point.p95_mm;
     line->addData(presses, median_um);
     whiskers->addData(0, p95_um - median_um);
-    if (point.is_now) now->addData(presses, median_um);
+    if (point.is_current) now->addData(presses, median_um);
     if (point.real_median_mm) pressed->addData(presses, 1000 * *point.real_median_mm);
-    // One press alone may be far off: it would squash the others.
+    // A single press may be far off and would squash the others.
     if (point.presses > 2 || points_.size() < 3) tallest = std::max(tallest, p95_um);
     highest = std::max(highest, p95_um);
   }
@@ -61,10 +61,10 @@ bool PressesPlot::draw() {
       QCPScatterStyle(QCPScatterStyle::ssSquare, QPen(real, 2), Qt::NoBrush, 8));
   if (pressed->data()->isEmpty()) pressed->removeFromLegend();
   chart().xAxis->setRange(points_.front().presses - 0.5, points_.back().presses + 0.5);
-  auto whole = QSharedPointer<QCPAxisTickerFixed>::create();
-  whole->setTickStep(1);
-  whole->setScaleStrategy(QCPAxisTickerFixed::ssMultiples);
-  chart().xAxis->setTicker(whole);
+  auto integer_ticks = QSharedPointer<QCPAxisTickerFixed>::create();
+  integer_ticks->setTickStep(1);
+  integer_ticks->setScaleStrategy(QCPAxisTickerFixed::ssMultiples);
+  chart().xAxis->setTicker(integer_ticks);
   chart().xAxis->setLabel(tr("Presses"));
   chart().yAxis->setRange(0, 1.1 * std::max(tallest > 0 ? tallest : highest, 1e-3));
   chart().yAxis->setLabel(tr("Error of depth (µm)"));

@@ -1,4 +1,4 @@
-// How close a calibration reads depth, by how many presses it has.
+// Depth error of a calibration over its number of presses.
 #pragma once
 
 #include "widgets/plots/plot.h"
@@ -11,11 +11,11 @@ namespace alltact {
 struct PressesPoint {
   int presses = 0;
   double median_mm = 0, p95_mm = 0;
-  std::optional<double> real_median_mm;  ///< of presses that were left out, marked apart
-  bool is_now = false;
+  std::optional<double> real_median_mm;  ///< of held-out presses, with another marker
+  bool is_current = false;
 };
 
-/// A dot for half of all points, a whisker to 95 %; squares where the finger's own presses tell.
+/// A dot for the median, a whisker to 95 %; squares for the finger's own presses.
 class PressesPlot : public Plot {
   Q_OBJECT
  public:

@@ -12,7 +12,7 @@
 namespace alltact {
 namespace {
 
-constexpr double kShown = BendPicture::kShown;
+constexpr double kShown = BendState::kShown;
 constexpr double kSign = 12;
 
 double part_of(double value, double need) {
@@ -47,20 +47,20 @@ CoverageView::CoverageView(QWidget* parent) : Translated(parent) {
   });
 }
 
-void CoverageView::show_coverage(const BendPicture& picture) {
-  picture_ = picture;
+void CoverageView::show_coverage(const BendState& coverage) {
+  coverage_ = coverage;
   describe();
   update();
 }
 
 void CoverageView::describe() {
   QStringList missing;
-  for (const BendDirection direction : picture_.missing())
+  for (const BendDirection direction : coverage_.missing())
     missing << bend_direction_text(direction);
   set_accessible_description(*this,
-                             picture_.poses == 0 ? tr("No pose has been seen yet.")
-                             : missing.isEmpty() ? tr("Enough: all directions are reached.")
-                                                 : tr("Missing: %1.").arg(listed(missing)));
+                             coverage_.poses == 0 ? tr("No pose has been seen yet.")
+                             : missing.isEmpty()  ? tr("Enough: all directions are reached.")
+                                                  : tr("Missing: %1.").arg(listed(missing)));
 }
 
 void CoverageView::changeEvent(QEvent* event) {
@@ -79,7 +79,7 @@ void CoverageView::paintEvent(QPaintEvent* /*event*/) {
   paint_label(painter, {field.left(), 0, side, line}, Qt::AlignCenter, BendDirection::kUp);
   paint_label(
       painter, {field.left(), field.bottom(), side, line}, Qt::AlignCenter, BendDirection::kDown);
-  // One above the axis and one below it, so that long words have room.
+  // One above the axis and one below it, so that long words fit.
   const QRectF above(field.left() + 6, field.center().y() - line - 2, side - 12, line);
   const QRectF under(field.left() + 6, field.center().y() + 2, side - 12, line);
   paint_label(painter, above, Qt::AlignLeft | Qt::AlignVCenter, BendDirection::kTowards);
@@ -93,12 +93,12 @@ void CoverageView::paintEvent(QPaintEvent* /*event*/) {
 void CoverageView::paint_field(QPainter& painter, const QRectF& field) const {
   const QColor line = palette().color(QPalette::Disabled, QPalette::Text);
   painter.fillRect(field, palette().color(QPalette::Base));
-  constexpr int n = BendPicture::kCells;
+  constexpr int n = BendState::kCells;
   const double step = field.width() / n;
   const QColor visited = series_colour(0, palette());
   for (int row = 0; row < n; ++row)
     for (int column = 0; column < n; ++column) {
-      const auto visits = picture_.visits[static_cast<std::size_t>(row * n + column)];
+      const auto visits = coverage_.visits[static_cast<std::size_t>(row * n + column)];
       if (visits == 0) continue;
       QColor colour = visited;
       colour.setAlphaF(static_cast<float>(std::min(1.0, 0.35 + 0.1 * std::log2(visits))));
@@ -115,10 +115,10 @@ void CoverageView::paint_field(QPainter& painter, const QRectF& field) const {
                    QPointF(field.right(), field.center().y()));
   painter.drawLine(QPointF(field.center().x(), field.top()),
                    QPointF(field.center().x(), field.bottom()));
-  if (!picture_.now) return;
+  if (!coverage_.now) return;
   const QPointF at =
-      field.center() + QPointF(part_of(picture_.now->bend_mm, picture_.need.bend_mm) * reach,
-                               part_of(picture_.now->sway_mm, picture_.need.sway_mm) * reach);
+      field.center() + QPointF(part_of(coverage_.now->bend_mm, coverage_.need.bend_mm) * reach,
+                               part_of(coverage_.now->sway_mm, coverage_.need.sway_mm) * reach);
   painter.setPen(QPen(palette().color(QPalette::Base), 2));
   painter.setBrush(palette().color(QPalette::Text));
   painter.drawEllipse(at, 6, 6);
@@ -127,7 +127,7 @@ void CoverageView::paint_field(QPainter& painter, const QRectF& field) const {
 void CoverageView::paint_twist(QPainter& painter, const QRectF& bar) const {
   painter.fillRect(bar, palette().color(QPalette::Base));
   const auto reached = [&](BendDirection direction) {
-    return std::min(picture_.reached[static_cast<std::size_t>(direction)], kShown);
+    return std::min(coverage_.reached[static_cast<std::size_t>(direction)], kShown);
   };
   const double half = 0.5 * bar.width() / kShown;
   const double left = std::max(0.0, reached(BendDirection::kTwistLeft)) * half;
@@ -141,9 +141,9 @@ void CoverageView::paint_twist(QPainter& painter, const QRectF& bar) const {
   painter.setPen(QPen(line, 1, Qt::DashLine));
   for (const double x : {bar.center().x() - half, bar.center().x(), bar.center().x() + half})
     painter.drawLine(QPointF(x, bar.top()), QPointF(x, bar.bottom()));
-  if (!picture_.now) return;
+  if (!coverage_.now) return;
   const double x =
-      bar.center().x() + part_of(picture_.now->twist_deg, picture_.need.twist_deg) * half;
+      bar.center().x() + part_of(coverage_.now->twist_deg, coverage_.need.twist_deg) * half;
   painter.setPen(QPen(palette().color(QPalette::Base), 2));
   painter.setBrush(palette().color(QPalette::Text));
   painter.drawEllipse(QPointF(x, bar.center().y()), 6, 6);
@@ -154,17 +154,17 @@ void CoverageView::paint_label(QPainter& painter,
                                int flags,
                                BendDirection direction) const {
   const QString text = bend_direction_text(direction);
-  const bool is_reached = picture_.reached[static_cast<std::size_t>(direction)] >= 1;
+  const bool is_reached = coverage_.reached[static_cast<std::size_t>(direction)] >= 1;
   const bool is_inside = direction == BendDirection::kAway || direction == BendDirection::kTowards;
   const double text_width = fontMetrics().horizontalAdvance(text), gap = 5;
-  const double whole = kSign + gap + text_width;
+  const double total_width = kSign + gap + text_width;
   double left = room.left();
-  if ((flags & Qt::AlignHCenter) != 0) left = room.center().x() - 0.5 * whole;
-  if ((flags & Qt::AlignRight) != 0) left = room.right() - whole;
-  if (is_inside) {  // no line runs through a word
+  if ((flags & Qt::AlignHCenter) != 0) left = room.center().x() - 0.5 * total_width;
+  if ((flags & Qt::AlignRight) != 0) left = room.right() - total_width;
+  if (is_inside) {  // so that no line crosses the text
     QColor ground = palette().color(QPalette::Base);
     ground.setAlphaF(0.85F);
-    painter.fillRect(QRectF(left - 3, room.top() + 1, whole + 6, room.height() - 2), ground);
+    painter.fillRect(QRectF(left - 3, room.top() + 1, total_width + 6, room.height() - 2), ground);
   }
   paint_sign(painter, {left + 0.5 * kSign, room.center().y()}, is_reached);
   painter.setPen(palette().color(QPalette::WindowText));

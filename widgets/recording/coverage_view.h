@@ -1,4 +1,4 @@
-// How far a finger has been bent, as a picture and in words.
+// Coverage of bending, as a plot and as text.
 #pragma once
 
 #include "calibration/reference/bend_coverage.h"
@@ -10,13 +10,13 @@ namespace alltact {
 
 [[nodiscard]] QString bend_direction_text(BendDirection direction);
 
-/// Bend and sway as a field with the poses so far and the pose now, twist as a bar below. What is
-/// reached is told by a tick or a cross beside each direction, and to screen readers in words.
+/// Bend and sway as a field with the poses so far and the present pose, twist as a bar below. A
+/// tick or a ring at each direction marks it as reached or not; screen readers get a sentence.
 class CoverageView : public Translated<QWidget> {
   Q_OBJECT
  public:
   explicit CoverageView(QWidget* parent = nullptr);
-  void show_coverage(const BendPicture& picture);
+  void show_coverage(const BendState& coverage);
 
   [[nodiscard]] QSize sizeHint() const override { return {280, 330}; }
   [[nodiscard]] QSize minimumSizeHint() const override { return {240, 290}; }
@@ -32,7 +32,7 @@ class CoverageView : public Translated<QWidget> {
   void paint_label(QPainter& painter, const QRectF& room, int flags, BendDirection direction) const;
   void paint_sign(QPainter& painter, QPointF centre, bool is_reached) const;
 
-  BendPicture picture_;
+  BendState coverage_;
 };
 
 }  // namespace alltact

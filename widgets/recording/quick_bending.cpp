@@ -9,14 +9,16 @@
 namespace alltact {
 namespace {
 
-/// Of the markers seen in both; nullopt: none is.
-std::optional<double> median_way_px(const Markers& a, const Markers& b) {
-  std::vector<double> ways;
+/// Of the markers seen in both frames; nullopt: none.
+std::optional<double> median_displacement_px(const Markers& a, const Markers& b) {
+  std::vector<double> displacements_px;
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
-    if (a[i].seen && b[i].seen) ways.push_back(std::hypot(a[i].u - b[i].u, a[i].v - b[i].v));
-  if (ways.empty()) return std::nullopt;
-  const auto middle = ways.begin() + static_cast<std::ptrdiff_t>(ways.size() / 2);
-  std::nth_element(ways.begin(), middle, ways.end());
+    if (a[i].seen && b[i].seen)
+      displacements_px.push_back(std::hypot(a[i].u - b[i].u, a[i].v - b[i].v));
+  if (displacements_px.empty()) return std::nullopt;
+  const auto middle =
+      displacements_px.begin() + static_cast<std::ptrdiff_t>(displacements_px.size() / 2);
+  std::nth_element(displacements_px.begin(), middle, displacements_px.end());
   return *middle;
 }
 
@@ -27,9 +29,11 @@ bool QuickBending::is_quick(const FrameResult& result) {
   const std::int64_t taken_ns = result.frame->time_ns;
   const double now_s = 1e-9 * static_cast<double>(taken_ns > 0 ? taken_ns : monotonic_ns());
   const bool goes_on = result.frame->origin == source_ && now_s > before_s_;
-  const auto way = goes_on ? median_way_px(before_, *result.markers) : std::nullopt;
+  const auto displacement_px =
+      goes_on ? median_displacement_px(before_, *result.markers) : std::nullopt;
   if (!goes_on) quick_until_s_ = -1;
-  if (way && result.grey.cols > 0 && *way > kQuick_per_s * result.grey.cols * (now_s - before_s_))
+  if (displacement_px && result.grey.cols > 0 &&
+      *displacement_px > kQuick_per_s * result.grey.cols * (now_s - before_s_))
     quick_until_s_ = now_s + kSettles_s;
   before_ = *result.markers;
   before_s_ = now_s;

@@ -1,5 +1,5 @@
-// Whether a finger bends so quickly that its picture cannot be held against any other: then what
-// looks like a touch may be the movement.
+// Detects bending too quick for the image to be compared with the reference: motion then resembles
+// a contact.
 #pragma once
 
 #include "core/sensing/pipeline.h"
@@ -8,15 +8,15 @@
 
 namespace alltact {
 
-/// Fed with every frame that is looked at. A source that tells no times is timed as it comes.
+/// Call it with every analysed frame. Frames without capture times are timed on arrival.
 class QuickBending {
  public:
-  /// Markers that move by more than this part of the picture's width in a second bend quickly.
+  /// Marker speed above which bending is quick, in image widths per second.
   static constexpr double kQuick_per_s = 0.08;
-  /// How long after that the picture is not trusted yet.
+  /// Time after quick motion during which the image is not used.
   static constexpr double kSettles_s = 0.4;
 
-  /// False where no speed can be told: the first frame, no markers, another source.
+  /// Returns false where the speed is unknown: the first frame, no markers, another source.
   bool is_quick(const FrameResult& result);
 
  private:

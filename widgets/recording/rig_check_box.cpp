@@ -100,15 +100,15 @@ void RigCheckBox::show_lines(bool anew) {
     }
     shown_.clear();
     for (std::size_t i = 0; i < lines_.size(); ++i) {
-      auto* whole = new QWidget;
-      auto* row = new QHBoxLayout(whole);
+      auto* line_widget = new QWidget;
+      auto* row = new QHBoxLayout(line_widget);
       row->setContentsMargins(0, 0, 0, 0);
       Row made{new QLabel, new QLabel};
       made.symbol->setFixedWidth(kRigSymbol);
       made.text->setWordWrap(true);
       row->addWidget(made.symbol, 0, Qt::AlignTop);
       row->addWidget(made.text, 1);
-      column_->addWidget(whole);
+      column_->addWidget(line_widget);
       shown_.push_back(made);
     }
   }

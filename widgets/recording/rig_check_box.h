@@ -1,5 +1,5 @@
-// The list to go through before the first recording: each line with its figure and, where that is
-// not good, with what to do.
+// Checklist before the first recording: each item with its figure and, where that is not good, with
+// advice.
 #pragma once
 
 #include "calibration/checks/rig_check.h"
@@ -15,7 +15,7 @@
 
 namespace alltact {
 
-/// A camera that sets itself is one more line, which names the controls to lock.
+/// Automatic camera modes are one more line, which names the controls to lock.
 class RigCheckBox : public Translated<QWidget> {
   Q_OBJECT
  public:
@@ -24,7 +24,7 @@ class RigCheckBox : public Translated<QWidget> {
   /// `controls`: of the camera; empty where the source is none.
   void show_findings(const std::vector<RigFinding>& findings,
                      const std::vector<CameraControl>& controls);
-  /// Unfolded until somebody folds it, where it is needed; else folded until somebody unfolds it.
+  /// Unfolds the list when needed, else folds it; the user may change that.
   void set_needed(bool is_needed);
 
  protected:

@@ -20,22 +20,22 @@ JudgedTake judge_take(const ReferenceInstaller& installer,
                       const ReferenceChoices& choices,
                       const Job& job) {
   const auto copy = std::make_shared<const QTemporaryDir>();
-  const auto judged = [&](Result<ReferenceReport> report, std::string described = {}) {
-    return JudgedTake{std::move(report), copy, std::move(described), finger, video};
+  const auto judged = [&](Result<ReferenceReport> report, std::string finger_yaml = {}) {
+    return JudgedTake{std::move(report), copy, std::move(finger_yaml), finger, video};
   };
   std::error_code failed;
   if (!copy->isValid())
     return judged(Error{en::say("there is no room to try the recording in"),
                         fs::temp_directory_path(failed).string(),
                         en::say("freeing some space on the disk")});
-  auto described = read_file(finger / Finger::kFileName);
-  if (!described) return judged(described.error());
-  const Status copied = write_file_atomically(path_of(*copy) / Finger::kFileName, *described);
+  auto finger_yaml = read_file(finger / Finger::kFileName);
+  if (!finger_yaml) return judged(finger_yaml.error());
+  const Status copied = write_file_atomically(path_of(*copy) / Finger::kFileName, *finger_yaml);
   if (!copied) return judged(copied.error());
-  // What the finger has already is a witness; without it the recording is judged by itself.
+  // The earlier reference helps to judge the recording; without it the recording is judged alone.
   for (const char* name : {kReferenceVideo, kReferenceTable})
     fs::create_symlink(finger / name, path_of(*copy) / name, failed);
-  return judged(installer(path_of(*copy), video, choices, job), std::move(*described));
+  return judged(installer(path_of(*copy), video, choices, job), std::move(*finger_yaml));
 }
 
 }  // namespace
@@ -45,8 +45,8 @@ Result<bool> JudgedTake::install() const {
   if (!now) return now.error();
   std::error_code absent;
   const bool is_all = report.ok() && !fs::exists(path_of(*copy) / kReferenceProblem, absent);
-  if (!is_all || *now != described) return false;
-  if (const Status given = give_reference_of(path_of(*copy), finger); !given) return given.error();
+  if (!is_all || *now != finger_yaml) return false;
+  if (const Status given = copy_reference(path_of(*copy), finger); !given) return given.error();
   fs::remove(finger / kReferenceProblem, absent);  // of an earlier recording
   return true;
 }
@@ -80,7 +80,7 @@ void TakeJudge::forget() {
   stop();
   ++number_;
   if (!judged_) return;
-  // The copy may be large, and removing it takes its time.
+  // The copy may be large, so it is removed on a background thread.
   clearing_.start([judged = std::exchange(judged_, nullptr)](const Job&) mutable {
     judged.reset();
     return std::function<void()>([] {});

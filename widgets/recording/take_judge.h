@@ -1,4 +1,4 @@
-// What a recording would bring as a finger's reference, before it is installed.
+// Previews a recording as a finger's reference before it is installed.
 #pragma once
 
 #include "calibration/reference/reference_recording.h"
@@ -12,7 +12,7 @@
 
 namespace alltact {
 
-/// Installs a recording in a finger's folder; runs on a thread of its own.
+/// Installs a recording in a finger's folder; runs on a background thread.
 using ReferenceInstaller =
     std::function<Result<ReferenceReport>(const std::filesystem::path& folder,
                                           const std::filesystem::path& video,
@@ -22,31 +22,33 @@ using ReferenceInstaller =
 /// A recording that was installed in a copy of a finger.
 struct JudgedTake {
   Result<ReferenceReport> report;
-  std::shared_ptr<const QTemporaryDir> copy;  ///< the finger's; gone with the last who holds it
-  std::string described;                      ///< finger.yaml as it was copied
+  std::shared_ptr<const QTemporaryDir> copy;  ///< copy of the finger; removed with its last owner
+  std::string finger_yaml;                    ///< finger.yaml as it was copied
   std::filesystem::path finger, video;
 
-  /// Gives the finger what its copy got. False: it has changed since, or there is more to keep than
-  /// a reference, so that the recording has to be installed by itself. For a background thread.
+  /// Copies the new reference to the finger. False: the finger has changed since, or files other
+  /// than a reference are to be stored, so that the recording must be installed directly. For a
+  /// background thread.
   [[nodiscard]] Result<bool> install() const;
 };
 
-/// Installs it in a copy of the finger: what it says is what installing gives.
+/// Installs the recording in a copy of the finger, so that the report equals that of the
+/// installation.
 class TakeJudge : public QObject {
   Q_OBJECT
  public:
   explicit TakeJudge(ReferenceInstaller installer, QObject* parent = nullptr);
 
-  /// finger: its folder; it stays as it is.
+  /// finger: its folder, which stays unchanged.
   void judge(const std::filesystem::path& finger,
              const std::filesystem::path& video,
              const ReferenceChoices& choices);
-  /// Keeps what is known.
+  /// Stops the run; a finished report is retained.
   void stop();
   void forget();
   [[nodiscard]] bool is_working() const { return work_.is_running(); }
   [[nodiscard]] const BackgroundWork& work() const { return work_; }
-  /// Of the video that was asked for last; nullptr: not known.
+  /// Result for the last judged video; nullptr: not known.
   [[nodiscard]] const std::shared_ptr<const JudgedTake>& judged() const { return judged_; }
 
  Q_SIGNALS:
@@ -54,7 +56,7 @@ class TakeJudge : public QObject {
 
  private:
   ReferenceInstaller installer_;
-  int number_ = 0;  // of what was asked for last
+  int number_ = 0;  // of the last request
   std::shared_ptr<const JudgedTake> judged_;
   BackgroundWork work_, clearing_;
 };

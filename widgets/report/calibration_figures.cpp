@@ -1,7 +1,7 @@
 #include "widgets/report/calibration_figures.h"
 
 #include "core/finger/mapping.h"
-#include "widgets/worth_words.h"
+#include "widgets/verdict_text.h"
 
 #include <QCoreApplication>
 #include <algorithm>
@@ -57,7 +57,7 @@ MappingPlotData mapping_figure(const Calibration& calibration,
     for (const ResidualSample& sample : press.samples)
       data.points.push_back({sample.x,
                              sample.ball_depth_mm / sample.factor,
-                             sample.rim <= kSureRim,
+                             sample.rim <= kInnerRim,
                              !chosen_press.empty() && press.press == chosen_press});
   return data;
 }
@@ -92,7 +92,7 @@ FaceMapData face_figure(FaceQuantity quantity,
       for (const ResidualSample& sample : press.samples) {
         double value = sample.ball_depth_mm;
         if (quantity == FaceQuantity::kResidual) {
-          if (sample.rim > kSureRim) continue;
+          if (sample.rim > kInnerRim) continue;
           value = std::abs(sample.residual_mm);
         }
         if (quantity == FaceQuantity::kDepthSd)
@@ -123,7 +123,7 @@ std::vector<double> all_errors(const std::vector<PressResiduals>& residuals) {
   std::vector<double> errors;
   for (const PressResiduals& press : residuals)
     for (const ResidualSample& sample : press.samples)
-      if (sample.rim <= kSureRim) errors.push_back(sample.residual_mm);
+      if (sample.rim <= kInnerRim) errors.push_back(sample.residual_mm);
   return errors;
 }
 

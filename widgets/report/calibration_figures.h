@@ -1,4 +1,4 @@
-// What the plots of a calibration show, taken from its figures. For the report and for the Studio.
+// Plot data of a calibration, for the report and for the Studio.
 #pragma once
 
 #include "calibration/joint/calibrate.h"
@@ -12,7 +12,7 @@
 
 namespace alltact {
 
-/// `chosen_press` stands out; empty: none.
+/// `chosen_press` is highlighted; empty: none.
 [[nodiscard]] MappingPlotData mapping_figure(const Calibration& calibration,
                                              const std::vector<PressResiduals>& residuals,
                                              const std::string& chosen_press = {});
@@ -22,11 +22,11 @@ namespace alltact {
 enum class FaceQuantity {
   kResidual = 1,  ///< mean magnitude of the residuals of a cell
   kHeldOut,       ///< error of the presses there, each left out in turn
-  kDepthSd,       ///< standard deviation of the depth read there, as the fit knows its own curve
-  kCoverage,      ///< how deep the presses there went
+  kDepthSd,       ///< standard deviation of the depth there, by the covariance of the fit
+  kCoverage,      ///< greatest depth of the presses there
 };
-/// In mm, over what the presses showed of the face; the contacts as circles, in the order of the
-/// residuals.
+/// In mm, over the part of the face that the presses showed; the contacts as circles, in the order
+/// of the residuals.
 [[nodiscard]] FaceMapData face_figure(FaceQuantity quantity,
                                       const Calibration& calibration,
                                       const std::vector<PressResiduals>& residuals,

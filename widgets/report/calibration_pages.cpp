@@ -4,7 +4,7 @@
 #include "widgets/joined_words.h"
 #include "widgets/plots/history_plot.h"
 #include "widgets/report/report_pages.h"
-#include "widgets/worth_words.h"
+#include "widgets/verdict_text.h"
 
 #include <cmath>
 
@@ -38,10 +38,10 @@ QString cause_words(ErrorCause cause) {
 }  // namespace
 
 void ReportPages::add_verdict() {
-  const Verdict& worth = done_.verdict;
-  const auto error = vouched_error_mm(worth);
+  const Verdict& worth = calibration_.verdict;
+  const auto error = expected_error_mm(worth);
   QStringList lines;
-  for (const Message& finding : findings_of(worth, done_.contradictions))
+  for (const Message& finding : findings_of(worth, calibration_.contradictions))
     lines << sentence(finding);
   if (!worth.cause.empty()) lines << sentence(worth.cause);
   if (!worth.rests_on.empty()) lines << text("It rests on: %1.").arg(as_text(worth.rests_on));
@@ -55,9 +55,9 @@ void ReportPages::add_verdict() {
            "and every piece of evidence that is listed.")
           .arg(mm(kGoodErrorMm, 2), mm(kUsableErrorMm, 2)));
   add_causes();
-  if (!done_.fault_signs.empty()) {
+  if (!calibration_.fault_signs.empty()) {
     QStringList signs;
-    for (const Message& sign : done_.fault_signs) signs << sentence(sign);
+    for (const Message& sign : calibration_.fault_signs) signs << sentence(sign);
     document_.box(text("The presses show a fault"),
                   signs.join('\n'),
                   meaning_colour(Meaning::kDoubtful, light_));
@@ -67,18 +67,18 @@ void ReportPages::add_verdict() {
 
 void ReportPages::add_causes() {
   std::vector<Document::Row> rows;
-  for (const ErrorPart& part : done_.verdict.parts)
+  for (const ErrorPart& part : calibration_.verdict.parts)
     rows.push_back({{cause_words(part.cause), {}, 0}, {mm(part.error_mm), {}, 0}});
   if (rows.empty()) return;
-  if (std::isfinite(done_.verdict.error_mm))
-    rows.push_back({{text("all together"), {}, 0}, {mm(done_.verdict.error_mm), {}, 0}});
+  if (std::isfinite(calibration_.verdict.error_mm))
+    rows.push_back({{text("all together"), {}, 0}, {mm(calibration_.verdict.error_mm), {}, 0}});
   document_.table({text("Cause of error"), text("Mean depth error (mm)")}, rows, {false, true});
 }
 
 void ReportPages::add_zones() {
   std::vector<Document::Row> rows;
   QStringList unknown;
-  for (const ZoneError& zone : done_.zones) {
+  for (const ZoneError& zone : calibration_.zones) {
     const QString name = as_text(zone.zone);
     if (!zone.error_mm) unknown << name;
     rows.push_back({{name, {}, 0},
@@ -95,43 +95,46 @@ void ReportPages::add_zones() {
 }
 
 void ReportPages::add_facts() {
-  const Finger& finger = done_.finger;
-  const CalibrationInputs& inputs = done_.inputs;
+  const Finger& finger = calibration_.finger;
+  const CalibrationInputs& inputs = calibration_.inputs;
   std::vector<Document::Row> rows;
   const auto add = [&](const QString& name, const QString& value) {
     if (!value.isEmpty()) rows.push_back({{name, {}, 0}, {value, {}, 0}});
   };
   add(text("Date"), when(as_text(inputs.date)));
   add(text("Operator"),
-      inputs.said.operator_name.empty() ? text("not told") : as_text(inputs.said.operator_name));
+      inputs.press_set.operator_name.empty() ? text("not told")
+                                             : as_text(inputs.press_set.operator_name));
   add(text("Ball"),
-      text("radius %1 mm").arg(inputs.said.ball_radius_mm) +
-          (inputs.said.has_other_balls() ? text("; other balls stand beside their presses") : ""));
+      text("radius %1 mm").arg(inputs.press_set.ball_radius_mm) +
+          (inputs.press_set.has_other_balls() ? text("; other balls stand beside their presses")
+                                              : ""));
   add(text("Presses"),
       text("%1 used of %2 given")
-          .arg(done_.calibration.balls.size() + done_.calibration.steps.size())
-          .arg(done_.presses.size()));
+          .arg(calibration_.calibration.balls.size() + calibration_.calibration.steps.size())
+          .arg(calibration_.presses.size()));
   add(text("Camera"),
       text("%1, %2 x %3 px")
           .arg(QString::fromUtf8(to_string(finger.camera.model).data()))
           .arg(finger.camera.width_px)
           .arg(finger.camera.height_px));
-  const QString taken_with = noted("press_settings");
+  const QString taken_with = provenance_text("press_settings");
   add(text("Camera and light"),
       taken_with.isEmpty() ? text("the pictures do not tell what they were taken with")
                            : taken_with);
   add(text("Reference"),
-      noted("reference_date").isEmpty() ? text("installed with this calibration")
-                                        : text("of %1").arg(when(noted("reference_date"))));
-  add(text("Mapping"), sentence(done_.calibration.degree_choice));
+      provenance_text("reference_date").isEmpty()
+          ? text("installed with this calibration")
+          : text("of %1").arg(when(provenance_text("reference_date"))));
+  add(text("Mapping"), sentence(calibration_.calibration.degree_choice));
   QStringList settings;
   for (const auto& setting : calibration_settings())
     settings << as_text(setting.name + " " + setting.get(inputs.calibration));
   add(text("Settings"), listed(settings));
   QStringList frames;
-  const PipelineSettings usual;
+  const PipelineSettings defaults;
   for (const auto& setting : pipeline_settings())
-    if (setting.get(inputs.pipeline) != setting.get(usual))
+    if (setting.get(inputs.pipeline) != setting.get(defaults))
       frames << as_text(setting.name + " " + setting.get(inputs.pipeline));
   add(text("Other settings"), listed(frames));
   add(text("Program"), text("AllTact %1").arg(as_text(inputs.program_version)));
@@ -154,10 +157,10 @@ QString ReportPages::method_words(CalibrationMethod method) {
 }
 
 void ReportPages::add_methods() {
-  if (done_.methods.empty()) return;
+  if (calibration_.methods.empty()) return;
   std::vector<Document::Row> rows;
   QStringList failed;
-  for (const MethodRow& row : done_.methods) {
+  for (const MethodRow& row : calibration_.methods) {
     const QString name = method_words(row.method);
     if (!row.failed.empty()) {
       failed << text("%1: %2").arg(name, as_text(row.failed));
@@ -190,28 +193,28 @@ void ReportPages::add_methods() {
 
 void ReportPages::add_remarks() {
   QStringList remarks;
-  for (const Message& remark : done_.calibration.remarks) remarks << sentence(remark);
-  for (const Message& warning : done_.about_settings) remarks << sentence(warning);
+  for (const Message& remark : calibration_.calibration.remarks) remarks << sentence(remark);
+  for (const Message& warning : calibration_.about_settings) remarks << sentence(warning);
   if (remarks.isEmpty()) return;
   document_.heading(text("Remarks"));
   document_.list(remarks);
 }
 
-/// Only what was there when it was calibrated: made again it must be the same.
+/// Only entries from before the calibration: a repetition must give the same bytes.
 void ReportPages::add_history() {
   const auto checks = load_checks(folder_, nullptr);
   if (!checks) return;
   HistoryData data;
   for (const CheckEntry& check : *checks) {
-    if (check.time > done_.inputs.date) continue;
-    data.points.push_back({seconds_of(check.time).value_or(0), check.error_mm});
+    if (check.time > calibration_.inputs.date) continue;
+    data.points.push_back({unix_seconds(check.time).value_or(0), check.error_mm});
     data.drifting_above_mm = check.drifting_above_mm;
     data.recalibrate_above_mm = check.recalibrate_above_mm;
   }
   if (data.points.empty()) return;
   document_.heading(text("Checks before this calibration"));
   HistoryPlot plot;
-  dress(plot);
+  apply_style(plot);
   plot.set_data(std::move(data));
   add_plot(
       plot,
@@ -236,8 +239,8 @@ Result<std::vector<ReportFile>> files_of(const Document& report,
   if (job.stop_requested()) return stopped();
   auto pdf = report.pdf(date);
   if (!pdf) return pdf.error();
-  return std::vector<ReportFile>{{kReportPage, std::move(html)},
-                                 {kReportPaper, std::move(pdf).value()}};
+  return std::vector<ReportFile>{{kReportHtml, std::move(html)},
+                                 {kReportPdf, std::move(pdf).value()}};
 }
 
 Result<std::vector<ReportFile>> make_calibration_pages(const FingerCalibration& done,

@@ -42,15 +42,15 @@ QString escaped(const QString& text) {
   return text.toHtmlEscaped().replace(QLatin1Char('\n'), QLatin1String("<br/>"));
 }
 
-QByteArray png_of(const QImage& picture) {
+QByteArray png_of(const QImage& image) {
   QByteArray bytes;
   QBuffer buffer(&bytes);
   buffer.open(QIODevice::WriteOnly);
-  picture.save(&buffer, "PNG");
+  image.save(&buffer, "PNG");
   return bytes;
 }
 
-/// A document as QTextDocument::print() lays it out on A4, to see where its pages end.
+/// The layout of QTextDocument::print() on A4, to find where its pages end.
 class PaperLayout {
  public:
   PaperLayout(QTextDocument& document, QPagedPaintDevice& paper) : document_(document) {
@@ -64,7 +64,7 @@ class PaperLayout {
 
   /// Of two blocks outside of tables, from the first line of one to the last of the other.
   [[nodiscard]] bool is_on_one_page(const QTextBlock& first, const QTextBlock& last) const {
-    document_.documentLayout()->documentSize();  // lays out all that is not yet, which lines do not
+    document_.documentLayout()->documentSize();  // completes the layout, which lines alone do not
     const QTextLayout &begin = *first.layout(), &end = *last.layout();
     if (begin.lineCount() == 0 || end.lineCount() == 0) return true;
     const QTextLine line = end.lineAt(end.lineCount() - 1);
@@ -102,18 +102,18 @@ QTextBlock last_of_section(const QTextBlock& heading) {
   return last;
 }
 
-/// Numbers of the blocks that are to begin a page: figures that would be parted from their captions
-/// and, where they are asked for, sections that would be parted.
+/// Numbers of the blocks that begin a page: figures that would be separated from their captions
+/// and, where requested, sections that would be split.
 std::vector<int> blocks_on_new_pages(const QTextDocument& document,
                                      QPagedPaintDevice& paper,
-                                     bool keeps_sections_whole) {
+                                     bool sections_stay_together) {
   const std::unique_ptr<QTextDocument> copy(document.clone());
   const PaperLayout layout(*copy, paper);
   std::vector<int> found;
   for (QTextBlock block = copy->begin(); block.isValid(); block = block.next()) {
     if (is_in_table(block)) continue;
     QTextBlock last = block;
-    if (is_section_heading(block) && keeps_sections_whole)
+    if (is_section_heading(block) && sections_stay_together)
       last = last_of_section(block);
     else if (block.text() == QString(QChar::ObjectReplacementCharacter) && block.next().isValid())
       last = block.next();
@@ -158,16 +158,16 @@ void Document::list(const QStringList& items) {
   body_ += "</ul>\n";
 }
 
-QString Document::image(const QImage& picture, int width) {
-  pictures_.push_back(picture);
+QString Document::image_html(const QImage& image, int width) {
+  images_.push_back(image);
   return QString("<img src=\"picture:%1\" width=\"%2\" height=\"%3\" alt=\"\"/>")
-      .arg(pictures_.size() - 1)
+      .arg(images_.size() - 1)
       .arg(width)
-      .arg(width * picture.height() / std::max(1, picture.width()));
+      .arg(width * image.height() / std::max(1, image.width()));
 }
 
-void Document::figure(const QImage& picture, int width, const QString& caption) {
-  body_ += "<p class=\"figure\">" + image(picture, width) + "</p><p class=\"caption\">" +
+void Document::figure(const QImage& image, int width, const QString& caption) {
+  body_ += "<p class=\"figure\">" + image_html(image, width) + "</p><p class=\"caption\">" +
            escaped(caption) + "</p>\n";
 }
 
@@ -194,16 +194,16 @@ void Document::table(const QStringList& head,
     for (std::size_t i = 0; i < row.size(); ++i)
       body_ +=
           "<td valign=\"middle\"" + align(i) + ">" +
-          (row[i].picture.isNull() ? escaped(row[i].text) : image(row[i].picture, row[i].width)) +
+          (row[i].image.isNull() ? escaped(row[i].text) : image_html(row[i].image, row[i].width)) +
           "</td>";
     body_ += "</tr>\n";
   }
   body_ += "</table>\n";
 }
 
-void Document::pictured_table(const QStringList& head,
-                              const std::vector<Row>& rows,
-                              const std::vector<bool>& numbers) {
+void Document::image_table(const QStringList& head,
+                           const std::vector<Row>& rows,
+                           const std::vector<bool>& numbers) {
   constexpr std::size_t kRowsOfPage = 7;
   for (std::size_t first = 0; first < rows.size(); first += kRowsOfPage) {
     if (first > 0) {
@@ -216,29 +216,29 @@ void Document::pictured_table(const QStringList& head,
   }
 }
 
-QString Document::whole(const QString& style) const {
+QString Document::full_html(const QString& style) const {
   return "<!DOCTYPE html>\n<html><head><meta charset=\"utf-8\"/><title>" + escaped(title_) +
          "</title><style>" + style + "</style></head>\n<body>\n" + body_ + "</body></html>\n";
 }
 
 std::string Document::html() const {
-  QString text = whole(kScreenStyle);
-  // From the last to the first: "picture:1" is also how "picture:12" begins.
-  for (std::size_t i = pictures_.size(); i-- > 0;)
+  QString text = full_html(kScreenStyle);
+  // From the last to the first: the number 1 is also the beginning of 12.
+  for (std::size_t i = images_.size(); i-- > 0;)
     text.replace(
         QString("\"picture:%1\"").arg(i),
-        "\"data:image/png;base64," + QString::fromLatin1(png_of(pictures_[i]).toBase64()) + '"');
+        "\"data:image/png;base64," + QString::fromLatin1(png_of(images_[i]).toBase64()) + '"');
   return text.toStdString();
 }
 
 void Document::print(QPagedPaintDevice& paper) const {
   QTextDocument document;
   document.setDefaultStyleSheet(kPaperStyle);
-  for (std::size_t i = 0; i < pictures_.size(); ++i)
+  for (std::size_t i = 0; i < images_.size(); ++i)
     document.addResource(
-        QTextDocument::ImageResource, QUrl(QString("picture:%1").arg(i)), pictures_[i]);
-  document.setHtml(whole(QString()));
-  for (const int number : blocks_on_new_pages(document, paper, keeps_sections_whole_))
+        QTextDocument::ImageResource, QUrl(QString("picture:%1").arg(i)), images_[i]);
+  document.setHtml(full_html(QString()));
+  for (const int number : blocks_on_new_pages(document, paper, sections_stay_together_))
     PaperLayout::begin_page_with(document.findBlockByNumber(number));
   document.print(&paper);
 }
@@ -247,7 +247,7 @@ Result<std::string> Document::pdf(const std::string& date) const {
   QByteArray bytes;
   QBuffer buffer(&bytes);
   buffer.open(QIODevice::WriteOnly);
-  // Qt writes fonts in the order of a hash, which else differs from run to run.
+  // Qt writes fonts in the order of a hash, which otherwise differs from run to run.
   QHashSeed::setDeterministicGlobalSeed();
   {
     QPdfWriter writer(&buffer);

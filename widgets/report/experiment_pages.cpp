@@ -3,7 +3,7 @@
 #include "widgets/joined_words.h"
 #include "widgets/plots/experiment_figure.h"
 #include "widgets/report/document.h"
-#include "widgets/report/relief_picture.h"
+#include "widgets/report/relief_image.h"
 #include "widgets/report/report_words.h"
 #include "widgets/theme.h"
 
@@ -15,13 +15,13 @@ namespace {
 constexpr int kPlotWidth = 600, kPlotHeight = 262;  // px at 96 to the inch
 constexpr double kPlotSharpness = 3.0;              // 288 to the inch on paper
 
-/// What was measured.
+/// A measured number.
 QString measured_number(double number) {
   return QString::number(number, 'f', std::abs(number) >= 10 ? 1 : 3);
 }
 
-/// With as many digits as were told.
-QString told_number(const std::optional<double>& number) {
+/// With the digits that the paper gives.
+QString given_number(const std::optional<double>& number) {
   return number ? QString::number(*number, 'g', 6) : QString::fromUtf8("\u2013");
 }
 
@@ -32,9 +32,9 @@ QString what_of(const ExperimentFigure& figure) {
 Document::Row row_of(const ExperimentFigure& figure) {
   const auto cell = [](const QString& words) { return Document::Cell{words, {}, 0}; };
   return {cell(what_of(figure)),
-          cell(measured_number(figure.ours)),
-          cell(told_number(figure.paper)),
-          cell(told_number(figure.aim)),
+          cell(measured_number(figure.simulated)),
+          cell(given_number(figure.paper)),
+          cell(given_number(figure.aim)),
           cell(as_text(figure.unit)),
           cell(figure.aim ? (figure.reaches_aim() ? text("reached") : text("missed")) : QString())};
 }
@@ -46,7 +46,7 @@ void add_table(Document& document, const std::vector<Document::Row>& rows) {
                  {50, 11, 9, 9, 10, 11});
 }
 
-/// All figures that the paper tells or that are to reach something.
+/// All figures that the paper gives or that have a target.
 void add_overview(Document& document, const ExperimentReport& report) {
   std::vector<Document::Row> rows;
   for (const ExperimentDone& done : report.done)
@@ -61,7 +61,7 @@ void add_overview(Document& document, const ExperimentReport& report) {
 
 void add_summary(Document& document, const ExperimentReport& report) {
   document.box(text("Simulated here, measured there"),
-               as_text(ours_and_theirs()) +
+               as_text(simulated_and_real()) +
                    text(" That ours are less says what the method itself adds to the error, not "
                         "that a real finger would do so. Where the paper shows a picture and no "
                         "figure, there is a dash."),
@@ -97,16 +97,15 @@ void add_plots(Document& document, const ExperimentOutcome& outcome) {
     drawn.setFont(font);
     drawn.setPalette(theme_palette(Theme::kLight));
     drawn.set_plot(plot);
-    document.figure(drawn.picture({kPlotWidth, kPlotHeight}, kPlotSharpness),
-                    kPlotWidth,
-                    sentence(plot.caption));
+    document.figure(
+        drawn.image({kPlotWidth, kPlotHeight}, kPlotSharpness), kPlotWidth, sentence(plot.caption));
   }
   for (const ExperimentMaps& maps : outcome.maps)
     document.figure(
-        relief_picture(maps, kPlotWidth, kPlotSharpness), kPlotWidth, sentence(maps.caption));
+        relief_image(maps, kPlotWidth, kPlotSharpness), kPlotWidth, sentence(maps.caption));
 }
 
-/// How to make it again.
+/// How to reproduce it.
 void add_origin(Document& document, const ExperimentDone& done, std::uint64_t seed) {
   QStringList scenes;
   for (const std::string& scene : done.experiment->scenes) scenes << as_text(scene);
@@ -123,7 +122,7 @@ void add_origin(Document& document, const ExperimentDone& done, std::uint64_t se
 Result<std::vector<ReportFile>> make_experiment_pages(const ExperimentReport& report,
                                                       const std::string& name) {
   Document document(text("The paper's experiments, in simulation"));
-  document.keep_sections_whole();
+  document.keep_sections_together();
   add_summary(document, report);
   add_overview(document, report);
   for (const ExperimentDone& done : report.done) {

@@ -1,4 +1,4 @@
-// The report of the paper's experiments: every figure of ours beside the paper's.
+// The report of the paper's experiments: every measured figure next to the paper's.
 #pragma once
 
 #include "calibration/experiments/experiments.h"
@@ -10,8 +10,8 @@
 
 namespace alltact {
 
-/// NAME.html and NAME.pdf, the same bytes for the same report. Needs a QApplication, on any
-/// platform, and the thread it lives in. Error: the printing failed.
+/// NAME.html and NAME.pdf; the same report gives the same bytes. Needs a QApplication, on any
+/// platform, and its thread. Error: the printing failed.
 [[nodiscard]] Result<std::vector<ReportFile>> make_experiment_pages(const ExperimentReport& report,
                                                                     const std::string& name);
 

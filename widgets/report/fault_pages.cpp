@@ -64,14 +64,14 @@ std::vector<Entry> catalogue() {
   };
 }
 
-QImage picture_of(const Entry& entry,
-                  const SimulatedCalibration& made,
-                  const QPalette& palette,
-                  const QFont& font) {
+QImage image_of(const Entry& entry,
+                const SimulatedCalibration& made,
+                const QPalette& palette,
+                const QFont& font) {
   const auto dressed = [&](Plot& plot) {
     plot.setFont(font);
     plot.setPalette(palette);
-    return plot.picture({kWidth, kHeight}, 2.0);
+    return plot.image({kWidth, kHeight}, 2.0);
   };
   if (entry.shown == Shown::kLight) {
     std::vector<PressLight> light;
@@ -112,7 +112,7 @@ void add_typical_faults(Document& document,
   const std::vector<Entry> entries = catalogue();
   assert(entries.size() == faults.size());
   for (std::size_t i = 0; i < entries.size(); ++i)
-    rows.push_back({{QString(), picture_of(entries[i], faults[i], palette, font), kWidth},
+    rows.push_back({{QString(), image_of(entries[i], faults[i], palette, font), kWidth},
                     {entries[i].name + ".\n" + entries[i].text, {}, 0}});
   document.table({}, rows, {});
 }

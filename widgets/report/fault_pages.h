@@ -12,11 +12,11 @@
 
 namespace alltact {
 
-/// The calibrations that are shown, each simulated here and now with its fault and nothing else.
-/// About a second; any thread. Error: the job was stopped.
+/// The example calibrations, each simulated at the call with one fault. About a second; any thread.
+/// Error: the job was stopped.
 [[nodiscard]] Result<std::vector<SimulatedCalibration>> simulate_typical_faults(const Job& job);
 
-/// The chapter over these.
+/// Adds the chapter about them.
 void add_typical_faults(Document& document,
                         const std::vector<SimulatedCalibration>& faults,
                         const QPalette& palette,

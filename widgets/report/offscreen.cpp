@@ -14,13 +14,13 @@ namespace alltact {
 
 namespace {
 
-/// What Qt finds strange about a computer without a desktop is no concern of one who wants a page.
-void say_nothing(QtMsgType type, const QMessageLogContext&, const QString& text) {
+/// Drops Qt's warnings about a computer without a desktop, which do not concern a report.
+void discard_messages(QtMsgType type, const QMessageLogContext&, const QString& text) {
   if (type == QtFatalMsg) std::fprintf(stderr, "%s\n", qPrintable(text));
 }
 
-/// Qt and libpng end the program where they get none, so they are asked to draw only where there is
-/// about twice what pages of a report were seen to take.
+/// Qt and libpng end the program where memory is missing. So drawing needs about twice the memory
+/// that pages of a report were seen to take.
 bool has_room_to_draw() {
   constexpr std::size_t kBytes = std::size_t{256} << 20;
   void* room = ::mmap(nullptr, kBytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
@@ -33,9 +33,9 @@ bool has_room_to_draw() {
 
 OffscreenDrawing::OffscreenDrawing() : has_room_(has_room_to_draw()) {
   if (!has_room_ || QCoreApplication::instance() != nullptr) return;
-  qInstallMessageHandler(say_nothing);
+  qInstallMessageHandler(discard_messages);
   qputenv("QT_QPA_PLATFORM", "offscreen");
-  // One size of everything, whatever the user's desktop says.
+  // The same size everywhere, whatever the user's desktop settings.
   for (const char* name : {"QT_SCALE_FACTOR", "QT_FONT_DPI", "QT_SCREEN_SCALE_FACTORS"})
     qunsetenv(name);
   QLocale::setDefault(QLocale::c());
@@ -47,23 +47,23 @@ OffscreenDrawing::OffscreenDrawing() : has_room_(has_room_to_draw()) {
 }
 
 Status OffscreenDrawing::ready() const {
-  constexpr int kPatience_ms = 2000;
+  constexpr int kTimeout_ms = 2000;
   const Error none{
       en::say("there is not enough memory to draw"), "", en::say("close other programs")};
   if (!has_room_) return none;
   try {
-    std::thread([] {}).join();  // Qt's own pool would wait without end for one that cannot begin
+    std::thread([] {}).join();  // Qt's own pool would wait for ever for a thread that cannot begin
   } catch (const std::system_error&) {
     return none;
   }
-  // What paints large pictures on several threads waits for all of them. One that runs already, and
-  // stays, does all that is asked of it.
+  // Painting large images on several threads waits for all of them. A thread that runs already, and
+  // stays, does all the work.
   QThreadPool& pool = *QThreadPool::globalInstance();
   pool.setMaxThreadCount(1);
   pool.setExpiryTimeout(-1);
   const auto begun = std::make_shared<QSemaphore>();
   pool.start([begun] { begun->release(); });
-  return begun->tryAcquire(1, kPatience_ms) ? Status() : Status(none);
+  return begun->tryAcquire(1, kTimeout_ms) ? Status() : Status(none);
 }
 
 OffscreenDrawing::~OffscreenDrawing() {

@@ -9,13 +9,13 @@ class QApplication;
 
 namespace alltact {
 
-/// Makes a QApplication on the offscreen platform where there is none yet, whatever display the
-/// user has, and keeps it while it lives. To be made in the main thread.
+/// Makes a QApplication on the offscreen platform where there is none yet, whatever the user's
+/// display, and holds it while it lives. Make it in the main thread.
 class OffscreenDrawing {
  public:
   OffscreenDrawing();
   ~OffscreenDrawing();
-  /// Error: there is not enough memory to draw. Nothing is to be drawn then: Qt would end the
+  /// Error: there is not enough memory to draw. Nothing may be drawn then: Qt would end the
   /// program, or wait for threads that never begin.
   [[nodiscard]] Status ready() const;
   OffscreenDrawing(const OffscreenDrawing&) = delete;

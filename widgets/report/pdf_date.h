@@ -1,4 +1,4 @@
-// The time that a PDF says it was made at.
+// The creation time in a PDF.
 #pragma once
 
 #include <QByteArray>
@@ -6,8 +6,8 @@
 
 namespace alltact {
 
-/// The time of making becomes the time of what was made (as utc_now() writes it), in as many
-/// characters; anything else stays as it is.
+/// Replaces the creation time by `date` (as utc_now() writes it), in as many characters; changes
+/// nothing else.
 inline void set_pdf_time(QByteArray& pdf, const std::string& date) {
   QByteArray digits;
   for (const char c : date)

@@ -1,4 +1,4 @@
-// The pages of a calibration's report, as they are put together.
+// The pages of a calibration's report while they are written.
 #pragma once
 
 #include "calibration/finger/calibration_report.h"
@@ -22,13 +22,13 @@ class ReportPages {
   ReportPages(std::shared_ptr<const FingerCalibration> done,
               std::filesystem::path folder,
               std::vector<SimulatedCalibration> faults)
-      : whole_(std::move(done)),
+      : shared_(std::move(done)),
         folder_(std::move(folder)),
         faults_(std::move(faults)),
         light_(theme_palette(Theme::kLight)),
-        document_(text("Calibration of finger %1").arg(as_text(whole_->finger.name))) {}
+        document_(text("Calibration of finger %1").arg(as_text(shared_->finger.name))) {}
 
-  /// One part after the other, each a fraction of a second. False: there is none left.
+  /// Writes the next part, in a fraction of a second. False: there is none left.
   bool write_next() {
     constexpr std::array kParts{&ReportPages::add_verdict,
                                 &ReportPages::add_facts,
@@ -51,7 +51,7 @@ class ReportPages {
 
  private:
   static constexpr int kFigureWidth = 600;   // px at 96 to the inch: the width of a printed page
-  static constexpr double kSharpness = 2.0;  // pixels to each of these, for paper, dense screens
+  static constexpr double kSharpness = 2.0;  // pixels to each of these, for paper and dense screens
 
   void add_verdict();
   void add_causes();
@@ -75,31 +75,31 @@ class ReportPages {
   void add_faults() { add_typical_faults(document_, faults_, light_, plot_font()); }
 
   void add_plot(Plot& plot, int height, const QString& caption) {
-    document_.figure(plot.picture({kFigureWidth, height}, kSharpness), kFigureWidth, caption);
+    document_.figure(plot.image({kFigureWidth, height}, kSharpness), kFigureWidth, caption);
   }
   static QFont plot_font() {
     QFont font("DejaVu Sans");
     font.setPixelSize(12);
     return font;
   }
-  void dress(Plot& plot) const {
+  void apply_style(Plot& plot) const {
     plot.setFont(plot_font());
     plot.setPalette(light_);
   }
-  [[nodiscard]] std::vector<Eigen::Vector2d> touched_by(const BallFit& ball) const {
+  [[nodiscard]] std::vector<Eigen::Vector2d> contact_pixels_of(const BallFit& ball) const {
     std::vector<Eigen::Vector2d> pixels;
-    for (const PressResiduals& press : done_.residuals)
+    for (const PressResiduals& press : calibration_.residuals)
       if (press.press == ball.press)
         for (const ResidualSample& sample : press.samples) pixels.push_back(sample.pixel);
     return pixels;
   }
-  [[nodiscard]] QString noted(const char* key) const {
-    const auto found = done_.finger.provenance.find(key);
-    return found == done_.finger.provenance.end() ? QString() : as_text(found->second);
+  [[nodiscard]] QString provenance_text(const char* key) const {
+    const auto found = calibration_.finger.provenance.find(key);
+    return found == calibration_.finger.provenance.end() ? QString() : as_text(found->second);
   }
 
-  const std::shared_ptr<const FingerCalibration> whole_;
-  const FingerCalibration& done_ = *whole_;
+  const std::shared_ptr<const FingerCalibration> shared_;
+  const FingerCalibration& calibration_ = *shared_;
   const std::filesystem::path folder_;
   const std::vector<SimulatedCalibration> faults_;
   std::size_t next_ = 0;

@@ -1,4 +1,4 @@
-// The mapping, and its errors by press, by place and by size.
+// Report pages: the mapping, and its errors by press, by position and by size.
 #include "widgets/plots/histogram_plot.h"
 #include "widgets/report/report_pages.h"
 
@@ -9,13 +9,13 @@ namespace alltact {
 void ReportPages::add_mapping() {
   document_.new_page();
   document_.heading(text("From brightness to depth"));
-  if (!done_.calibration.mapping.variation.is_none())
+  if (!calibration_.calibration.mapping.variation.is_none())
     document_.paragraph(
         text("The mapping varies over the face; shown is the middle of the face, the "
              "points as they would be there."));
   MappingPlot plot;
-  dress(plot);
-  plot.set_data(mapping_figure(done_.calibration, done_.residuals));
+  apply_style(plot);
+  plot.set_data(mapping_figure(calibration_.calibration, calibration_.residuals));
   add_plot(
       plot,
       340,
@@ -28,11 +28,11 @@ void ReportPages::add_mapping() {
 
 void ReportPages::add_errors() {
   constexpr std::size_t kFewPresses = 8;  // their bars fit below the mapping
-  if (done_.calibration.balls.size() > kFewPresses) document_.new_page();
+  if (calibration_.calibration.balls.size() > kFewPresses) document_.new_page();
   document_.heading(text("Errors"));
   PressErrorPlot bars;
-  dress(bars);
-  bars.set_data(press_errors(done_.calibration));
+  apply_style(bars);
+  bars.set_data(press_errors(calibration_.calibration));
   add_plot(
       bars,
       bars.comfortable_height(),
@@ -45,11 +45,12 @@ void ReportPages::add_errors() {
 
 void ReportPages::add_map(FaceQuantity quantity, const QString& caption) {
   FaceMapPlot plot;
-  dress(plot);
-  plot.set_data(face_figure(quantity, done_.calibration, done_.residuals, done_.finger.face.kind));
-  const FaceMapData data =
-      face_figure(quantity, done_.calibration, done_.residuals, done_.finger.face.kind);
-  // The face in its proportions, within reason.
+  apply_style(plot);
+  plot.set_data(face_figure(
+      quantity, calibration_.calibration, calibration_.residuals, calibration_.finger.face.kind));
+  const FaceMapData data = face_figure(
+      quantity, calibration_.calibration, calibration_.residuals, calibration_.finger.face.kind);
+  // The face in its proportions, within limits.
   const double ratio = data.length_mm > 0 ? data.width_mm / data.length_mm : 0.4;
   add_plot(plot, 62 + static_cast<int>(470 * std::clamp(ratio, 0.2, 0.45)), caption);
 }
@@ -61,7 +62,7 @@ void ReportPages::add_maps() {
           text("Mapping minus ball, mean of each square millimetre. Good: no pattern. Errors that "
                "grow towards one "
                "end or one side point to light or shape there."));
-  if (done_.calibration.held_out_mm > 0)
+  if (calibration_.calibration.held_out_mm > 0)
     add_map(FaceQuantity::kHeldOut,
             text("Error of each press when the mapping was made without it. Hatched: nothing was "
                  "pressed there, nothing is known."));
@@ -75,8 +76,8 @@ void ReportPages::add_spread() {
   document_.new_page();
   document_.heading(text("How errors are spread"));
   HistogramPlot histogram;
-  dress(histogram);
-  histogram.set_data(all_errors(done_.residuals), text("Mapping minus ball (mm)"));
+  apply_style(histogram);
+  histogram.set_data(all_errors(calibration_.residuals), text("Mapping minus ball (mm)"));
   add_plot(
       histogram,
       260,

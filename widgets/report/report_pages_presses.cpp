@@ -1,9 +1,9 @@
-// Of each press its picture and its figures, and the light it was taken in.
+// Report pages: image and figures of each press, and its light.
 #include "widgets/number_text.h"
 #include "widgets/plots/press_light_plot.h"
-#include "widgets/report/press_picture.h"
+#include "widgets/report/press_image.h"
 #include "widgets/report/report_pages.h"
-#include "widgets/worth_words.h"
+#include "widgets/verdict_text.h"
 
 #include <algorithm>
 #include <map>
@@ -11,50 +11,51 @@
 namespace alltact {
 namespace {
 
-constexpr int kPictureWidth = 132;  // of a press
+constexpr int kImageWidth = 132;  // of a press
 
 }  // namespace
 
 QString ReportPages::press_words(const BallFit& ball) const {
   QString words = as_text(ball.press);
-  if (done_.inputs.said.has_other_balls()) words += "\n" + text("ball %1 mm").arg(ball.radius_mm);
+  if (calibration_.inputs.press_set.has_other_balls())
+    words += "\n" + text("ball %1 mm").arg(ball.radius_mm);
   if (ball.cut_by_edge) words += "\n" + text("cut by the edge");
-  if (ball.told_depth)
+  if (ball.given_depth)
     words += "\n" + text("measured %1 ± %2 mm deep, the solution has %3 mm")
-                        .arg(mm(ball.told_depth->mm),
-                             sd_number(ball.told_depth->sd_mm, 3),
-                             mm(ball.pressed_in_mm));
+                        .arg(mm(ball.given_depth->mm),
+                             sd_number(ball.given_depth->sd_mm, 3),
+                             mm(ball.indentation_mm));
   return words;
 }
 
 QString ReportPages::punch_words(const StepFit& step) {
   return as_text(step.press) + "\n" +
          text("a punch with a step of %1 mm, which reads %2 ± %3 mm")
-             .arg(mm(step.step_mm), mm(step.reads_mm), sd_number(step.sd_mm, 3));
+             .arg(mm(step.step_mm), mm(step.estimated_mm), sd_number(step.sd_mm, 3));
 }
 
 void ReportPages::add_presses() {
   document_.new_page();
   document_.heading(text("The presses, worst first"));
   std::map<std::string, const TakenPress*> taken;
-  for (const TakenPress& press : done_.presses) taken[press.name] = &press;
+  for (const TakenPress& press : calibration_.presses) taken[press.name] = &press;
   std::vector<const BallFit*> balls;
-  for (const BallFit& ball : done_.calibration.balls) balls.push_back(&ball);
+  for (const BallFit& ball : calibration_.calibration.balls) balls.push_back(&ball);
   const auto worst = [](const BallFit* ball) { return press_error_mm(*ball).value_or(0.0); };
   std::stable_sort(balls.begin(), balls.end(), [&](const BallFit* a, const BallFit* b) {
     return worst(a) > worst(b);
   });
-  const auto camera = Camera::create(done_.finger.camera);
-  const QSize size = QSize(kPictureWidth, kPictureWidth * 3 / 4) * kSharpness;
+  const auto camera = Camera::create(calibration_.finger.camera);
+  const QSize size = QSize(kImageWidth, kImageWidth * 3 / 4) * kSharpness;
   std::vector<Document::Row> rows;
   for (const BallFit* ball : balls) {
     const auto press = taken.find(ball->press);
     const auto error = press_error_mm(*ball);
-    QImage picture;
+    QImage image;
     if (camera && press != taken.end())
-      picture = press_picture(press->second->grey, *camera, *ball, touched_by(*ball), size);
+      image = press_image(press->second->grey, *camera, *ball, contact_pixels_of(*ball), size);
     rows.push_back(
-        {{QString(), picture, kPictureWidth},
+        {{QString(), image, kImageWidth},
          {press_words(*ball), {}, 0},
          {mm(ball->depth_mm), {}, 0},
          {mm(ball->residual_mm), {}, 0},
@@ -62,10 +63,10 @@ void ReportPages::add_presses() {
          {mm(ball->centre_sd_mm.z()), {}, 0},
          {press == taken.end() ? QString() : percent(press->second->sign.light_change), {}, 0}});
   }
-  for (const StepFit& step : done_.calibration.steps) {
+  for (const StepFit& step : calibration_.calibration.steps) {
     const auto press = taken.find(step.press);
     if (press == taken.end()) continue;
-    rows.push_back({{QString(), whole_picture(press->second->grey, size), kPictureWidth},
+    rows.push_back({{QString(), full_image(press->second->grey, size), kImageWidth},
                     {punch_words(step), {}, 0},
                     {text("none"), {}, 0},
                     {text("none"), {}, 0},
@@ -73,15 +74,15 @@ void ReportPages::add_presses() {
                     {text("none"), {}, 0},
                     {percent(press->second->sign.light_change), {}, 0}});
   }
-  document_.pictured_table({text("Picture"),
-                            text("Press"),
-                            text("Depth (mm)"),
-                            text("With this press (mm)"),
-                            text("Error (mm)"),
-                            text("Ball's distance, sd (mm)"),
-                            text("Light (%)")},
-                           rows,
-                           {false, false, true, true, true, true, true});
+  document_.image_table({text("Picture"),
+                         text("Press"),
+                         text("Depth (mm)"),
+                         text("With this press (mm)"),
+                         text("Error (mm)"),
+                         text("Ball's distance, sd (mm)"),
+                         text("Light (%)")},
+                        rows,
+                        {false, false, true, true, true, true, true});
   document_.paragraph(text(
       "Orange: the outline of the ball as it was found, with its middle. Dashed: what the ball "
       "touches; the dark contact must lie in there, or something else was taken for the ball. "
@@ -95,19 +96,18 @@ void ReportPages::add_presses() {
 
 void ReportPages::add_left_out() {
   std::vector<Document::Row> rows;
-  for (const TakenPress& press : done_.presses) {
+  for (const TakenPress& press : calibration_.presses) {
     if (press.left_out.empty()) continue;
-    rows.push_back(
-        {{QString(),
-          whole_picture(press.grey, QSize(kPictureWidth, kPictureWidth * 9 / 16) * kSharpness),
-          kPictureWidth},
-         {as_text(press.name), {}, 0},
-         {sentence(press.left_out), {}, 0}});
+    rows.push_back({{QString(),
+                     full_image(press.grey, QSize(kImageWidth, kImageWidth * 9 / 16) * kSharpness),
+                     kImageWidth},
+                    {as_text(press.name), {}, 0},
+                    {sentence(press.left_out), {}, 0}});
   }
   QStringList reasons;
-  for (const Message& reason : done_.calibration.left_out) {
+  for (const Message& reason : calibration_.calibration.left_out) {
     const bool shown =
-        std::any_of(done_.presses.begin(), done_.presses.end(), [&](const auto& one) {
+        std::any_of(calibration_.presses.begin(), calibration_.presses.end(), [&](const auto& one) {
           return !one.left_out.empty() && reason.english().rfind(one.name + ": ", 0) == 0;
         });
     if (!shown) reasons << sentence(reason);
@@ -115,18 +115,17 @@ void ReportPages::add_left_out() {
   if (rows.empty() && reasons.isEmpty()) return;
   document_.new_page();
   document_.heading(text("Presses that were left out"));
-  if (!rows.empty())
-    document_.pictured_table({text("Picture"), text("Press"), text("Why")}, rows, {});
+  if (!rows.empty()) document_.image_table({text("Picture"), text("Press"), text("Why")}, rows, {});
   if (!reasons.isEmpty()) document_.list(reasons);
 }
 
 void ReportPages::add_light() {
   std::vector<PressLight> light;
-  for (const TakenPress& press : done_.presses)
+  for (const TakenPress& press : calibration_.presses)
     if (press.left_out.empty()) light.push_back({press.name, 100 * press.sign.light_change});
   document_.heading(text("Light"));
   PressLightPlot plot;
-  dress(plot);
+  apply_style(plot);
   plot.set_data(std::move(light), 100 * kOtherLight);
   add_plot(
       plot,

@@ -1,4 +1,4 @@
-// How reports write things down.
+// Text and number formats of reports.
 #pragma once
 
 #include "core/message.h"
@@ -20,7 +20,7 @@ inline QString as_text(const Message& message) {
   return as_text(message.english());
 }
 
-/// A sentence of ours, as one to begin a line with.
+/// A message as a sentence: a capital first and a full stop last.
 inline QString sentence(const Message& message) {
   QString line = as_text(message);
   if (!line.isEmpty()) line[0] = line[0].toUpper();

@@ -15,7 +15,7 @@ struct ReportWriter::Pages {
   std::filesystem::path folder;
   std::optional<ReportPages> pages = {};
   std::mutex writing = {};
-  bool is_stopped = false;  ///< nothing is to be written any more
+  bool is_stopped = false;  ///< nothing may be written any more
 };
 
 ReportWriter::ReportWriter(QObject* parent) : QObject(parent) {}
@@ -43,7 +43,7 @@ void ReportWriter::stop() {
 }
 
 void ReportWriter::prepare(const std::shared_ptr<Pages>& pages) {
-  work_ = std::make_unique<BackgroundWork>();  // what it replaces is asked to stop
+  work_ = std::make_unique<BackgroundWork>();  // this requests the replaced one to stop
   work_->start([this, pages](const Job& job) {
     using Faults = Result<std::vector<SimulatedCalibration>>;
     const auto faults = std::make_shared<Faults>(simulate_typical_faults(job));
@@ -60,7 +60,7 @@ void ReportWriter::draw(const std::shared_ptr<Pages>& pages) {
   if (pages != pages_) return;
   bool is_drawn = false;
   {
-    const InEnglish as_for_the_lab_book;
+    const EnglishScope as_for_the_lab_book;
     is_drawn = !pages->pages->write_next();
   }
   QTimer::singleShot(0, this, [this, pages, is_drawn] { is_drawn ? write(pages) : draw(pages); });

@@ -11,15 +11,15 @@
 
 namespace alltact {
 
-/// The same bytes as make_calibration_pages gives a program without a window. An object of the GUI
-/// thread: plots are drawn there, a part at a time; the rest is done beside it.
+/// Gives the same bytes as make_calibration_pages in a program without a window. Lives on the GUI
+/// thread: plots are drawn there, one part at a time; the rest runs on another thread.
 class ReportWriter : public QObject {
   Q_OBJECT
  public:
   explicit ReportWriter(QObject* parent = nullptr);
   ~ReportWriter() override;
 
-  /// Instead of a report that is being written.
+  /// Replaces a report that is being written.
   void start(std::shared_ptr<const FingerCalibration> done, const std::filesystem::path& folder);
   /// Nothing is written from then on.
   void stop();

@@ -17,17 +17,17 @@ constexpr int kSharpness = 2;
 constexpr double kPointsPerPixel = 72.0 / 96;
 
 QByteArray figure_png(QSvgRenderer& figure) {
-  QImage picture(figure.defaultSize() * kSharpness, QImage::Format_RGB32);
-  picture.fill(Qt::white);
+  QImage image(figure.defaultSize() * kSharpness, QImage::Format_RGB32);
+  image.fill(Qt::white);
   {
-    QPainter painter(&picture);
+    QPainter painter(&image);
     painter.setRenderHint(QPainter::Antialiasing);
     figure.render(&painter);
   }
   QByteArray bytes;
   QBuffer buffer(&bytes);
   buffer.open(QIODevice::WriteOnly);
-  picture.save(&buffer, "PNG");
+  image.save(&buffer, "PNG");
   return bytes;
 }
 
@@ -56,7 +56,7 @@ Result<SvgFigureFiles> svg_figure_files(const std::string& svg,
                                         const std::string& date) {
   QSvgRenderer figure(QByteArray::fromStdString(svg));
   if (!figure.isValid()) return Error{en::say("the figure cannot be drawn"), "", ""};
-  // Qt writes fonts in the order of a hash, which else differs from run to run.
+  // Qt writes fonts in the order of a hash, which otherwise differs from run to run.
   QHashSeed::setDeterministicGlobalSeed();
   const QByteArray png = figure_png(figure);
   QByteArray pdf = figure_pdf(figure, QString::fromStdString(title));

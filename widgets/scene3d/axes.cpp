@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::array<std::array<double, 3>, 3> kColours{
     {{0.84, 0.37, 0.0}, {0.0, 0.62, 0.45}, {0.0, 0.45, 0.70}}};
-constexpr double kBeyond = 1.15;  // where the letters stand, in lengths
+constexpr double kBeyond = 1.15;  // position of the letters, in axis lengths
 
 }  // namespace
 
@@ -33,7 +33,7 @@ Axes::Axes(vtkRenderer* renderer, double length_mm) : length_mm_(length_mm) {
     renderer->AddActor2D(names_[i]);
   }
   set_names({"x", "y", "z"});
-  place({});
+  set_pose({});
 }
 
 Axes::~Axes() = default;
@@ -42,8 +42,8 @@ void Axes::set_names(const std::array<std::string, 3>& names) {
   for (std::size_t i = 0; i < 3; ++i) names_[i]->SetInput(names[i].c_str());
 }
 
-void Axes::place(const RigidTransform& scene_from_frame) {
-  place_ = scene_from_frame;
+void Axes::set_pose(const RigidTransform& scene_from_frame) {
+  pose_ = scene_from_frame;
   const auto points = corners();
   for (std::size_t i = 0; i < 3; ++i) {
     set_lines(lines_[i], {{points[0], points[i + 1]}});
@@ -59,7 +59,7 @@ void Axes::show(bool is_shown) {
   }
 }
 
-void Axes::dress(double pixels_per_unit) {
+void Axes::apply_style(double pixels_per_unit) {
   for (std::size_t i = 0; i < 3; ++i) {
     actors_[i]->GetProperty()->SetLineWidth(static_cast<float>(3 * pixels_per_unit));
     names_[i]->GetTextProperty()->SetFontSize(kLetterPoints + 2);
@@ -67,8 +67,8 @@ void Axes::dress(double pixels_per_unit) {
 }
 
 std::vector<Eigen::Vector3d> Axes::corners() const {
-  std::vector<Eigen::Vector3d> points{place_.translation_mm};
-  for (int i = 0; i < 3; ++i) points.push_back(place_.point(length_mm_ * Eigen::Vector3d::Unit(i)));
+  std::vector<Eigen::Vector3d> points{pose_.translation_mm};
+  for (int i = 0; i < 3; ++i) points.push_back(pose_.point(length_mm_ * Eigen::Vector3d::Unit(i)));
   return points;
 }
 

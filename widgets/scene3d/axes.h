@@ -27,19 +27,19 @@ class Axes {
   Axes& operator=(const Axes&) = delete;
 
   void set_names(const std::array<std::string, 3>& names);
-  void place(const RigidTransform& scene_from_frame);
+  void set_pose(const RigidTransform& scene_from_frame);
   void show(bool is_shown);
-  /// Lines and letters for a screen of so many pixels a unit.
-  void dress(double pixels_per_unit);
+  /// Widths of lines and letters for a screen with that many pixels a unit.
+  void apply_style(double pixels_per_unit);
   /// The origin and the three ends, in the scene.
   [[nodiscard]] std::vector<Eigen::Vector3d> corners() const;
 
  private:
   double length_mm_;
-  RigidTransform place_;
+  RigidTransform pose_;
   std::array<vtkNew<vtkPolyData>, 3> lines_;
   std::array<vtkSmartPointer<vtkActor>, 3> actors_;
-  std::array<vtkNew<vtkTextActor>, 3> names_;  // flat, before everything, so that they are read
+  std::array<vtkNew<vtkTextActor>, 3> names_;  // flat, in front of everything, to be readable
 };
 
 }  // namespace alltact

@@ -31,7 +31,7 @@ vtkSmartPointer<vtkActor> wall_actor(vtkPolyData* data) {
   return actor;
 }
 
-/// Between the corners a and b of neighbouring sections, seen from outside anticlockwise where
+/// Between the corners a and b of neighbouring sections; counterclockwise from outside where
 /// `is_outward` is the grid's own handedness.
 class Quads {
  public:
@@ -51,13 +51,13 @@ class Quads {
   vtkNew<vtkCellArray> polys_;
 };
 
-/// True where the section's corners go round anticlockwise as seen from `next`.
+/// True where the section's corners go round counterclockwise as seen from `next`.
 bool goes_round_towards(const FingerBody::Section& section, const FingerBody::Section& next) {
   const Eigen::Vector3d round = (section[1] - section[0]).cross(section[2] - section[1]);
   return round.dot(next[0] - section[0]) > 0;
 }
 
-/// The walls between sections, outer sides anticlockwise; `with_face`: the face's side as well.
+/// The walls between sections, outer sides counterclockwise; `with_face`: the face's side as well.
 void add_walls(Quads& quads,
                const std::vector<FingerBody::Section>& sections,
                bool with_face,
@@ -104,7 +104,7 @@ BodyActors::BodyActors(vtkRenderer* renderer)
   guessed_->GetProperty()->SetColor(kGuessed[0], kGuessed[1], kGuessed[2]);
   base_->GetProperty()->BackfaceCullingOn();
   for (vtkActor* actor : all()) renderer->AddActor(actor);
-  look_from(false, false);
+  set_viewpoint(false, false);
 }
 
 BodyActors::~BodyActors() = default;
@@ -150,11 +150,11 @@ void BodyActors::show_parts() {
   base_->SetVisibility(is_shown_ && !is_behind_base_);
 }
 
-void BodyActors::place(vtkMatrix4x4* scene_from_camera) {
+void BodyActors::set_pose(vtkMatrix4x4* scene_from_camera) {
   for (vtkActor* actor : all()) actor->SetUserMatrix(scene_from_camera);
 }
 
-void BodyActors::dress(const SceneColours& colours, double pixels_per_unit) {
+void BodyActors::apply_style(const SceneColours& colours, double pixels_per_unit) {
   constexpr double kWalls = 0.16, kBase = 0.34, kEdges = 0.55;
   mix(walls_, colours, kWalls);
   mix(base_, colours, kBase);
@@ -166,7 +166,7 @@ void BodyActors::dress(const SceneColours& colours, double pixels_per_unit) {
     dots->GetProperty()->SetPointSize(static_cast<float>(9 * pixels_per_unit));
 }
 
-void BodyActors::look_from(bool is_outside, bool is_behind_base) {
+void BodyActors::set_viewpoint(bool is_outside, bool is_behind_base) {
   is_outside_ = is_outside;
   walls_->GetProperty()->SetFrontfaceCulling(!is_outside);
   walls_->GetProperty()->SetBackfaceCulling(is_outside);

@@ -17,9 +17,9 @@ class vtkRenderer;
 
 namespace alltact {
 
-/// Opaque, and yet never in the way: seen from the camera's side of the face only the inner sides
-/// of the walls behind it are drawn, from outside only the outer ones; no edge of the back crosses
-/// the face, and from behind the base there is none.
+/// Opaque, but it never hides the face. From the camera's side only the inner sides of the walls
+/// behind the face are drawn, from outside only the outer ones. No edge of the back crosses the
+/// face; seen from behind the base there is no base.
 class BodyActors {
  public:
   /// The renderer outlives them.
@@ -30,10 +30,10 @@ class BodyActors {
 
   void draw(const FingerBody& body, const std::vector<SurfaceMarker>& markers);
   void show(bool is_shown);
-  void place(vtkMatrix4x4* scene_from_camera);
-  void dress(const SceneColours& colours, double pixels_per_unit);
-  /// From where one looks now: from outside the face, and from behind the base.
-  void look_from(bool is_outside, bool is_behind_base);
+  void set_pose(vtkMatrix4x4* scene_from_camera);
+  void apply_style(const SceneColours& colours, double pixels_per_unit);
+  /// The side of the view: from outside the face, and from behind the base.
+  void set_viewpoint(bool is_outside, bool is_behind_base);
 
  private:
   void show_parts();

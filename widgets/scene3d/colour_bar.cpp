@@ -54,23 +54,23 @@ void ColourBar::set_scale(const ColourScale& scale) {
   colours_->Build();
 }
 
-void ColourBar::dress(const cv::Vec3b& text) {
+void ColourBar::apply_style(const cv::Vec3b& text) {
   for (vtkTextProperty* property : {bar_->GetLabelTextProperty(), bar_->GetTitleTextProperty()}) {
     property->SetColor(text[0] / 255.0, text[1] / 255.0, text[2] / 255.0);
     property->SetFontSize(kLetterPoints);
   }
 }
 
-void ColourBar::place(const int* window_px, double pixels_per_unit) {
+void ColourBar::set_position(const int* window_px, double pixels_per_unit) {
   if (window_px[0] <= 0 || window_px[1] <= 0) return;
-  const double left = left_of_it(window_px, pixels_per_unit);
+  const double left = free_fraction(window_px, pixels_per_unit);
   const double height = std::min(0.7, kHeight * pixels_per_unit / window_px[1]);
   bar_->SetPosition(left, 0.5 * (1 - height));
   bar_->SetWidth(1 - left);
   bar_->SetHeight(height);
 }
 
-double ColourBar::left_of_it(const int* window_px, double pixels_per_unit) {
+double ColourBar::free_fraction(const int* window_px, double pixels_per_unit) {
   if (window_px[0] <= 0) return 0.8;
   return 1 - std::min(0.4, kWidth * pixels_per_unit / window_px[0]);
 }

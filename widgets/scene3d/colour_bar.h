@@ -1,4 +1,4 @@
-// The scale of the colours at the right of the scene. Inside this folder only.
+// The colour scale at the right of the scene. Inside this folder only.
 #pragma once
 
 #include "widgets/scene3d/face_mesh.h"
@@ -21,11 +21,11 @@ class ColourBar {
 
   void show(bool is_shown);
   void set_scale(const ColourScale& scale);
-  void dress(const cv::Vec3b& text);
+  void apply_style(const cv::Vec3b& text);
   /// At the right, as wide as its letters need.
-  void place(const int* window_px, double pixels_per_unit);
-  /// Which part of the window's width stays free of it.
-  [[nodiscard]] static double left_of_it(const int* window_px, double pixels_per_unit);
+  void set_position(const int* window_px, double pixels_per_unit);
+  /// Fraction of the window's width that stays free of it.
+  [[nodiscard]] static double free_fraction(const int* window_px, double pixels_per_unit);
 
  private:
   vtkNew<vtkScalarBarActor> bar_;

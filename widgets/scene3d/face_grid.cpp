@@ -11,10 +11,10 @@ namespace alltact {
 namespace {
 
 template <class Vector>
-Vector between(const cv::Mat& grid, cv::Point2d place) {
-  const int i = std::clamp(static_cast<int>(place.x), 0, grid.cols - 2);
-  const int j = std::clamp(static_cast<int>(place.y), 0, grid.rows - 2);
-  const auto x = static_cast<float>(place.x - i), y = static_cast<float>(place.y - j);
+Vector between(const cv::Mat& grid, cv::Point2d position) {
+  const int i = std::clamp(static_cast<int>(position.x), 0, grid.cols - 2);
+  const int j = std::clamp(static_cast<int>(position.y), 0, grid.rows - 2);
+  const auto x = static_cast<float>(position.x - i), y = static_cast<float>(position.y - j);
   return (1 - y) * ((1 - x) * grid.at<Vector>(j, i) + x * grid.at<Vector>(j, i + 1)) +
          y * ((1 - x) * grid.at<Vector>(j + 1, i) + x * grid.at<Vector>(j + 1, i + 1));
 }
@@ -24,7 +24,7 @@ Eigen::Vector3d at(const cv::Mat& grid, int i, int j) {
   return {p[0], p[1], p[2]};
 }
 
-/// Moeller and Trumbore: distance along the ray, and the shares of the second and third corner.
+/// Moeller and Trumbore: distance along the ray, and the weights of the second and third corner.
 struct Hit {
   double distance, second, third;
 };
@@ -46,8 +46,7 @@ std::optional<Hit> hit(const Eigen::Vector3d& from,
   return Hit{distance, second, third};
 }
 
-/// The ray passes the box, or nearly: its distance from the middle is no more than half the
-/// diagonal.
+/// Bounding sphere test: the ray's distance from the middle is at most half the diagonal.
 bool may_meet(const Eigen::AlignedBox3d& box,
               const Eigen::Vector3d& from,
               const Eigen::Vector3d& direction) {
@@ -60,15 +59,15 @@ bool may_meet(const Eigen::AlignedBox3d& box,
 
 }  // namespace
 
-cv::Vec2f pixel_between(const cv::Mat& grid, cv::Point2d place) {
-  return between<cv::Vec2f>(grid, place);
+cv::Vec2f pixel_between(const cv::Mat& grid, cv::Point2d position) {
+  return between<cv::Vec2f>(grid, position);
 }
 
-cv::Vec3f point_between(const cv::Mat& grid, cv::Point2d place) {
-  return between<cv::Vec3f>(grid, place);
+cv::Vec3f point_between(const cv::Mat& grid, cv::Point2d position) {
+  return between<cv::Vec3f>(grid, position);
 }
 
-std::optional<cv::Point2d> grid_place_of(const FaceSurface& surface, cv::Point2d pixel) {
+std::optional<cv::Point2d> grid_position_of(const FaceSurface& surface, cv::Point2d pixel) {
   const cv::Mat& grid = surface.pixel;
   const auto u = [&](int i) { return static_cast<double>(grid.at<cv::Vec2f>(0, i)[0]); };
   if (grid.empty() || !(pixel.x >= u(0) && pixel.x <= u(grid.cols - 1))) return std::nullopt;
@@ -80,7 +79,7 @@ std::optional<cv::Point2d> grid_place_of(const FaceSurface& surface, cv::Point2d
     return (1 - share) * grid.at<cv::Vec2f>(j, low)[1] + share * grid.at<cv::Vec2f>(j, high)[1];
   };
   const double first = v(0), last = v(grid.rows - 1);
-  // Edges between columns of the grid are not quite those of the picture.
+  // Edges between columns of the grid differ a little from those of the image.
   constexpr double kSlack_px = 1.5;
   if (!(pixel.y >= first - kSlack_px && pixel.y <= last + kSlack_px) || first == last)
     return std::nullopt;
@@ -104,7 +103,7 @@ GridBoxes::GridBoxes(const cv::Mat& drawn_mm) : drawn_mm_(drawn_mm) {
 std::optional<cv::Point2d> GridBoxes::first_hit(const Eigen::Vector3d& from,
                                                 const Eigen::Vector3d& direction) const {
   double nearest = std::numeric_limits<double>::infinity();
-  std::optional<cv::Point2d> place;
+  std::optional<cv::Point2d> position;
   for (const Box& box : boxes_) {
     if (!may_meet(box.bounds, from, direction)) continue;
     for (int j = box.cells.y; j < box.cells.y + box.cells.height; ++j) {
@@ -114,17 +113,17 @@ std::optional<cv::Point2d> GridBoxes::first_hit(const Eigen::Vector3d& from,
         if (const auto found = hit(from, direction, {a, below, right});
             found && found->distance < nearest) {
           nearest = found->distance;
-          place = cv::Point2d(i + found->third, j + found->second);
+          position = cv::Point2d(i + found->third, j + found->second);
         }
         if (const auto found = hit(from, direction, {over, right, below});
             found && found->distance < nearest) {
           nearest = found->distance;
-          place = cv::Point2d(i + 1 - found->third, j + 1 - found->second);
+          position = cv::Point2d(i + 1 - found->third, j + 1 - found->second);
         }
       }
     }
   }
-  return place;
+  return position;
 }
 
 std::optional<cv::Point2d> first_hit(const cv::Mat& drawn_mm,

@@ -1,4 +1,4 @@
-// Pixels of the picture, places in a face's grid, and rays through it.
+// Image pixels, positions in a face's grid, and ray intersections with it.
 #pragma once
 
 #include "widgets/scene3d/face_surface.h"
@@ -11,21 +11,21 @@
 
 namespace alltact {
 
-/// Column and row of the grid, with fractions, where a pixel lies, or its edge where a pixel
-/// lies a little outside; nullopt off the face.
-[[nodiscard]] std::optional<cv::Point2d> grid_place_of(const FaceSurface& surface,
-                                                       cv::Point2d pixel);
+/// Column and row of the grid, with fractions, at a pixel; the grid's edge for a pixel a little
+/// outside; nullopt off the face.
+[[nodiscard]] std::optional<cv::Point2d> grid_position_of(const FaceSurface& surface,
+                                                          cv::Point2d pixel);
 
-/// A grid's value between four vertices. `grid`: CV_32FC2 or CV_32FC3; place inside it.
-[[nodiscard]] cv::Vec2f pixel_between(const cv::Mat& grid, cv::Point2d place);
-[[nodiscard]] cv::Vec3f point_between(const cv::Mat& grid, cv::Point2d place);
+/// A grid's value between four vertices. `grid`: CV_32FC2 or CV_32FC3; the position lies inside it.
+[[nodiscard]] cv::Vec2f pixel_between(const cv::Mat& grid, cv::Point2d position);
+[[nodiscard]] cv::Vec3f point_between(const cv::Mat& grid, cv::Point2d position);
 
-/// A grid's triangles in boxes, so that a ray looks at few of them.
+/// Bounding boxes of a grid's triangles, so that a ray tests few of them.
 class GridBoxes {
  public:
-  /// drawn_mm: CV_32FC3, finite; shared, and must stay as it is.
+  /// drawn_mm: CV_32FC3, finite; shared, and must not change.
   explicit GridBoxes(const cv::Mat& drawn_mm);
-  /// Where a ray first meets the grid's triangles, as column and row with fractions.
+  /// First intersection of a ray with the grid's triangles, as column and row with fractions.
   [[nodiscard]] std::optional<cv::Point2d> first_hit(const Eigen::Vector3d& from,
                                                      const Eigen::Vector3d& direction) const;
 

@@ -15,12 +15,12 @@
 namespace alltact {
 
 FaceMesh::FaceMesh() {
-  places_->SetNumberOfComponents(3);
+  positions_->SetNumberOfComponents(3);
   normals_->SetNumberOfComponents(3);
   normals_->SetName("normals");
   colours_->SetNumberOfComponents(3);
   colours_->SetName("colours");
-  points_->SetData(places_);
+  points_->SetData(positions_);
   data_->SetPoints(points_);
   data_->GetPointData()->SetNormals(normals_);
   data_->GetPointData()->SetScalars(colours_);
@@ -30,11 +30,11 @@ FaceMesh::~FaceMesh() = default;
 
 void FaceMesh::make_topology(cv::Size size) {
   const int count = size.area();
-  for (vtkDataArray* array : {static_cast<vtkDataArray*>(places_),
+  for (vtkDataArray* array : {static_cast<vtkDataArray*>(positions_),
                               static_cast<vtkDataArray*>(normals_),
                               static_cast<vtkDataArray*>(colours_)})
     array->SetNumberOfTuples(count);
-  drawn_ = cv::Mat(size, CV_32FC3, places_->GetPointer(0));
+  drawn_ = cv::Mat(size, CV_32FC3, positions_->GetPointer(0));
   make_triangles();
   ++topologies_;
 }
@@ -46,7 +46,7 @@ bool FaceMesh::set_stride(int stride) {
   return true;
 }
 
-/// Block by block: who draws in software works out a vertex once for the triangles that follow each
+/// Block by block: a software renderer transforms a vertex once for triangles that follow each
 /// other, not once a row.
 void FaceMesh::make_triangles() {
   const auto steps = [this](int count) {
@@ -78,44 +78,46 @@ void FaceMesh::make_triangles() {
 
 void FaceMesh::update(const cv::Mat& untouched_mm,
                       const cv::Mat& toward_camera_mm,
-                      float times,
+                      float exaggeration,
                       const cv::Mat& value,
                       const ColourScale& scale) {
   CV_Assert(untouched_mm.type() == CV_32FC3 && toward_camera_mm.type() == CV_32FC1 &&
             value.type() == CV_32FC1 && untouched_mm.size() == toward_camera_mm.size() &&
             untouched_mm.size() == value.size());
   if (drawn_.size() != untouched_mm.size()) make_topology(untouched_mm.size());
-  place(untouched_mm, toward_camera_mm, times);
-  turn_normals(untouched_mm, toward_camera_mm, times);
+  set_positions(untouched_mm, toward_camera_mm, exaggeration);
+  update_normals(untouched_mm, toward_camera_mm, exaggeration);
   colour(value, scale);
-  places_->Modified();
+  positions_->Modified();
   normals_->Modified();
   colours_->Modified();
   points_->Modified();
   data_->Modified();
 }
 
-void FaceMesh::place(const cv::Mat& untouched_mm, const cv::Mat& toward_camera_mm, float times) {
+void FaceMesh::set_positions(const cv::Mat& untouched_mm,
+                             const cv::Mat& toward_camera_mm,
+                             float exaggeration) {
   for (int j = 0; j < drawn_.rows; ++j) {
     const auto* from = untouched_mm.ptr<cv::Vec3f>(j);
     const auto* toward = toward_camera_mm.ptr<float>(j);
     auto* to = drawn_.ptr<cv::Vec3f>(j);
     for (int i = 0; i < drawn_.cols; ++i) {
-      const float d = std::isfinite(toward[i]) ? times * toward[i] : 0.0F;
+      const float d = std::isfinite(toward[i]) ? exaggeration * toward[i] : 0.0F;
       to[i] = {from[i][0], from[i][1], from[i][2] - d};
     }
   }
 }
 
-/// Along z a depth d moves the face's point by (0, 0, -d): with the untouched face's steps t along
+/// A depth d along z moves the face's point by (0, 0, -d). With the undeformed face's steps t along
 /// the grid and w down it, the normal is
 ///   (w - (0, 0, d_w)) x (t - (0, 0, d_t)) = w x t + (d_w t_y - d_t w_y, d_t w_x - d_w t_x, 0),
-/// of which the second part alone comes from the depth. Its steps are those of a 3 x 3 Sobel mask.
-void FaceMesh::turn_normals(const cv::Mat& untouched_mm,
-                            const cv::Mat& toward_camera_mm,
-                            float times) {
+/// of which only the second part comes from the depth. Its steps are those of a 3 x 3 Sobel mask.
+void FaceMesh::update_normals(const cv::Mat& untouched_mm,
+                              const cv::Mat& toward_camera_mm,
+                              float exaggeration) {
   const int last_row = drawn_.rows - 1, last_column = drawn_.cols - 1;
-  const float relief = std::max(times, kRelief);
+  const float slope_gain = std::max(exaggeration, kSlopeGain);
   float* normal = normals_->GetPointer(0);
   for (int j = 0; j <= last_row; ++j) {
     const int up = std::max(j - 1, 0), low = std::min(j + 1, last_row);
@@ -140,9 +142,9 @@ void FaceMesh::turn_normals(const cv::Mat& untouched_mm,
       float y = w[2] * t[0] - w[0] * t[2];
       const float z = w[0] * t[1] - w[1] * t[0];
       const float more_x = d_down * t[1] - d_along * w[1], more_y = d_along * w[0] - d_down * t[0];
-      const float slope = relief * std::sqrt(more_x * more_x + more_y * more_y) /
+      const float slope = slope_gain * std::sqrt(more_x * more_x + more_y * more_y) /
                           std::max(std::sqrt(x * x + y * y + z * z), 1e-12F);
-      const float share = relief / std::sqrt(1 + slope * slope / (kSteepest * kSteepest));
+      const float share = slope_gain / std::sqrt(1 + slope * slope / (kMaxSlope * kMaxSlope));
       x += share * more_x;
       y += share * more_y;
       const float length = std::max(std::sqrt(x * x + y * y + z * z), 1e-12F);

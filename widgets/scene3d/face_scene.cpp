@@ -1,8 +1,8 @@
 #include "widgets/scene3d/face_scene.h"
 
 #include "widgets/scene3d/colour_bar.h"
+#include "widgets/scene3d/finger_actors.h"
 #include "widgets/scene3d/mark_actors.h"
-#include "widgets/scene3d/placed_face.h"
 #include "widgets/scene3d/scene_lines.h"
 #include "widgets/scene3d/scene_view.h"
 
@@ -24,8 +24,7 @@ namespace {
 
 constexpr double kGripperAxis_mm = 20;
 
-/// Both turn with the eye. Together with what comes from everywhere they add up to 1 on what faces
-/// it.
+/// Both lights turn with the eye. With the ambient light they add up to 1 on surfaces that face it.
 void light(vtkRenderer* renderer) {
   constexpr double kHead = 0.25;
   const Eigen::Vector3d key(-0.9, 0.25, 0.75);  // in the eye's frame: right, up, back
@@ -44,11 +43,11 @@ void light(vtkRenderer* renderer) {
 
 }  // namespace
 
-/// All of it is opaque: blending would cost passes over the whole window, dear in software.
+/// All of it is opaque: blending costs passes over the full window, which are slow in software.
 struct FaceScene::State {
   vtkRenderWindow* window;
   vtkNew<vtkRenderer> renderer;
-  PlacedFace first{renderer}, second{renderer};
+  FingerActors first{renderer}, second{renderer};
   Axes gripper{renderer, kGripperAxis_mm};
   MarkActors mark_actors{renderer};
   ColourBar bar{renderer};
@@ -60,9 +59,9 @@ struct FaceScene::State {
   SceneColours colours;
   SceneMarks marks;
   double scale = 1;
-  Standpoint standpoint = Standpoint::kTilted;
+  Viewpoint viewpoint = Viewpoint::kTilted;
   bool is_in_gripper = false;
-  bool is_looked_at = false;  // somebody has chosen from where
+  bool has_view_pose = false;  // a viewpoint was set
 
   explicit State(vtkRenderWindow* of) : window(of) {
     light(renderer);
@@ -75,7 +74,7 @@ struct FaceScene::State {
     gripper.set_names({"X", "Y", "Z"});
     renderer->AddActor(gap);
     set_options();
-    dress();
+    apply_style();
   }
   void set_options() {
     first.set_options(options);
@@ -83,7 +82,7 @@ struct FaceScene::State {
     show_frames();
     bar.set_scale(first.colours());
   }
-  /// What stands for frames rather than for faces.
+  /// Coordinate axes rather than faces.
   void show_frames() {
     gripper.show(options.camera && is_in_gripper);
     second.show_camera(options.camera && is_in_gripper);
@@ -93,14 +92,14 @@ struct FaceScene::State {
                                   : std::array<std::string, 3>{"x1", "y1", "z1"});
     second.axes().set_names({"x2", "y2", "z2"});
   }
-  /// Somebody may have turned it without asking us.
+  /// The interactor may have turned the camera itself.
   void begin_to_render() {
     const Eigen::Vector3d eye(renderer->GetActiveCamera()->GetPosition());
-    for (PlacedFace* face : {&first, &second}) face->seen_from(eye);
+    for (FingerActors* face : {&first, &second}) face->set_eye(eye);
   }
   void draw_marks();
-  void dress();
-  void look();
+  void apply_style();
+  void aim_camera();
   void shown(bool is_first);
 };
 
@@ -119,35 +118,35 @@ void FaceScene::State::draw_marks() {
   mark_actors.draw(points, lines);
 }
 
-void FaceScene::State::dress() {
+void FaceScene::State::apply_style() {
   const cv::Vec3b &ground = colours.ground, &text = colours.text;
   renderer->SetBackground(ground[0] / 255.0, ground[1] / 255.0, ground[2] / 255.0);
-  first.dress(colours, scale);
-  second.dress(colours, scale);
-  gripper.dress(scale);
-  mark_actors.dress(scale);
-  bar.dress(text);
-  bar.place(window->GetSize(), scale);
+  first.apply_style(colours, scale);
+  second.apply_style(colours, scale);
+  gripper.apply_style(scale);
+  mark_actors.apply_style(scale);
+  bar.apply_style(text);
+  bar.set_position(window->GetSize(), scale);
   gap->GetProperty()->SetColor(text[0] / 255.0, text[1] / 255.0, text[2] / 255.0);
   gap->GetProperty()->SetLineWidth(static_cast<float>(2 * scale));
 }
 
-void FaceScene::State::look() {
+void FaceScene::State::aim_camera() {
   if (!first.is_shown()) return;
-  const bool is_whole = is_in_gripper || standpoint != Standpoint::kCamera;
-  SceneView::Subject subject{first.outline(is_whole), first.inward(), first.scene_from_camera()};
+  const bool with_body = is_in_gripper || viewpoint != Viewpoint::kCamera;
+  SceneView::Subject subject{first.outline(with_body), first.inward(), first.scene_from_camera()};
   if (is_in_gripper)
     for (const auto& more : {second.outline(true), gripper.corners()})
       subject.points.insert(subject.points.end(), more.begin(), more.end());
   view.look_at(
-      subject, standpoint, window->GetSize(), ColourBar::left_of_it(window->GetSize(), scale));
+      subject, viewpoint, window->GetSize(), ColourBar::free_fraction(window->GetSize(), scale));
 }
 
 void FaceScene::State::shown(bool is_first) {
   bar.show(first.has_depth());
   draw_marks();
-  if (is_first && !is_looked_at) look();
-  view.keep_in_sight();
+  if (is_first && !has_view_pose) aim_camera();
+  view.reset_clipping();
 }
 
 FaceScene::FaceScene(vtkRenderWindow* window) : state_(std::make_unique<State>(window)) {
@@ -169,7 +168,7 @@ void FaceScene::show_difference(const FaceSurface& surface,
   const bool is_other_kind = state_->first.is_difference() == other_mm.empty();
   state_->is_in_gripper = false;
   state_->second.hide();
-  state_->first.place({});
+  state_->first.set_pose({});
   state_->first.show(surface, other_mm);
   if (is_first) state_->first.draw_camera(camera);
   if (is_first || is_other_kind) state_->set_options();
@@ -183,7 +182,7 @@ void FaceScene::show_in_gripper(const SceneFinger& first, const SceneFinger& sec
   state_->is_in_gripper = true;
   for (const auto& [face, finger] :
        {std::pair{&state_->first, &first}, {&state_->second, &second}}) {
-    face->place(finger->gripper_from_camera);
+    face->set_pose(finger->gripper_from_camera);
     face->show(finger->surface, {});
     if (is_first) face->draw_camera(finger->camera);
   }
@@ -210,12 +209,12 @@ void FaceScene::set_options(const SceneOptions& options) {
   state_->set_options();
   state_->draw_marks();
   fit();
-  state_->view.keep_in_sight();
+  state_->view.reset_clipping();
 }
 
 void FaceScene::set_colours(const SceneColours& colours) {
   state_->colours = colours;
-  state_->dress();
+  state_->apply_style();
 }
 
 void FaceScene::set_marks(SceneMarks marks) {
@@ -225,30 +224,30 @@ void FaceScene::set_marks(SceneMarks marks) {
 
 void FaceScene::set_scale(double pixels_per_unit) {
   state_->scale = pixels_per_unit;
-  state_->dress();
+  state_->apply_style();
 }
 
-void FaceScene::look_from(Standpoint standpoint) {
-  state_->is_looked_at = false;
-  state_->standpoint = standpoint;
-  state_->look();
+void FaceScene::set_viewpoint(Viewpoint viewpoint) {
+  state_->has_view_pose = false;
+  state_->viewpoint = viewpoint;
+  state_->aim_camera();
 }
 
 bool FaceScene::set_moving(bool is_moving) {
-  constexpr int kMostVertices = 30000;  // 30 pictures a second, drawn in software
+  constexpr int kMaxVertices = 30000;  // 30 frames a second, drawn in software
   bool is_changed = false;
-  for (PlacedFace* face : {&state_->first, &state_->second})
-    is_changed = face->set_moving(is_moving, kMostVertices) || is_changed;
+  for (FingerActors* face : {&state_->first, &state_->second})
+    is_changed = face->set_moving(is_moving, kMaxVertices) || is_changed;
   return is_changed;
 }
 
 void FaceScene::fit() {
-  state_->bar.place(state_->window->GetSize(), state_->scale);
-  if (state_->view.is_as_set()) state_->look();
+  state_->bar.set_position(state_->window->GetSize(), state_->scale);
+  if (state_->view.is_unchanged()) state_->aim_camera();
 }
 
-Standpoint FaceScene::standpoint() const {
-  return state_->standpoint;
+Viewpoint FaceScene::viewpoint() const {
+  return state_->viewpoint;
 }
 
 void FaceScene::turn(double right_deg, double up_deg) {
@@ -259,17 +258,17 @@ void FaceScene::shift(double right_part, double up_part) {
   state_->view.shift(right_part, up_part);
 }
 
-void FaceScene::come_closer(double factor) {
-  state_->view.come_closer(factor);
+void FaceScene::dolly(double factor) {
+  state_->view.dolly(factor);
 }
 
-void FaceScene::look_as(const Look& look) {
-  state_->view.look_as(look);
-  state_->is_looked_at = true;
+void FaceScene::set_view_pose(const ViewPose& pose) {
+  state_->view.set_view_pose(pose);
+  state_->has_view_pose = true;
 }
 
-Look FaceScene::look() const {
-  return state_->view.look();
+ViewPose FaceScene::view_pose() const {
+  return state_->view.pose();
 }
 
 std::optional<cv::Point2d> FaceScene::pixel_at(double x, double y) const {
@@ -287,7 +286,7 @@ std::optional<cv::Point2d> FaceScene::pixel_at(double x, double y) const {
   return first->pixel;
 }
 
-std::optional<cv::Point2d> FaceScene::place_of(cv::Point2d pixel) const {
+std::optional<cv::Point2d> FaceScene::window_pixel_of(cv::Point2d pixel) const {
   const auto at = state_->first.point_of(pixel);
   if (!at) return std::nullopt;
   double x = at->x(), y = at->y(), z = at->z();

@@ -1,6 +1,5 @@
-// What the 3D view shows: the finger with its face in colours, the face as if nothing pressed, the
-// camera, points and lines on the face, a ruler, the scale of the colours. The same for the window
-// and for pictures made without one.
+// The 3D scene: the finger with its face in colours, the undeformed face, the camera, points and
+// lines on the face, a ruler, the colour scale. The same for the window and for offscreen images.
 #pragma once
 
 #include "core/camera/camera.h"
@@ -24,19 +23,19 @@ struct SceneColours {
   cv::Vec3b ground{255, 255, 255}, text{0, 0, 0};  ///< red, green, blue
 };
 
-/// On the face, by pixels of the picture.
+/// On the face, by image pixels.
 struct SceneMarks {
-  std::vector<std::optional<cv::Point2d>> points;  ///< A, B, ...; absent: the next letter's turn
+  std::vector<std::optional<cv::Point2d>> points;  ///< A, B, ...; nullopt: the next letter's turn
   std::vector<std::vector<cv::Point2d>> lines;
 };
 
-/// Where one looks from, what at, and which way is up; in the scene's frame, mm.
-struct Look {
+/// Eye, target and up direction of the view; in the scene's frame, mm.
+struct ViewPose {
   Eigen::Vector3d eye, at, up;
-  bool operator==(const Look&) const = default;
+  bool operator==(const ViewPose&) const = default;
 };
 
-/// A finger among others: what it measured, and where its camera sits in the gripper.
+/// One of two fingers: its measured surface, and its camera's pose in the gripper.
 struct SceneFinger {
   const FaceSurface& surface;
   const Camera& camera;
@@ -44,10 +43,10 @@ struct SceneFinger {
 };
 
 /// The scene's frame is the camera's, or with two fingers the gripper's. Changes take effect when
-/// the window renders. Of one thread, that of the window.
+/// the window renders. For one thread, that of the window.
 ///
-/// Light comes from over one's left shoulder, slanting, and from where one looks; what faces one is
-/// as bright as the scale of the colours, whatever its depth.
+/// The light comes slanting from above the viewer's left shoulder and from the eye. A surface that
+/// faces the eye is as bright as the colour scale, whatever its depth.
 class FaceScene {
  public:
   /// The window outlives the scene.
@@ -56,48 +55,48 @@ class FaceScene {
   FaceScene(const FaceScene&) = delete;
   FaceScene& operator=(const FaceScene&) = delete;
 
-  /// The face by depth. The first time, and after forget(), one looks at it as look_from() said
-  /// last.
+  /// The face by depth. The first time, and after forget(), the view is the one of the last
+  /// set_viewpoint().
   void show(const FaceSurface& surface, const Camera& camera);
-  /// The face by depth less `other_mm` (CV_32FC1, of the surface's grid), by
+  /// The face by depth minus `other_mm` (CV_32FC1, of the surface's grid), by
   /// SceneOptions::difference_top_mm.
   void show_difference(const FaceSurface& surface, const cv::Mat& other_mm, const Camera& camera);
-  /// Two fingers in the gripper's frame, by depth on one scale, with the axes x1 to z1, x2 to z2 of
+  /// Two fingers in the gripper's frame, by depth on one scale. The axes are x1 to z1, x2 to z2 of
   /// their cameras and X, Y, Z of the gripper. Marks are those of the first.
   void show_in_gripper(const SceneFinger& first, const SceneFinger& second);
-  /// A line between two points of the scene, as the faces' nearest ones; none: no line.
+  /// A line between two points of the scene, such as the faces' nearest ones; nullopt: no line.
   void set_gap(const std::optional<NearestPoints>& gap);
-  /// No face, and the next one is another one.
+  /// Removes the face; the next one counts as a new one.
   void forget();
 
   void set_options(const SceneOptions& options);
   void set_colours(const SceneColours& colours);
   void set_marks(SceneMarks marks);
-  /// Lines and points grow with it, as letters do with the window's dots per inch.
+  /// Scales lines and points, as the window's dots per inch scale letters.
   void set_scale(double pixels_per_unit);
 
-  void look_from(Standpoint standpoint);
-  /// While somebody turns it, a face of very many vertices is drawn with a part of them, so that
-  /// the picture follows the hand; all of them as soon as it rests. Places and pixels are told of
-  /// all of them in any case. True: it is drawn otherwise now.
+  void set_viewpoint(Viewpoint viewpoint);
+  /// While the user turns it, a face of very many vertices is drawn with a subset of them, so that
+  /// the image follows the hand; all are drawn as soon as it rests. Positions and pixels always
+  /// refer to all of them. True: the drawing changed.
   bool set_moving(bool is_moving);
-  /// Looks so that all is in the window, which may have another size now; nothing once somebody
-  /// turned or moved it.
+  /// Fits everything into the window, whose size may have changed; does nothing once the user
+  /// turned or moved the view.
   void fit();
-  [[nodiscard]] Standpoint standpoint() const;
+  [[nodiscard]] Viewpoint viewpoint() const;
   void turn(double right_deg, double up_deg);
-  void shift(double right_part, double up_part);  ///< in parts of the window's height
-  void come_closer(double factor);
-  /// As another scene does; kept until look_from().
-  void look_as(const Look& look);
-  [[nodiscard]] Look look() const;
+  void shift(double right_part, double up_part);  ///< in fractions of the window's height
+  void dolly(double factor);
+  /// Takes over the view of another scene until set_viewpoint().
+  void set_view_pose(const ViewPose& pose);
+  [[nodiscard]] ViewPose view_pose() const;
 
-  /// The pixel of the (first) finger's picture under a place of the window (device pixels, from
-  /// the top left); nullopt where the second face lies before it.
+  /// The image pixel of the (first) finger under a window pixel (device pixels, from the top left);
+  /// nullopt where the second face covers it.
   [[nodiscard]] std::optional<cv::Point2d> pixel_at(double x, double y) const;
-  /// Where a pixel of the picture is drawn in the window (device pixels, from the top left).
-  [[nodiscard]] std::optional<cv::Point2d> place_of(cv::Point2d pixel) const;
-  /// How often the triangles were put together.
+  /// The window pixel of an image pixel (device pixels, from the top left).
+  [[nodiscard]] std::optional<cv::Point2d> window_pixel_of(cv::Point2d pixel) const;
+  /// Number of triangle topologies built so far.
   [[nodiscard]] int topologies() const;
 
  private:

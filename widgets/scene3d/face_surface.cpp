@@ -34,7 +34,7 @@ int usable_column(const FaceShape& shape, int u) {
         return near;
 }
 
-/// Both edges of the face in a column with fractions: between those of its neighbours, so that the
+/// Both edges of the face at a fractional column: interpolated between its neighbours, so that the
 /// grid's border is as smooth as the face's.
 struct EdgeRows {
   double first, last;
@@ -42,7 +42,8 @@ struct EdgeRows {
 EdgeRows edge_rows(const FaceShape& shape, int u) {
   const auto rows = shape.rows(u, 0);
   const FaceColumn& column = shape.columns()[static_cast<std::size_t>(u)];
-  // The outermost pixels lie half a pixel inside; where an end cuts a column short it is the end's.
+  // The outermost pixels lie half a pixel inside; where an end cuts a column short, the end gives
+  // the edge.
   const auto exact = [](double edge, int pixel) {
     return std::abs(edge - pixel) < 1 ? edge : static_cast<double>(pixel);
   };
@@ -57,7 +58,7 @@ EdgeRows edge_rows_between(const FaceShape& shape, double u) {
   return {one.first + part * (two.first - one.first), one.last + part * (two.last - one.last)};
 }
 
-/// Between those of the four pixels around that have a value, where these are most of it.
+/// Bilinear over those of the four pixels that have a value, where they hold most of the weight.
 float depth_between(const cv::Mat& depth_mm, double u, double v) {
   const int left = static_cast<int>(std::floor(u)), upper = static_cast<int>(std::floor(v));
   double sum = 0, share = 0;
@@ -76,7 +77,7 @@ float depth_between(const cv::Mat& depth_mm, double u, double v) {
 }
 
 /// The side face at row 0 or at the last row, straight behind the face: the edge, and below it the
-/// same `deep_mm` further in.
+/// same edge `deep_mm` further in.
 cv::Mat side_wall(const cv::Mat& untouched_mm, int row, double deep_mm) {
   cv::Mat wall(2, untouched_mm.cols, CV_32FC3);
   for (int i = 0; i < wall.cols; ++i) {
@@ -88,7 +89,7 @@ cv::Mat side_wall(const cv::Mat& untouched_mm, int row, double deep_mm) {
   return wall;
 }
 
-/// Where the rays of the markers' pixels meet the side faces.
+/// Intersections of the markers' rays with the side faces.
 std::vector<SurfaceMarker> markers_on(const FaceSurface& surface,
                                       const FaceShape& shape,
                                       const Markers& markers) {
@@ -102,10 +103,10 @@ std::vector<SurfaceMarker> markers_on(const FaceSurface& surface,
       const Marker& marker = markers[is_upper ? k : per_row + k];
       const auto ray = shape.camera().unproject({marker.u, marker.v});
       if (!ray) continue;
-      const auto place = first_hit(wall, ray->origin_mm, ray->direction);
-      if (!place) continue;
-      const cv::Vec3f at = point_between(wall, *place);
-      found.push_back({{at[0], at[1], at[2]}, place->x, place->y * deep_mm, marker.seen});
+      const auto hit = first_hit(wall, ray->origin_mm, ray->direction);
+      if (!hit) continue;
+      const cv::Vec3f at = point_between(wall, *hit);
+      found.push_back({{at[0], at[1], at[2]}, hit->x, hit->y * deep_mm, marker.seen});
     }
   }
   return found;
@@ -124,7 +125,7 @@ std::optional<FaceSurface> surface_of(
   surface.pixel.create(rows, columns, CV_32FC2);
   for (int i = 0; i < columns; ++i) {
     double u = range.first + static_cast<double>(i) * (range.last - range.first) / (columns - 1);
-    // Between columns that show no face there is none: the nearest that does stands for them.
+    // The nearest column with a face stands in for columns without one.
     if (shape.rows(static_cast<int>(std::lround(u)), 0).first >=
         shape.rows(static_cast<int>(std::lround(u)), 0).last)
       u = usable_column(shape, static_cast<int>(std::lround(u)));
@@ -183,10 +184,10 @@ std::optional<FaceSurface> face_surface(const FrameResult& result,
   return surface_of(result, result.depth->depth_mm, face, columns, rows);
 }
 
-std::optional<FaceSurface> bare_surface(const FrameResult& result,
-                                        const Face& face,
-                                        int columns,
-                                        int rows) {
+std::optional<FaceSurface> uncalibrated_surface(const FrameResult& result,
+                                                const Face& face,
+                                                int columns,
+                                                int rows) {
   if (!result.shape) return std::nullopt;
   return surface_of(result, {}, face, columns, rows);
 }

@@ -9,8 +9,8 @@ namespace alltact {
 namespace {
 
 constexpr int kSections = 41;
-constexpr double kLeastBase = 0.3, kMostBase = 4, kLeastTip = 0.12;  // depth in face widths
-constexpr double kAroundDot_mm = 1.5;  // that the side face goes on beyond a dot's middle
+constexpr double kMinBase = 0.3, kMaxBase = 4, kMinTip = 0.12;  // depth in face widths
+constexpr double kAroundDot_mm = 1.5;  // extent of the side face beyond a dot's centre
 constexpr double kBaseLength_mm = 10, kBaseWider_mm = 3;
 
 Eigen::Vector3d vertex(const cv::Mat& grid, int row, int column) {
@@ -42,10 +42,10 @@ Depths depths_of(const FaceSurface& surface, const std::vector<int>& columns) {
   const int begin = columns.front(), rows = face.rows;
   const double width_mm = (vertex(face, 0, begin) - vertex(face, rows - 1, begin)).norm();
   const Eigen::Vector3d middle = 0.5 * (vertex(face, 0, begin) + vertex(face, rows - 1, begin));
-  // The camera stands in the origin.
+  // The camera is the origin.
   const double camera_mm = inward_normal(face, begin, rows / 2).dot(-middle);
-  Depths depths{std::clamp(camera_mm, kLeastBase * width_mm, kMostBase * width_mm),
-                kLeastTip * width_mm};
+  Depths depths{std::clamp(camera_mm, kMinBase * width_mm, kMaxBase * width_mm),
+                kMinTip * width_mm};
   const double begins = begin, ends = columns.back();
   for (const SurfaceMarker& marker : surface.markers) {
     const double part = (marker.column - begins) / (ends - begins);
@@ -59,7 +59,7 @@ Depths depths_of(const FaceSurface& surface, const std::vector<int>& columns) {
   return depths;
 }
 
-/// A section as it would be `along_mm` further from the base, and wider all round.
+/// A section moved `along_mm` away from the base, and widened on all sides.
 FingerBody::Section moved(const FingerBody::Section& section,
                           const Eigen::Vector3d& along_mm,
                           double wider_mm) {

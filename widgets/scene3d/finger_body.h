@@ -1,5 +1,5 @@
-// The finger's body behind its face, as far as it is known, and what stands in for the rest.
-// Inside this folder and its tests only.
+// The finger's body behind its face as far as it is known, and a stand-in for the rest. Inside this
+// folder and its tests only.
 #pragma once
 
 #include "widgets/scene3d/face_surface.h"
@@ -13,10 +13,10 @@ namespace alltact {
 
 /// Cross-sections of a Fin Ray from its base to its tip; mm, in the camera's frame.
 ///
-/// Known: the face with its bend, sway and twist, and the side faces, which stand straight behind
-/// its edges as far as the dots engraved in them lie. Not known, and drawn plainly: the back, at
-/// the base as deep as the camera sits behind the face, from there thinning evenly to the tip, and
-/// nowhere less deep than the dots; and the base, a plain block.
+/// Known: the face with its bend, sway and twist, and the side faces. These stand straight behind
+/// its edges as far as the dots engraved in them lie. Not known, and drawn plainly: the back and
+/// the base. The back is, at the base, as deep as the camera sits behind the face. From there it
+/// thins evenly to the tip, but is nowhere less deep than the dots. The base is a plain block.
 struct FingerBody {
   /// Corners in order round the section, looking from the base to the tip or from the tip to the
   /// base: face at row 0, face at the last row, and behind these the back.
@@ -24,7 +24,7 @@ struct FingerBody {
   std::vector<Section> sections;  ///< empty: no body
   /// The base's block: its two ends, the second one where the face begins.
   std::array<Section, 2> base;
-  /// All corners, for what must be in sight.
+  /// All corners, for fitting the view.
   [[nodiscard]] std::vector<Eigen::Vector3d> corners() const;
 };
 

@@ -47,8 +47,8 @@ int Interactor::InternalCreateTimer(int timer_id, int timer_type, unsigned long 
   auto timer = std::make_unique<QTimer>();
   timer->setSingleShot(timer_type == OneShotTimer);
   QObject::connect(timer.get(), &QTimer::timeout, timer.get(), [this, timer_id, timer_type]() {
-    int told = timer_id;
-    if (GetEnabled()) InvokeEvent(vtkCommand::TimerEvent, &told);
+    int fired_id = timer_id;
+    if (GetEnabled()) InvokeEvent(vtkCommand::TimerEvent, &fired_id);
     if (timer_type == OneShotTimer) DestroyTimer(timer_id);
   });
   timer->start(static_cast<int>(duration_ms));
@@ -59,7 +59,7 @@ int Interactor::InternalCreateTimer(int timer_id, int timer_type, unsigned long 
 int Interactor::InternalDestroyTimer(int platform_timer_id) {
   const auto found = timers_->running.find(platform_timer_id);
   if (found == timers_->running.end()) return 0;
-  // It may be this very timer that is being told of.
+  // It may be the timer whose event is being handled.
   found->second->stop();
   found->second.release()->deleteLater();
   timers_->running.erase(found);
@@ -107,9 +107,9 @@ bool Interactor::take_mouse(double ratio, QEvent& event) {
     InvokeEvent(vtkCommand::MouseMoveEvent);
     return true;
   }
-  const unsigned long told = vtk_event_of(event.type(), mouse.button());
-  if (told == vtkCommand::NoEvent) return false;
-  InvokeEvent(told);
+  const unsigned long vtk_event = vtk_event_of(event.type(), mouse.button());
+  if (vtk_event == vtkCommand::NoEvent) return false;
+  InvokeEvent(vtk_event);
   return true;
 }
 

@@ -21,7 +21,8 @@ class Interactor : public vtkRenderWindowInteractor {
   void Start() override {}
   void TerminateApp() override {}
 
-  /// Tells VTK of a mouse, wheel, enter, leave or touch event of `widget`; false: none of these.
+  /// Passes a mouse, wheel, enter, leave or touch event of `widget` on to VTK; false: none of
+  /// these.
   bool take(const QWidget& widget, QEvent& event);
 
  protected:

@@ -40,20 +40,20 @@ MarkActors::~MarkActors() = default;
 
 void MarkActors::draw(const std::vector<Point>& points,
                       const std::vector<std::vector<Eigen::Vector3d>>& lines) {
-  std::vector<Eigen::Vector3d> places;
+  std::vector<Eigen::Vector3d> positions;
   for (const auto& name : names_) name->VisibilityOff();
   for (const Point& point : points) {
-    places.push_back(point.at);
+    positions.push_back(point.at);
     if (point.letter >= names_.size()) continue;
     names_[point.letter]->VisibilityOn();
     names_[point.letter]->GetPositionCoordinate()->SetValue(
         point.at.x(), point.at.y(), point.at.z());
   }
-  set_points(point_data_, places);
+  set_points(point_data_, positions);
   set_lines(line_data_, lines);
 }
 
-void MarkActors::dress(double pixels_per_unit) {
+void MarkActors::apply_style(double pixels_per_unit) {
   lines_->GetProperty()->SetLineWidth(static_cast<float>(3 * pixels_per_unit));
   points_->GetProperty()->SetPointSize(static_cast<float>(12 * pixels_per_unit));
   for (const auto& name : names_) name->GetTextProperty()->SetFontSize(kLetterPoints + 3);

@@ -1,4 +1,4 @@
-// Points and lines that somebody put on a face. Inside this folder only.
+// Points and lines that the user set on a face. Inside this folder only.
 #pragma once
 
 #include <array>
@@ -29,7 +29,7 @@ class MarkActors {
   };
   void draw(const std::vector<Point>& points,
             const std::vector<std::vector<Eigen::Vector3d>>& lines);
-  void dress(double pixels_per_unit);
+  void apply_style(double pixels_per_unit);
 
  private:
   vtkNew<vtkPolyData> line_data_, point_data_;

@@ -9,7 +9,7 @@
 namespace alltact {
 namespace {
 
-/// While it lives VTK keeps its warnings to itself.
+/// Suppresses VTK's warnings while it lives.
 class NoWarnings {
  public:
   NoWarnings() : were_on_(vtkObject::GetGlobalWarningDisplay()) {

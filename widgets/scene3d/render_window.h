@@ -5,8 +5,8 @@
 
 namespace alltact {
 
-/// Debian's VTK 9.1 initialises GLEW for GLX and takes its own context for unusable where there is
-/// none (Wayland, EGL), although all functions are loaded by then. This one asks the context.
+/// Debian's VTK 9.1 initialises GLEW for GLX and takes its own context for unusable without one
+/// (Wayland, EGL), although all functions are loaded by then. This class asks the context.
 class RenderWindow : public vtkGenericOpenGLRenderWindow {
  public:
   static RenderWindow* New();

@@ -21,18 +21,18 @@ namespace {
 
 constexpr double kTick_mm = 1.5, kLongTick_mm = 2.8, kText_mm = 5.0, kTickEvery_mm = 10;
 
-Eigen::Vector3d vertex(const cv::Mat& grid, int row, int column) {
+Eigen::Vector3d grid_vertex(const cv::Mat& grid, int row, int column) {
   const auto& p = grid.at<cv::Vec3f>(row, column);
   return {p[0], p[1], p[2]};
 }
 
 }  // namespace
 
-double stick_height_mm(double times, double longest_mm) {
+double stick_height_mm(double exaggeration, double longest_mm) {
   double height_mm = 0.01;
   for (double unit = 0.01; unit < 1000; unit *= 10)
     for (const double step : {1.0, 2.0, 5.0})
-      if (step * unit * times <= longest_mm) height_mm = step * unit;
+      if (step * unit * exaggeration <= longest_mm) height_mm = step * unit;
   return height_mm;
 }
 
@@ -66,7 +66,7 @@ void Ruler::write(const Eigen::Vector3d& at, const std::string& text) {
 }
 
 void Ruler::draw(const FaceSurface& surface,
-                 double times,
+                 double exaggeration,
                  const RigidTransform& scene_from_camera) {
   hide();
   const cv::Mat& face = surface.untouched_mm;
@@ -83,48 +83,51 @@ void Ruler::draw(const FaceSurface& surface,
     if (!(mark > low || is_first) || mark > top || top <= low) continue;
     const double part = std::abs(mark - along[i - 1]) / (top - low);
     const auto between = [&](int row) -> Eigen::Vector3d {
-      return (1 - part) * vertex(face, row, i - 1) + part * vertex(face, row, i);
+      return (1 - part) * grid_vertex(face, row, i - 1) + part * grid_vertex(face, row, i);
     };
     const Eigen::Vector3d edge = between(0);
     const Eigen::Vector3d out = (edge - between(last_row)).normalized();
     const bool is_long = std::abs(std::remainder(mark, every_mm)) < 1e-6;
-    const auto place = [&](double out_mm) { return scene_from_camera.point(edge + out_mm * out); };
-    lines.push_back({place(0.3), place(is_long ? kLongTick_mm : kTick_mm)});
-    if (is_long) write(place(kText_mm), fmt::format("{:.0f}", mark + 0.0));
+    const auto to_scene = [&](double out_mm) {
+      return scene_from_camera.point(edge + out_mm * out);
+    };
+    lines.push_back({to_scene(0.3), to_scene(is_long ? kLongTick_mm : kTick_mm)});
+    if (is_long) write(to_scene(kText_mm), fmt::format("{:.0f}", mark + 0.0));
   }
-  if (times > 0) draw_stick(surface, times, scene_from_camera, lines);
+  if (exaggeration > 0) draw_stick(surface, exaggeration, scene_from_camera, lines);
   set_lines(data_, lines);
   lines_->VisibilityOn();
 }
 
-/// At the tip's end of the edge that is ticked.
+/// At the tip's end of the ticked edge.
 void Ruler::draw_stick(const FaceSurface& surface,
-                       double times,
+                       double exaggeration,
                        const RigidTransform& scene_from_camera,
                        std::vector<std::vector<Eigen::Vector3d>>& lines) {
   const cv::Mat& face = surface.untouched_mm;
   const auto& along = surface.along_mm;
   const int last_row = face.rows - 1;
   const int tip = along.front() <= along.back() ? face.cols - 1 : 0;
-  const Eigen::Vector3d corner = vertex(face, 0, tip), other = vertex(face, last_row, tip);
+  const Eigen::Vector3d corner = grid_vertex(face, 0, tip),
+                        other = grid_vertex(face, last_row, tip);
   const Eigen::Vector3d out = (corner - other).normalized();
-  const double height_mm = stick_height_mm(times, 0.3 * (corner - other).norm());
+  const double height_mm = stick_height_mm(exaggeration, 0.3 * (corner - other).norm());
   const int inner = tip == 0 ? face.cols / 8 : face.cols - 1 - face.cols / 8;
-  // A little inside, so that its words end where the finger ends.
-  const Eigen::Vector3d back = (vertex(face, 0, inner) - corner).normalized();
+  // A little inside, so that its text ends where the finger ends.
+  const Eigen::Vector3d back = (grid_vertex(face, 0, inner) - corner).normalized();
   const Eigen::Vector3d foot = corner + 2.0 * kText_mm * out + 2.5 * kText_mm * back;
-  const Eigen::Vector3d head = foot - Eigen::Vector3d(0, 0, times * height_mm);
+  const Eigen::Vector3d head = foot - Eigen::Vector3d(0, 0, exaggeration * height_mm);
   const Eigen::Vector3d serif = 0.6 * out;
-  const auto placed = [&](const Eigen::Vector3d& p) { return scene_from_camera.point(p); };
-  lines.push_back({placed(foot), placed(head)});
+  const auto to_scene = [&](const Eigen::Vector3d& p) { return scene_from_camera.point(p); };
+  lines.push_back({to_scene(foot), to_scene(head)});
   for (const Eigen::Vector3d& end : {foot, head})
-    lines.push_back({placed(end - serif), placed(end + serif)});
-  write(placed(foot + 0.8 * kText_mm * out),
-        times == 1 ? fmt::format("{:g} mm", height_mm)
-                   : fmt::format("{:g} mm \u00d7{:g}", height_mm, times));
+    lines.push_back({to_scene(end - serif), to_scene(end + serif)});
+  write(to_scene(foot + 0.8 * kText_mm * out),
+        exaggeration == 1 ? fmt::format("{:g} mm", height_mm)
+                          : fmt::format("{:g} mm \u00d7{:g}", height_mm, exaggeration));
 }
 
-void Ruler::dress(const SceneColours& colours, double pixels_per_unit) {
+void Ruler::apply_style(const SceneColours& colours, double pixels_per_unit) {
   constexpr double kTextPart = 0.75;
   double mixed[3];
   for (int i = 0; i < 3; ++i)

@@ -1,4 +1,4 @@
-// How long and how high things are, drawn beside the face. Inside this folder only.
+// Scales for length and height along the face. Inside this folder only.
 #pragma once
 
 #include "widgets/scene3d/face_scene.h"
@@ -16,9 +16,8 @@ class vtkTextActor;
 
 namespace alltact {
 
-/// Millimetres along the face from its base, ticked along an edge; and at its end a stick as long
-/// as a height is drawn that stands beside it, which tells how much larger than they are heights
-/// are drawn.
+/// Millimetres along the face from its base, ticked along an edge. At its end a stick has the
+/// length at which its labelled height is drawn, so that it shows the exaggeration of heights.
 class Ruler {
  public:
   /// The renderer outlives it.
@@ -27,16 +26,18 @@ class Ruler {
   Ruler(const Ruler&) = delete;
   Ruler& operator=(const Ruler&) = delete;
 
-  /// `times`: that heights are drawn larger; 0: there are none.
-  void draw(const FaceSurface& surface, double times, const RigidTransform& scene_from_camera);
+  /// `times`: factor on heights; 0: there are none.
+  void draw(const FaceSurface& surface,
+            double exaggeration,
+            const RigidTransform& scene_from_camera);
   void hide();
-  void dress(const SceneColours& colours, double pixels_per_unit);
-  /// What must be in sight, in the scene.
+  void apply_style(const SceneColours& colours, double pixels_per_unit);
+  /// Points that must be visible, in the scene.
   [[nodiscard]] const std::vector<Eigen::Vector3d>& corners() const { return corners_; }
 
  private:
   void draw_stick(const FaceSurface& surface,
-                  double times,
+                  double exaggeration,
                   const RigidTransform& scene_from_camera,
                   std::vector<std::vector<Eigen::Vector3d>>& lines);
   void write(const Eigen::Vector3d& at, const std::string& text);
@@ -48,8 +49,8 @@ class Ruler {
   std::vector<Eigen::Vector3d> corners_;
 };
 
-/// The height that the stick stands for: of 1, 2, 5, 10 ... hundredths of a mm the one that is
-/// drawn nearest to, but not longer than, `longest_mm`.
-[[nodiscard]] double stick_height_mm(double times, double longest_mm);
+/// The stick's height: of 1, 2, 5, 10 ... hundredths of a mm the one whose drawn length is nearest
+/// to, but not longer than, `longest_mm`.
+[[nodiscard]] double stick_height_mm(double exaggeration, double longest_mm);
 
 }  // namespace alltact

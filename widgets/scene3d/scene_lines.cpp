@@ -22,10 +22,10 @@ void set_lines(vtkPolyData* data, const std::vector<Polyline>& lines) {
   data->SetLines(cells);
 }
 
-void set_points(vtkPolyData* data, const std::vector<Eigen::Vector3d>& places) {
+void set_points(vtkPolyData* data, const std::vector<Eigen::Vector3d>& positions) {
   const vtkNew<vtkPoints> points;
   const vtkNew<vtkCellArray> cells;
-  for (const Eigen::Vector3d& at : places) {
+  for (const Eigen::Vector3d& at : positions) {
     const vtkIdType id = points->InsertNextPoint(at.x(), at.y(), at.z());
     cells->InsertNextCell(1, &id);
   }

@@ -15,15 +15,15 @@ constexpr int kLetterPoints = 13;  ///< size of letters; the window knows its do
 
 using Polyline = std::vector<Eigen::Vector3d>;
 
-/// Replaces what the data held.
+/// Replaces the content of the data.
 void set_lines(vtkPolyData* data, const std::vector<Polyline>& lines);
 void set_points(vtkPolyData* data, const std::vector<Eigen::Vector3d>& points);
 
-/// Unlit; `nearer`: how much nearer to the eye it is drawn than it lies, in 65000ths of what lies
-/// between the nearest and the furthest thing in sight.
+/// Unlit. `nearer`: depth offset towards the eye, in 1/65000 of the distance between the nearest
+/// and the furthest visible point.
 [[nodiscard]] vtkSmartPointer<vtkActor> line_actor(vtkPolyData* data, double nearer);
 
-/// The camera as a pyramid towards what it sees.
+/// The camera as a pyramid in its viewing direction.
 ///   half: half the size of its foot, mm at the distance `far_mm`
 [[nodiscard]] std::vector<Polyline> camera_lines(double half_x_mm, double half_y_mm, double far_mm);
 

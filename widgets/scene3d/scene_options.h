@@ -1,10 +1,10 @@
-// What the 3D view is asked to show, said without any of what shows it.
+// Options of the 3D view, without VTK.
 #pragma once
 
 namespace alltact {
 
-/// Where one looks from.
-enum class Standpoint {
+/// Where the view is from.
+enum class Viewpoint {
   kTilted = 1,  ///< from the camera's side, square to the face but for a tilt
   kCamera,      ///< as the camera sees the face
   kOutside,     ///< from where objects press, square to the face but for a tilt
@@ -13,12 +13,12 @@ enum class Standpoint {
 
 struct SceneOptions {
   bool body = true;                 ///< the finger behind its face, with its dots and its base
-  bool ruler = true;                ///< mm along the face, and how large heights are drawn
-  bool untouched = false;           ///< lines of the face as if nothing pressed
+  bool ruler = true;                ///< mm along the face, and the exaggeration of heights
+  bool untouched = false;           ///< lines of the undeformed face
   bool camera = true;               ///< the camera and its axes
-  double top_mm = 1.0;              ///< where the colours of depth end
-  double difference_top_mm = 0.05;  ///< where those of differences end, to both sides
-  double times = 1.0;               ///< that depth is drawn larger than it is
+  double top_mm = 1.0;              ///< end of the depth colour scale
+  double difference_top_mm = 0.05;  ///< end of the difference colour scale, to both sides
+  double exaggeration = 1.0;        ///< factor on drawn depth
   bool operator==(const SceneOptions&) const = default;
 };
 

@@ -16,20 +16,20 @@ constexpr double kAngle_deg = 25;  // of the view, from top to bottom
 constexpr double kDegree = std::numbers::pi / 180;
 
 struct View {
-  Eigen::Vector3d from, up;  // from: direction from what is looked at to the eye
+  Eigen::Vector3d from, up;  // from: direction from the target to the eye
 };
 
 /// In the camera's frame.
-View view_of(Standpoint standpoint, const Eigen::Vector3d& inward) {
+View view_of(Viewpoint viewpoint, const Eigen::Vector3d& inward) {
   const Eigen::Vector3d tilt(0, -0.6, 0);
-  switch (standpoint) {
-    case Standpoint::kCamera:
+  switch (viewpoint) {
+    case Viewpoint::kCamera:
       return {{0, 0, -1}, {0, -1, 0}};
-    case Standpoint::kOutside:
+    case Viewpoint::kOutside:
       return {tilt - inward, {0, -1, 0}};
-    case Standpoint::kSide:
+    case Viewpoint::kSide:
       return {{0, 1, 0}, {0, 0, -1}};
-    case Standpoint::kTilted:
+    case Viewpoint::kTilted:
       break;
   }
   return {tilt + inward, {0, -1, 0}};
@@ -38,10 +38,10 @@ View view_of(Standpoint standpoint, const Eigen::Vector3d& inward) {
 }  // namespace
 
 void SceneView::look_at(const Subject& subject,
-                        Standpoint standpoint,
+                        Viewpoint viewpoint,
                         const int* window_px,
                         double used_width) {
-  const View view = view_of(standpoint, subject.inward);
+  const View view = view_of(viewpoint, subject.inward);
   const Eigen::Vector3d back = subject.scene_from_camera.direction(view.from.normalized());
   const Eigen::Vector3d right =
       subject.scene_from_camera.direction(view.up).cross(back).normalized();
@@ -51,8 +51,9 @@ void SceneView::look_at(const Subject& subject,
   constexpr double kFilled = 0.95;
   const double up_slope = kFilled * std::tan(0.5 * kAngle_deg * kDegree);
   const double left_slope = aspect * up_slope, right_slope = left_slope * (2 * used_width - 1);
-  // In the view's own axes a point is in sight of an eye where x - x_eye <= slope (z_eye - z), and
-  // likewise to the other sides: so near that on two opposite sides one of them touches the rim.
+  // In the view's own axes an eye sees a point where x - x_eye <= slope (z_eye - z), and likewise
+  // to the other sides. The eye is as near as possible: on two opposite sides one point lies on the
+  // rim.
   constexpr double kFar = std::numeric_limits<double>::lowest();
   double rightmost = kFar, leftmost = kFar, top = kFar, bottom = kFar, nearest = kFar;
   double furthest = -kFar;
@@ -72,12 +73,12 @@ void SceneView::look_at(const Subject& subject,
   const double x_eye = 0.5 * (rightmost - leftmost + (left_slope - right_slope) * z_eye);
   const double y_eye = 0.5 * (top - bottom);
   const Eigen::Vector3d eye = x_eye * right + y_eye * up + z_eye * back;
-  look_as({eye, eye - (z_eye - 0.5 * (nearest + furthest)) * back, up});
+  set_view_pose({eye, eye - (z_eye - 0.5 * (nearest + furthest)) * back, up});
   eye_set_ = eye;
 }
 
-bool SceneView::is_as_set() const {
-  return eye_set_ && (look().eye - *eye_set_).norm() < 1e-6;
+bool SceneView::is_unchanged() const {
+  return eye_set_ && (pose().eye - *eye_set_).norm() < 1e-6;
 }
 
 void SceneView::turn(double right_deg, double up_deg) {
@@ -85,12 +86,12 @@ void SceneView::turn(double right_deg, double up_deg) {
   camera->Azimuth(right_deg);
   camera->Elevation(up_deg);
   camera->OrthogonalizeViewUp();
-  keep_in_sight();
+  reset_clipping();
 }
 
 void SceneView::shift(double right_part, double up_part) {
   vtkCamera* camera = renderer_->GetActiveCamera();
-  const Look now = look();
+  const ViewPose now = pose();
   const Eigen::Vector3d up = now.up.normalized();
   const Eigen::Vector3d right = (now.at - now.eye).cross(up).normalized();
   const double height =
@@ -99,32 +100,32 @@ void SceneView::shift(double right_part, double up_part) {
   const Eigen::Vector3d new_eye = now.eye + by, new_at = now.at + by;
   camera->SetPosition(new_eye.data());
   camera->SetFocalPoint(new_at.data());
-  keep_in_sight();
+  reset_clipping();
 }
 
-void SceneView::come_closer(double factor) {
+void SceneView::dolly(double factor) {
   renderer_->GetActiveCamera()->Dolly(factor);
-  keep_in_sight();
+  reset_clipping();
 }
 
-void SceneView::look_as(const Look& look) {
+void SceneView::set_view_pose(const ViewPose& pose) {
   vtkCamera* camera = renderer_->GetActiveCamera();
   camera->SetViewAngle(kAngle_deg);
-  camera->SetPosition(look.eye.data());
-  camera->SetFocalPoint(look.at.data());
-  camera->SetViewUp(look.up.data());
+  camera->SetPosition(pose.eye.data());
+  camera->SetFocalPoint(pose.at.data());
+  camera->SetViewUp(pose.up.data());
   eye_set_.reset();
-  keep_in_sight();
+  reset_clipping();
 }
 
-Look SceneView::look() const {
+ViewPose SceneView::pose() const {
   vtkCamera* camera = renderer_->GetActiveCamera();
   return {Eigen::Vector3d(camera->GetPosition()),
           Eigen::Vector3d(camera->GetFocalPoint()),
           Eigen::Vector3d(camera->GetViewUp())};
 }
 
-void SceneView::keep_in_sight() {
+void SceneView::reset_clipping() {
   renderer_->ResetCameraClippingRange();
 }
 

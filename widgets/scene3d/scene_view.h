@@ -1,4 +1,4 @@
-// From where one looks at a scene. Inside this folder only.
+// The view of a scene: eye, target, up direction. Inside this folder only.
 #pragma once
 
 #include "widgets/scene3d/face_scene.h"
@@ -16,32 +16,32 @@ class SceneView {
   /// The renderer outlives it.
   explicit SceneView(vtkRenderer* renderer) : renderer_(renderer) {}
 
-  /// What is looked at from a standpoint.
+  /// The content that a viewpoint shows.
   struct Subject {
-    std::vector<Eigen::Vector3d> points;  ///< that must be in sight
+    std::vector<Eigen::Vector3d> points;  ///< that must be visible
     Eigen::Vector3d inward{0, 0, -1};     ///< across the face, towards its camera, camera frame
     RigidTransform scene_from_camera;
   };
-  /// So that all is in sight of a window of this size, but for what `used_width` leaves free at the
-  /// right.
+  /// Fits everything into a window of this size, less the fraction at the right that `used_width`
+  /// leaves over.
   void look_at(const Subject& subject,
-               Standpoint standpoint,
+               Viewpoint viewpoint,
                const int* window_px,
                double used_width);
   /// As look_at() left it: nobody turned or moved it since.
-  [[nodiscard]] bool is_as_set() const;
+  [[nodiscard]] bool is_unchanged() const;
 
   void turn(double right_deg, double up_deg);
   void shift(double right_part, double up_part);
-  void come_closer(double factor);
-  void look_as(const Look& look);
-  [[nodiscard]] Look look() const;
-  /// After anything was drawn elsewhere than before.
-  void keep_in_sight();
+  void dolly(double factor);
+  void set_view_pose(const ViewPose& pose);
+  [[nodiscard]] ViewPose pose() const;
+  /// Call it after anything was drawn at another position than before.
+  void reset_clipping();
 
  private:
   vtkRenderer* renderer_;
-  std::optional<Eigen::Vector3d> eye_set_;  // where look_at() put it
+  std::optional<Eigen::Vector3d> eye_set_;  // the eye that look_at() set
 };
 
 }  // namespace alltact

@@ -1,5 +1,5 @@
-// After VTK's own adapter for Qt 5 and what was found out about Qt 6 and VTK 9.1; each step that
-// looks superfluous has a platform that needs it.
+// After VTK's own adapter for Qt 5, with findings about Qt 6 and VTK 9.1; each step that looks
+// superfluous has a platform that needs it.
 #include "widgets/scene3d/vtk_view.h"
 
 #include "widgets/scene3d/interactor.h"
@@ -82,7 +82,7 @@ void VtkView::prepare_application() {
 }
 
 bool VtkView::is_supported() {
-  // Asking costs a context; the platform does not change.
+  // The test costs a context; the platform does not change.
   static const bool is = [] {
     QOpenGLContext context;
     if (!context.create()) return false;
@@ -119,7 +119,7 @@ VtkView::VtkView(QWidget* parent) : QOpenGLWidget(parent), state_(std::make_uniq
 
 VtkView::~VtkView() {
   if (context() != nullptr) {
-    disconnect(context(), nullptr, this, nullptr);  // it goes after our own part has gone
+    disconnect(context(), nullptr, this, nullptr);  // it goes after this object's own part has gone
     clean_up();
     doneCurrent();
   }
@@ -152,14 +152,14 @@ void VtkView::observe() {
                                   view.context()->surface() == view.state_->surface;
   });
   on(vtkCommand::StartEvent, [](VtkView& view, void*) {
-    // Opaque, whoever asks for a picture, or what lies behind the window shines through.
+    // Opaque in every image, or the content behind the window shines through.
     vtkRendererCollection* renderers = view.state_->window->GetRenderers();
     renderers->InitTraversal();
     while (vtkRenderer* renderer = renderers->GetNextItem()) renderer->SetBackgroundAlpha(1);
   });
   on(vtkCommand::WindowFrameEvent, [](VtkView& view, void*) {
     RenderWindow* window = view.state_->window;
-    // Picking renders without swapping, and is no new picture.
+    // Picking renders without swapping, and makes no new image.
     if (window->GetDoubleBuffer() != 0 && window->GetSwapBuffers() == 0) return;
     ++view.state_->renders;
     view.state_->is_dirty = false;
@@ -213,7 +213,7 @@ void VtkView::initializeGL() {
   // Smooth edges cost a graphics card nothing, and software as many times more.
   window->SetMultiSamples(is_software(*context()) ? 0 : 4);
   window->GetState()->Reset();
-  // Qt leaves the test off and the function at GL_LESS; VTK takes the opposite for given.
+  // Qt leaves the test off and the function at GL_LESS; VTK assumes the opposite.
   window->GetState()->vtkglDepthFunc(GL_LEQUAL);
   window->GetState()->vtkglEnable(GL_DEPTH_TEST);
   ++state_->contexts_made;
@@ -241,8 +241,9 @@ void VtkView::fit_size() {
   const QSize pixels = (QSizeF(size()) * ratio).toSize();
   constexpr int kDotsPerInch = 72;
   RenderWindow* window = state_->window;
-  const QSize whole = screen() != nullptr ? (QSizeF(screen()->size()) * ratio).toSize() : pixels;
-  window->SetScreenSize(whole.width(), whole.height());
+  const QSize screen_px =
+      screen() != nullptr ? (QSizeF(screen()->size()) * ratio).toSize() : pixels;
+  window->SetScreenSize(screen_px.width(), screen_px.height());
   window->SetDPI(static_cast<int>(std::lround(kDotsPerInch * ratio)));
   window->SetSize(pixels.width(), pixels.height());
   state_->interactor->UpdateSize(pixels.width(), pixels.height());
@@ -257,12 +258,12 @@ void VtkView::render() {
   gl->vtkglDepthFunc(GL_LEQUAL);
   gl->vtkglEnable(GL_DEPTH_TEST);
   if (state_->is_dirty) state_->window->Render();
-  makeCurrent();  // rendering may have run what took the context
-  show_picture();
+  makeCurrent();  // rendering may have run something that took the context
+  show_image();
   gl->Pop();
 }
 
-void VtkView::show_picture() {
+void VtkView::show_image() {
   RenderWindow* window = state_->window;
   vtkOpenGLState* gl = window->GetState();
   QOpenGLExtraFunctions* functions = context()->extraFunctions();

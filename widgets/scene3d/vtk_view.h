@@ -10,35 +10,35 @@ class vtkRenderWindowInteractor;
 
 namespace alltact {
 
-/// A widget that shows what VTK renders. Whoever uses it adds renderers to render_window(), changes
-/// the scene on the window's thread only, and calls draw_later(); drawing is put together, so that
-/// many calls cost one. A repaint by Qt alone does not render again. On a platform without OpenGL
-/// (see can_draw()) nothing is drawn and nothing breaks.
+/// A widget that shows what VTK renders. Its user adds renderers to render_window(), changes the
+/// scene on the window's thread only, and calls draw_later(), which merges many calls into one
+/// drawing. A repaint by Qt alone does not render again. On a platform without OpenGL (see
+/// can_draw()) nothing is drawn and nothing breaks.
 class VtkView : public QOpenGLWidget {
   Q_OBJECT
  public:
-  /// This platform has OpenGL 3.2. To be asked first; needs a QApplication.
+  /// This platform has OpenGL 3.2. Call it first; needs a QApplication.
   [[nodiscard]] static bool is_supported();
 
   explicit VtkView(QWidget* parent = nullptr);
   ~VtkView() override;
 
-  /// To be called before the QApplication is made: contexts are shared, so that a view may move
-  /// between windows, and have what VTK asks for.
+  /// Call it before the QApplication is made: contexts are shared, so that a view may move between
+  /// windows, and have the format that VTK needs.
   static void prepare_application();
 
   /// True once there is a context: shown at least once.
   [[nodiscard]] bool can_draw() const;
   /// Renders before the next repaint.
   void draw_later();
-  /// How often VTK has rendered the scene for the screen.
+  /// Number of times VTK has rendered the scene for the screen.
   [[nodiscard]] int renders() const;
-  /// How often a context was made ready, and taken away again.
+  /// Numbers of contexts that were set up and released.
   [[nodiscard]] int contexts_made() const;
   [[nodiscard]] int contexts_lost() const;
 
   [[nodiscard]] vtkGenericOpenGLRenderWindow* render_window() const;
-  /// The same for those who know no more of it.
+  /// The same as its base class, for callers that need no more.
   [[nodiscard]] vtkRenderWindow* scene_window() const;
   [[nodiscard]] vtkRenderWindowInteractor* interactor() const;
 
@@ -55,7 +55,7 @@ class VtkView : public QOpenGLWidget {
   void observe();
   void fit_size();
   void render();
-  void show_picture();
+  void show_image();
   void clean_up();
   std::unique_ptr<State> state_;
 };

@@ -28,7 +28,7 @@ void AgeLabel::show_now() {
     text = tr("picture %1 s old").arg(locale.toString(*age_ms_ / kSecond_ms, 'f', 1));
   else if (age_ms_)
     text = tr("picture %1 ms old").arg(locale.toString(*age_ms_, 'f', 0));
-  // The sign tells those who do not see the colour.
+  // The sign does not rely on the colour.
   setText(is_late_ ? QString(QChar(0x25b2)) + QLatin1Char(' ') + text : text);
   setToolTip(is_late_ ? tr("What moves is seen late. Close other programs, or choose a faster "
                            "setting in Accuracy.")

@@ -1,4 +1,4 @@
-// How old the picture is that one sees; an old one stands out.
+// Age of the shown frame; an old one is highlighted.
 #pragma once
 
 #include "widgets/translated.h"
@@ -12,9 +12,9 @@ class AgeLabel : public Translated<QLabel> {
   Q_OBJECT
  public:
   explicit AgeLabel(QWidget* parent = nullptr);
-  /// From being taken to being shown; nullopt: the source does not tell when.
+  /// From capture to display; nullopt: the source gives no capture time.
   void show_age(std::optional<double> age_ms);
-  /// Above it a hand and the picture of it are seen apart.
+  /// Above it a hand and its image move visibly apart.
   static constexpr double kLate_ms = 200;
 
  protected:

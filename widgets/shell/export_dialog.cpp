@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kWorthSymbol = 16;
-constexpr int kIndent = 26;  // what a form is for stands below its words, not below the box
+constexpr int kIndent = 26;  // a format's description starts below its text, not below the box
 
 QString text_of(const fs::path& path) {
   return QString::fromStdString(path.string());
@@ -35,8 +35,8 @@ ExportDialog::ExportDialog(const fs::path& finger, QWidget* parent)
     : FittedDialog(parent),
       finger_((finger / "").parent_path()),
       intro_(new QLabel),
-      worth_symbol_(new QLabel),
-      worth_(new QLabel),
+      verdict_symbol_(new QLabel),
+      verdict_(new QLabel),
       folder_label_(new QLabel),
       folder_(new QLineEdit),
       command_(new QLineEdit),
@@ -51,9 +51,9 @@ ExportDialog::ExportDialog(const fs::path& finger, QWidget* parent)
   intro_->setWordWrap(true);
   column->addWidget(intro_);
   auto* worth = new QHBoxLayout;
-  worth_->setWordWrap(true);
-  worth->addWidget(worth_symbol_, 0, Qt::AlignTop);
-  worth->addWidget(worth_, 1);
+  verdict_->setWordWrap(true);
+  worth->addWidget(verdict_symbol_, 0, Qt::AlignTop);
+  worth->addWidget(verdict_, 1);
   column->addLayout(worth);
   column->addLayout(make_forms());
   column->addLayout(make_folder_row());
@@ -88,7 +88,7 @@ ExportDialog::ExportDialog(const fs::path& finger, QWidget* parent)
     setWindowTitle(tr("Export finger"));
     intro_->setText(
         tr("What finger %1 has learnt, for other programs.").arg(text_of(finger_.filename())));
-    show_worth();
+    show_verdict();
     name_forms();
     folder_label_->setText(tr("&Folder for the files"));
     folder_->setAccessibleName(tr("Folder for the files"));
@@ -108,24 +108,24 @@ ExportDialog::ExportDialog(const fs::path& finger, QWidget* parent)
     auto card = read_finger_card(folder, utc_now());
     return std::function<void()>([this, card = std::move(card)] {
       card_ = card;
-      show_worth();
+      show_verdict();
     });
   });
 }
 
-/// Whoever uses the figures has to know what they are worth.
-void ExportDialog::show_worth() {
+/// Shows the verdict, which every user of the exported figures needs.
+void ExportDialog::show_verdict() {
   const bool is_good = card_ && card_->grade == Grade::kGood && card_->findings.empty();
-  for (QLabel* label : {worth_symbol_, worth_}) label->setVisible(card_ && !is_good);
+  for (QLabel* label : {verdict_symbol_, verdict_}) label->setVisible(card_ && !is_good);
   if (!card_ || is_good) return;
   const Headline headline = headline_of(*card_);
-  worth_symbol_->setPixmap(symbol(meaning_symbol(headline.meaning),
-                                  meaning_colour(headline.meaning, palette()),
-                                  kWorthSymbol,
-                                  devicePixelRatioF()));
+  verdict_symbol_->setPixmap(symbol(meaning_symbol(headline.meaning),
+                                    meaning_colour(headline.meaning, palette()),
+                                    kWorthSymbol,
+                                    devicePixelRatioF()));
   QStringList sentences{as_sentence(headline.text)};
   if (!card_->findings.empty()) sentences << window_sentence(card_->findings.front());
-  worth_->setText(sentences.join(QLatin1Char(' ')));
+  verdict_->setText(sentences.join(QLatin1Char(' ')));
 }
 
 QLayout* ExportDialog::make_forms() {
@@ -133,14 +133,14 @@ QLayout* ExportDialog::make_forms() {
   column->setSpacing(2);
   for (const ExportFormInfo& info : export_forms()) {
     const Form form{info.form, new QCheckBox, new QLabel};
-    form.wanted->setObjectName(
+    form.check_box->setObjectName(
         QString::fromUtf8(info.word.data(), static_cast<int>(info.word.size())));
-    form.wanted->setChecked(info.form == ExportForm::kJson || info.form == ExportForm::kZip);
+    form.check_box->setChecked(info.form == ExportForm::kJson || info.form == ExportForm::kZip);
     form.what_for->setWordWrap(true);
     form.what_for->setContentsMargins(kIndent, 0, 0, 8);
-    column->addWidget(form.wanted);
+    column->addWidget(form.check_box);
     column->addWidget(form.what_for);
-    connect(form.wanted, &QCheckBox::toggled, this, &ExportDialog::show_command);
+    connect(form.check_box, &QCheckBox::toggled, this, &ExportDialog::show_command);
     forms_.push_back(form);
   }
   return column;
@@ -192,8 +192,8 @@ void ExportDialog::name_forms() {
                "to measure with in Python.");
         break;
     }
-    form.wanted->setText(name);
-    form.wanted->setAccessibleDescription(what_for);
+    form.check_box->setText(name);
+    form.check_box->setAccessibleDescription(what_for);
     form.what_for->setText(what_for);
   }
 }
@@ -201,7 +201,7 @@ void ExportDialog::name_forms() {
 std::vector<ExportForm> ExportDialog::forms() const {
   std::vector<ExportForm> chosen;
   for (const Form& form : forms_)
-    if (form.wanted->isChecked()) chosen.push_back(form.form);
+    if (form.check_box->isChecked()) chosen.push_back(form.form);
   return chosen;
 }
 
@@ -219,14 +219,14 @@ void ExportDialog::choose_folder() {
 }
 
 void ExportDialog::show_command() {
-  const bool is_whole = !forms().empty() && !folder_->text().trimmed().isEmpty();
-  command_->setText(is_whole ? command_line() : QString());
+  const bool is_complete = !forms().empty() && !folder_->text().trimmed().isEmpty();
+  command_->setText(is_complete ? command_line() : QString());
   command_->setCursorPosition(0);
-  copy_->setEnabled(is_whole);
+  copy_->setEnabled(is_complete);
 }
 
 void ExportDialog::show_running(bool is_running) {
-  for (const Form& form : forms_) form.wanted->setEnabled(!is_running);
+  for (const Form& form : forms_) form.check_box->setEnabled(!is_running);
   for (QWidget* part : std::initializer_list<QWidget*>{folder_, choose_, write_})
     part->setEnabled(!is_running);
   for (QWidget* part : std::initializer_list<QWidget*>{progress_, stop_})
@@ -242,26 +242,26 @@ void ExportDialog::write() {
   if (!problems.empty()) return;
   show_running(true);
   progress_->setValue(0);
-  work_.start([this, finger_folder = finger_, wanted = forms(), folder](const Job& job) {
+  work_.start([this, finger_folder = finger_, check_box = forms(), folder](const Job& job) {
     std::vector<fs::path> written, left_out;
     Status status;
     if (const auto finger = open_finger(finger_folder)) {
-      status = export_finger(**finger, wanted, folder, job, &written);
-      if (std::count(wanted.begin(), wanted.end(), ExportForm::kZip) > 0)
+      status = export_finger(**finger, check_box, folder, job, &written);
+      if (std::count(check_box.begin(), check_box.end(), ExportForm::kZip) > 0)
         left_out = unused_recordings((*finger)->finger, finger_folder);
     } else {
       status = finger.error();
     }
     return std::function<void()>([this, status, written, left_out] {
       show_running(false);
-      tell(status, written, left_out);
+      show_outcome(status, written, left_out);
     });
   });
 }
 
-void ExportDialog::tell(const Status& status,
-                        const std::vector<fs::path>& written,
-                        const std::vector<fs::path>& left_out) {
+void ExportDialog::show_outcome(const Status& status,
+                                const std::vector<fs::path>& written,
+                                const std::vector<fs::path>& left_out) {
   std::vector<Problem> rows;
   if (!status) rows.push_back(Problem::of(status.error()));
   if (!left_out.empty())

@@ -1,4 +1,4 @@
-// A finger's calibration for other programs: which forms, where, and what was written.
+// Exports a finger's calibration for other programs: formats, folder, and the files written.
 #pragma once
 
 #include "calibration/export/export_finger.h"
@@ -22,7 +22,7 @@ namespace alltact {
 class ExportDialog : public FittedDialog {
   Q_OBJECT
  public:
-  /// `finger`: its folder. Into a folder beside it unless another one is chosen.
+  /// `finger`: its folder. The default target is a folder next to it.
   explicit ExportDialog(const std::filesystem::path& finger, QWidget* parent = nullptr);
   [[nodiscard]] std::vector<ExportForm> forms() const;
   [[nodiscard]] QString command_line() const;
@@ -30,25 +30,25 @@ class ExportDialog : public FittedDialog {
  private:
   struct Form {
     ExportForm form;
-    QCheckBox* wanted;
+    QCheckBox* check_box;
     QLabel* what_for;
   };
   [[nodiscard]] QLayout* make_forms();
   [[nodiscard]] QLayout* make_folder_row();
   [[nodiscard]] QLayout* make_command_row();
   void name_forms();
-  void show_worth();
+  void show_verdict();
   void choose_folder();
   void show_command();
   void show_running(bool is_running);
   void write();
-  void tell(const Status& status,
-            const std::vector<std::filesystem::path>& written,
-            const std::vector<std::filesystem::path>& left_out);
+  void show_outcome(const Status& status,
+                    const std::vector<std::filesystem::path>& written,
+                    const std::vector<std::filesystem::path>& left_out);
 
   const std::filesystem::path finger_;
   std::vector<Form> forms_;
-  QLabel *intro_, *worth_symbol_, *worth_, *folder_label_;
+  QLabel *intro_, *verdict_symbol_, *verdict_, *folder_label_;
   QLineEdit *folder_, *command_;
   QPushButton *choose_, *copy_, *write_, *stop_;
   QProgressBar* progress_;

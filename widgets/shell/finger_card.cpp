@@ -3,18 +3,18 @@
 #include "calibration/checks/finger_worth.h"
 #include "calibration/finger/calibration_inputs.h"
 #include "core/finger/finger_store.h"
-#include "widgets/worth_words.h"
+#include "widgets/verdict_text.h"
 
 namespace alltact {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kPictureHeight = 144;  // twice what is shown, for fine screens
+constexpr int kImageHeight = 144;  // twice the shown height, for dense screens
 
-/// The first press, or the untouched picture of a flat sensor.
-fs::path picture_of(const fs::path& folder, const Finger& finger) {
-  if (const auto presses = kept_presses(folder); presses && !presses->empty())
+/// The first press, or the reference image of a flat sensor.
+fs::path image_file_of(const fs::path& folder, const Finger& finger) {
+  if (const auto presses = stored_presses(folder); presses && !presses->empty())
     return presses->front();
   if (finger.reference && !finger.reference->image.empty()) return folder / finger.reference->image;
   return {};
@@ -41,7 +41,7 @@ std::optional<FingerCard> read_finger_card(const fs::path& folder, const std::st
   if (state.verdict) {
     card.grade = state.verdict->grade;
     const Verdict worth = window_verdict(*state.evidence);
-    card.error_mm = vouched_error_mm(worth).value_or(0.0);
+    card.error_mm = expected_error_mm(worth).value_or(0.0);
     card.findings = findings_of(worth, state.evidence->contradictions);
     if (!worth.missing_names.empty()) card.lacks = worth.missing_names.front();
     card.rests_on = worth.rests_on;
@@ -57,10 +57,10 @@ std::optional<FingerCard> read_finger_card(const fs::path& folder, const std::st
          {finger.reference->image, finger.reference->video, finger.reference->markers})
       if (!name.empty()) card.files.push_back(folder / name);
   card.due = state.due;
-  if (const fs::path file = picture_of(folder, finger); !file.empty())
-    if (const QImage whole(QString::fromStdString(file.string())); !whole.isNull())
-      card.picture = whole.scaledToHeight(kPictureHeight, Qt::SmoothTransformation)
-                         .convertToFormat(QImage::Format_RGB32);
+  if (const fs::path file = image_file_of(folder, finger); !file.empty())
+    if (const QImage full_image(QString::fromStdString(file.string())); !full_image.isNull())
+      card.image = full_image.scaledToHeight(kImageHeight, Qt::SmoothTransformation)
+                       .convertToFormat(QImage::Format_RGB32);
   return card;
 }
 

@@ -15,7 +15,7 @@ QDateTime local_time(const std::string& utc) {
   return QDateTime::fromString(QString::fromStdString(utc), Qt::ISODate).toLocalTime();
 }
 
-/// What brings the evidence that a calibration lacks.
+/// The action that brings the missing evidence of a calibration.
 QString evidence_due_text(const FingerCard& card) {
   const auto lacks = [&card](std::initializer_list<std::string_view> names) {
     return std::find(names.begin(), names.end(), card.lacks) != names.end();
@@ -37,7 +37,7 @@ QString in_mm(double value) {
 Headline headline_of(const FingerCard& card) {
   if (card.grade) {
     Headline headline = headline_of(*card.grade, card.error_mm, card.must_repeat, card.reference);
-    if (card.due == FingerDue::kAgain) headline.meaning = Meaning::kBad;
+    if (card.due == FingerDue::kCalibrateAgain) headline.meaning = Meaning::kBad;
     if (card.due != FingerDue::kNothing && headline.meaning == Meaning::kGood)
       headline.meaning = Meaning::kDoubtful;
     return headline;
@@ -87,9 +87,9 @@ QString due_text(const FingerCard& card) {
     case FingerDue::kCheck:
     case FingerDue::kMorePresses:
       return FingerCards::tr("Due: a check");
-    case FingerDue::kLook:
+    case FingerDue::kInspect:
       return FingerCards::tr("Drifting: look at the last check");
-    case FingerDue::kAgain:
+    case FingerDue::kCalibrateAgain:
     case FingerDue::kRepeat:
       return FingerCards::tr("Due: calibrate it again");
     case FingerDue::kNothing:

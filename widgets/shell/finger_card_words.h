@@ -1,27 +1,25 @@
-// What is known of a finger, in the window's words.
+// The summary of a finger as text in the window's language.
 #pragma once
 
 #include "widgets/shell/finger_card.h"
-#include "widgets/worth_words.h"
+#include "widgets/verdict_text.h"
 
 #include <QString>
 
 namespace alltact {
 
-/// "Good, ±0.035 mm", "Broken", "Not calibrated yet"; its meaning is good only where nothing is
-/// due.
+/// "Good, ±0.035 mm", "Broken", "Not calibrated yet"; kGood only where nothing is due.
 [[nodiscard]] Headline headline_of(const FingerCard& card);
-/// Where it is, as people there write it; empty for no date.
+/// The date in the local time zone and format; empty for no date.
 [[nodiscard]] QString local_day(const std::string& utc);
-/// "today", "yesterday", "3 days ago", by the days of where it is; empty for no date.
+/// "today", "yesterday", "3 days ago", by local days; empty for no date.
 [[nodiscard]] QString age_in_days(const std::string& utc, const std::string& now);
-/// When it was calibrated and checked; empty for never.
+/// Dates of calibration and check; empty for never.
 [[nodiscard]] QString dates_of(const FingerCard& card);
 [[nodiscard]] QString due_text(const FingerCard& card);
-/// What contradicts the calibration and what it lacks, a sentence a line; empty: nothing.
+/// Contradictions and missing requirements of the calibration, one sentence a line; empty: none.
 [[nodiscard]] QString findings_text(const FingerCard& card);
-/// All of it in a line: worth, error to be expected, ages of calibration and check, what the check
-/// was off by, what is due.
+/// One line: grade, expected error, ages of calibration and check, error in the check, what is due.
 [[nodiscard]] QString summary_of(const FingerCard& card, const std::string& now);
 
 }  // namespace alltact

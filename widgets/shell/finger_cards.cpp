@@ -11,29 +11,29 @@ namespace alltact {
 namespace {
 
 constexpr int kCardColumns = 2;
-constexpr QSize kCardPicture(128, 72);
+constexpr QSize kCardImage(128, 72);
 constexpr int kCardWidth = 290, kCardSymbol = 22;
-constexpr int kBesideCardText = kCardPicture.width() + 30;  // px of a card
+constexpr int kCardTextMargin = kCardImage.width() + 30;  // px of a card
 
-/// The picture with the verdict's symbol in its corner.
-QIcon picture_of(const FingerCard& card, const QPalette& palette, double ratio) {
-  QPixmap picture(kCardPicture * ratio);
-  picture.setDevicePixelRatio(ratio);
-  picture.fill(palette.color(QPalette::Dark));
-  QPainter painter(&picture);
+/// The image with the verdict's symbol in its corner.
+QIcon icon_of(const FingerCard& card, const QPalette& palette, double ratio) {
+  QPixmap image(kCardImage * ratio);
+  image.setDevicePixelRatio(ratio);
+  image.fill(palette.color(QPalette::Dark));
+  QPainter painter(&image);
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
-  const QRect whole(QPoint(0, 0), kCardPicture);
-  if (card.picture.isNull()) {
-    icon(QStringLiteral("finger"), palette).paint(&painter, whole.adjusted(40, 14, -40, -14));
+  const QRect card_box(QPoint(0, 0), kCardImage);
+  if (card.image.isNull()) {
+    icon(QStringLiteral("finger"), palette).paint(&painter, card_box.adjusted(40, 14, -40, -14));
   } else {
-    QRect placed(QPoint(0, 0),
-                 card.picture.size().scaled(kCardPicture, Qt::KeepAspectRatioByExpanding));
-    placed.moveCenter(whole.center());
-    painter.setClipRect(whole);
-    painter.drawImage(placed, card.picture);
+    QRect image_box(QPoint(0, 0),
+                    card.image.size().scaled(kCardImage, Qt::KeepAspectRatioByExpanding));
+    image_box.moveCenter(card_box.center());
+    painter.setClipRect(card_box);
+    painter.drawImage(image_box, card.image);
   }
   const Meaning meaning = headline_of(card).meaning;
-  const QRect corner(whole.right() - kCardSymbol - 3, 4, kCardSymbol, kCardSymbol);
+  const QRect corner(card_box.right() - kCardSymbol - 3, 4, kCardSymbol, kCardSymbol);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(Qt::NoPen);
   painter.setBrush(palette.color(QPalette::Base));
@@ -41,7 +41,7 @@ QIcon picture_of(const FingerCard& card, const QPalette& palette, double ratio) 
   painter.drawPixmap(
       corner,
       symbol(meaning_symbol(meaning), meaning_colour(meaning, palette), kCardSymbol, ratio));
-  return QIcon(picture);
+  return QIcon(image);
 }
 
 QStringList lines_of(const FingerCard& card) {
@@ -74,7 +74,7 @@ void FingerCards::read() {
       auto card = read_finger_card(folder, utc_now());
       if (!card) continue;
       there.push_back(folder);
-      if (cards.size() < kMost) cards.push_back(std::move(*card));
+      if (cards.size() < kMaxCards) cards.push_back(std::move(*card));
     }
     return std::function<void()>([this, cards, there] {
       Q_EMIT found(there);
@@ -103,8 +103,8 @@ void FingerCards::rebuild() {
 QToolButton* FingerCards::make_button(const FingerCard& card) {
   auto* button = new QToolButton;
   button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  button->setIconSize(kCardPicture);
-  button->setIcon(picture_of(card, palette(), devicePixelRatioF()));
+  button->setIconSize(kCardImage);
+  button->setIcon(icon_of(card, palette(), devicePixelRatioF()));
   button->setMinimumWidth(kCardWidth);
   button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   button->setAccessibleName(tr("Open the finger %1").arg(QString::fromStdString(card.name)));
@@ -119,12 +119,12 @@ QToolButton* FingerCards::make_button(const FingerCard& card) {
   return button;
 }
 
-/// What does not fit into its card is told by the tool tip.
+/// The tool tip holds text that does not fit into its card.
 void FingerCards::fit() {
   for (std::size_t i = 0; i < cards_.size(); ++i) {
     auto* button = static_cast<QToolButton*>(grid_->itemAt(static_cast<int>(i))->widget());
     const int room =
-        std::max(kCardWidth, (width() - grid_->spacing()) / kCardColumns) - kBesideCardText;
+        std::max(kCardWidth, (width() - grid_->spacing()) / kCardColumns) - kCardTextMargin;
     QStringList lines;
     for (const QString& line : lines_of(cards_[i]))
       lines << fontMetrics().elidedText(line, Qt::ElideRight, room);
@@ -142,7 +142,7 @@ void FingerCards::changeEvent(QEvent* event) {
   if (event->type() == QEvent::PaletteChange) rebuild();
 }
 
-/// What was done since is told.
+/// Reads again, so that the cards show what happened in between.
 void FingerCards::showEvent(QShowEvent* event) {
   Translated::showEvent(event);
   read();

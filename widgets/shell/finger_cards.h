@@ -1,5 +1,5 @@
-// The fingers that were worked with lately, a card each: picture, name, what the calibration is
-// worth, when it was made and checked, and what is due.
+// Recently used fingers, a card each: image, name, grade of the calibration, dates of calibration
+// and check, and what is due.
 #pragma once
 
 #include "widgets/background_work.h"
@@ -15,17 +15,17 @@ namespace alltact {
 class FingerCards : public Translated<QWidget> {
   Q_OBJECT
  public:
-  static constexpr std::size_t kMost = 6;
+  static constexpr std::size_t kMaxCards = 6;
 
   explicit FingerCards(QWidget* parent = nullptr);
-  /// Latest first; read beside the window. Folders that are gone or cannot be read, and all after
-  /// kMost, are left out; hidden where none is left.
+  /// Latest first; read on a background thread. Missing or unreadable folders, and all after
+  /// kMaxCards, are left out; hidden where none is left.
   void set_fingers(const std::vector<std::filesystem::path>& folders);
   [[nodiscard]] const std::vector<FingerCard>& cards() const { return cards_; }
 
  Q_SIGNALS:
   void finger_chosen(const QString& folder);
-  /// Those of the folders, also after kMost, that hold a finger that can be opened.
+  /// The folders, also after kMaxCards, with a finger that can be opened.
   void found(const std::vector<std::filesystem::path>& folders);
   /// cards() are shown.
   void filled();

@@ -8,13 +8,12 @@
 namespace alltact {
 namespace {
 
-// The finger in a room of 640 x 320: its base at the left, its tip at the right, the face that is
-// touched above.
+// The finger in 640 x 320: its base at the left, its tip at the right, the sensing face above.
 const QSizeF kDrawingRoom(640, 320);
 const QPointF kBaseTop(130, 96), kTip(602, 188), kBaseBottom(130, 262);
 constexpr double kLayer = 13, kBallRadius = 40, kBallAlong = 0.52, kPressed = 17;
 
-const QColor kLampLight("#f2c14e");  // on light ground and on dark
+const QColor kLampLight("#f2c14e");  // on light and on dark backgrounds
 
 struct Inks {
   QColor line, body, layer, light, ball, mark, ground;
@@ -36,21 +35,21 @@ Inks inks_of(const QPalette& palette) {
           palette.color(QPalette::Base)};
 }
 
-QPointF part_way(const QPointF& a, const QPointF& b, double part) {
+QPointF interpolated(const QPointF& a, const QPointF& b, double part) {
   return a + part * (b - a);
 }
 
 /// Along the face from the base (0) to the tip (1), `below` px under its outer side.
 QPointF on_face(double part, double below = 0) {
-  const QPointF way = kTip - kBaseTop;
-  const double length = std::hypot(way.x(), way.y());
-  const QPointF inward(-way.y() / length, way.x() / length);
+  const QPointF axis = kTip - kBaseTop;
+  const double length = std::hypot(axis.x(), axis.y());
+  const QPointF inward(-axis.y() / length, axis.x() / length);
   const double bow = -14 * std::sin(M_PI * part);  // the face arches a little
-  return part_way(kBaseTop, kTip, part) + (below + bow) * inward;
+  return interpolated(kBaseTop, kTip, part) + (below + bow) * inward;
 }
 
-/// How far the face is pushed in by the ball there, px.
-double pushed_in(double part) {
+/// Indentation of the face by the ball there, px.
+double indentation_px(double part) {
   const double away =
       (part - kBallAlong) * std::hypot(kTip.x() - kBaseTop.x(), kTip.y() - kBaseTop.y());
   const double reach = std::sqrt(kBallRadius * kBallRadius - std::pow(kBallRadius - kPressed, 2));
@@ -64,7 +63,7 @@ QPainterPath face_line(double below, double follows) {
   constexpr int kPieces = 120;
   for (int i = 1; i <= kPieces; ++i) {
     const double part = static_cast<double>(i) / kPieces;
-    path.lineTo(on_face(part, below * (1 - 0.5 * part) + follows * pushed_in(part)));
+    path.lineTo(on_face(part, below * (1 - 0.5 * part) + follows * indentation_px(part)));
   }
   return path;
 }
@@ -122,10 +121,10 @@ void draw_body(QPainter& painter, const Inks& inks) {
   painter.setPen(QPen(inks.line, 2));
   painter.setBrush(inks.body);
   painter.drawPath(body);
-  // Ribs of the back, which let it bend around what it holds.
+  // Ribs of the back, which let it bend around an object.
   painter.setPen(QPen(inks.line, 1));
   for (int i = 1; i <= 5; ++i)
-    painter.drawLine(part_way(kBaseBottom, kTip + QPointF(0, 18), 0.16 * i),
+    painter.drawLine(interpolated(kBaseBottom, kTip + QPointF(0, 18), 0.16 * i),
                      on_face(0.16 * i, 64 - 10 * i));
 }
 
@@ -174,7 +173,7 @@ void draw_press(QPainter& painter, const Inks& inks, bool has_numbers) {
   const auto face = [&](double x) {
     const double away = std::abs(x - kMiddle);
     if (away < reach) return kOuter + kDepth - kRadius + std::sqrt(kRadius * kRadius - away * away);
-    return kOuter - 9 * std::exp(-(away - reach) / 34);  // it bulges beside the ball
+    return kOuter - 9 * std::exp(-(away - reach) / 34);  // it bulges around the ball
   };
   QPainterPath layer(QPointF(10, kInner));
   for (int x = 10; x <= 630; x += 2) layer.lineTo(x, face(x));
@@ -195,9 +194,9 @@ void draw_press(QPainter& painter, const Inks& inks, bool has_numbers) {
   const auto measure = [&](double x, double from, double to) {
     painter.setPen(QPen(inks.line, 2));
     painter.drawLine(QPointF(x, from), QPointF(x, to));
-    for (const auto& [y, way] : {std::pair{from, 1}, std::pair{to, -1}})
+    for (const auto& [y, axis] : {std::pair{from, 1}, std::pair{to, -1}})
       for (const int side : {-5, 5})
-        painter.drawLine(QPointF(x, y), QPointF(x + side, y + 9 * way));
+        painter.drawLine(QPointF(x, y), QPointF(x + side, y + 9 * axis));
   };
   measure(kMiddle, kOuter, kOuter + kDepth);
   measure(96, kOuter, kInner);
@@ -218,8 +217,8 @@ FingerDrawing::FingerDrawing(DrawnThing what, QWidget* parent) : QWidget(parent)
   setProperty("alltact_drawing", true);
 }
 
-void FingerDrawing::show_numbers(bool are_wanted) {
-  has_numbers_ = are_wanted;
+void FingerDrawing::show_numbers(bool are_shown) {
+  has_numbers_ = are_shown;
   update();
 }
 

@@ -1,6 +1,5 @@
-// Drawings of what the program is about, in the window's colours: the finger seen from its side,
-// and the layer where a ball presses. Without words, so that they need no language; with numbers,
-// which the glossary explains.
+// Drawings of the finger from its side, and of the layer under a ball, in the window's colours.
+// They hold no words and so need no language; the glossary explains their numbers.
 #pragma once
 
 #include <QPainter>
@@ -14,7 +13,7 @@ class FingerDrawing : public QWidget {
   Q_OBJECT
  public:
   explicit FingerDrawing(DrawnThing what, QWidget* parent = nullptr);
-  void show_numbers(bool are_wanted);
+  void show_numbers(bool are_shown);
   [[nodiscard]] QSize sizeHint() const override { return {640, 320}; }
   [[nodiscard]] QSize minimumSizeHint() const override { return {120, 60}; }
 

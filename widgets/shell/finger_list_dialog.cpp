@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kListSymbol = 16;
-constexpr std::size_t kMostFingers = 500;  // of a folder that holds something else
+constexpr std::size_t kMaxFingers = 500;  // of a folder that holds something else
 
 enum ListColumn {
   kListName,
@@ -30,14 +30,14 @@ enum ListColumn {
   kListColumns
 };
 
-/// What has to be done first stands first.
+/// Sorts the most urgent action to the top.
 int urgency(const FingerCard& card) {
   switch (card.due) {
     case FingerDue::kRepair:
-    case FingerDue::kAgain:
+    case FingerDue::kCalibrateAgain:
     case FingerDue::kRepeat:
       return 0;
-    case FingerDue::kLook:
+    case FingerDue::kInspect:
       return 1;
     case FingerDue::kEvidence:
     case FingerDue::kCheck:
@@ -55,24 +55,24 @@ int urgency(const FingerCard& card) {
   return 6;
 }
 
-/// Without the figure, which has a column of its own.
+/// Without the error, which has a column of its own.
 QString worth_text(const FingerCard& card, const Headline& headline) {
   return card.error_mm > 0 && card.grade ? grade_text(*card.grade) : headline.text;
 }
 
 }  // namespace
 
-std::vector<FingerCard> read_lab(const std::set<fs::path>& folders,
-                                 const std::vector<fs::path>& known,
-                                 const std::string& now,
-                                 const Job& job) {
+std::vector<FingerCard> read_all_fingers(const std::set<fs::path>& folders,
+                                         const std::vector<fs::path>& known,
+                                         const std::string& now,
+                                         const Job& job) {
   std::set<fs::path> all(known.begin(), known.end());
   for (const fs::path& folder : folders) {
     std::error_code failed;
     for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end;
          entry.increment(failed)) {
       std::error_code ignored;
-      if (all.size() < kMostFingers && fs::exists(entry->path() / "finger.yaml", ignored))
+      if (all.size() < kMaxFingers && fs::exists(entry->path() / "finger.yaml", ignored))
         all.insert(entry->path());
     }
   }
@@ -137,7 +137,7 @@ FingerListDialog::FingerListDialog(std::vector<fs::path> known, QWidget* parent)
 
 void FingerListDialog::read() {
   reading_.restart([this, folders = folders_, known = known_](const Job& job) {
-    auto cards = read_lab(folders, known, utc_now(), job);
+    auto cards = read_all_fingers(folders, known, utc_now(), job);
     return std::function<void()>([this, cards = std::move(cards)] { cards_ = cards; });
   });
   fill();

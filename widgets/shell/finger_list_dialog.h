@@ -1,5 +1,4 @@
-// All fingers of the lab in one list: what each is worth, when it was calibrated and checked, what
-// is due.
+// All fingers of the lab in one list: grade, dates of calibration and check, and what is due.
 #pragma once
 
 #include "widgets/background_work.h"
@@ -16,16 +15,17 @@
 
 namespace alltact {
 
-/// The fingers in `known` and all others that lie beside them in their folders.
-[[nodiscard]] std::vector<FingerCard> read_lab(const std::set<std::filesystem::path>& folders,
-                                               const std::vector<std::filesystem::path>& known,
-                                               const std::string& now,
-                                               const Job& job);
+/// The fingers in `known` and all others in the same parent folders.
+[[nodiscard]] std::vector<FingerCard> read_all_fingers(
+    const std::set<std::filesystem::path>& folders,
+    const std::vector<std::filesystem::path>& known,
+    const std::string& now,
+    const Job& job);
 
 class FingerListDialog : public FittedDialog {
   Q_OBJECT
  public:
-  /// known: fingers' folders; read beside the window.
+  /// known: fingers' folders; read on a background thread.
   explicit FingerListDialog(std::vector<std::filesystem::path> known, QWidget* parent = nullptr);
   [[nodiscard]] const std::vector<FingerCard>& cards() const { return cards_; }
 
@@ -40,7 +40,7 @@ class FingerListDialog : public FittedDialog {
   void follow_choice();
 
   std::vector<std::filesystem::path> known_;
-  std::set<std::filesystem::path> folders_;  // to look into
+  std::set<std::filesystem::path> folders_;  // to search
   std::vector<FingerCard> cards_;            // most urgent first
   QTreeWidget* list_;
   QLabel* count_;

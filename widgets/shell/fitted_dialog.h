@@ -1,4 +1,4 @@
-// What all dialogs have in common: texts follow the language, and all lines of them are seen.
+// Base of all dialogs: texts follow the language, and no line of them is cut off.
 #pragma once
 
 #include "widgets/translated.h"
@@ -8,7 +8,8 @@
 
 namespace alltact {
 
-/// Never lower than its wrapped texts need at its width: layouts only ask for that of themselves.
+/// Never lower than its wrapped texts need at its width; layouts guarantee that only for
+/// themselves.
 class FittedDialog : public Translated<QDialog> {
  public:
   using Translated::Translated;

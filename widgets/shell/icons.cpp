@@ -9,7 +9,7 @@
 namespace alltact {
 
 QPixmap symbol(const QString& name, const QColor& colour, int size, double ratio) {
-  // Every picture has the same buttons, and all are drawn anew for another theme.
+  // Cached: every image panel has the same buttons, and a new theme draws all of them again.
   const QString key =
       QStringLiteral("alltact %1 %2 %3 %4").arg(name, colour.name()).arg(size).arg(ratio);
   QPixmap pixmap;

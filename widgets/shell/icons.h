@@ -8,14 +8,14 @@
 
 namespace alltact {
 
-/// `name`: a file of resources/icons without its ending. Sharp at any scale; make it anew when the
+/// `name`: a file of resources/icons without its ending. Sharp at any scale; make it again when the
 /// palette changes.
 [[nodiscard]] QIcon icon(const QString& name, const QPalette& palette);
 
-/// The same in one colour of its own.
+/// The same in one given colour.
 [[nodiscard]] QPixmap symbol(const QString& name, const QColor& colour, int size, double ratio);
 
-/// What stands for it, told apart by its shape, too.
+/// The symbol of a meaning; symbols also differ in shape.
 [[nodiscard]] QString meaning_symbol(Meaning meaning);
 
 }  // namespace alltact

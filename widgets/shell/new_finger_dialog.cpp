@@ -23,7 +23,7 @@ NewFingerDialog::NewFingerDialog(FingerMaker maker, QWidget* parent)
       width_(new NumberField),
       layer_(new NumberField),
       plane_(new NumberField),
-      per_row_(new WholeNumberField),
+      per_row_(new IntegerField),
       folder_row_(with_button(folder_, choose_folder_)),
       camera_row_(with_button(camera_, choose_camera_)),
       intro_(new QLabel),

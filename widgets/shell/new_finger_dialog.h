@@ -1,5 +1,5 @@
-// The assistant that makes a finger's folder: every value with its unit and range, checked where it
-// stands.
+// The assistant that makes a finger's folder: every value with its unit and range, checked in its
+// field.
 #pragma once
 
 #include "core/finger/new_finger.h"
@@ -26,7 +26,7 @@ class NewFingerDialog : public FittedDialog {
  public:
   explicit NewFingerDialog(FingerMaker maker, QWidget* parent = nullptr);
   [[nodiscard]] NewFinger description() const;
-  /// What is known already; values of 0 and empty paths are not.
+  /// Fills in known values; values of 0 and empty paths are unknown.
   void set_description(const NewFinger& known);
 
  Q_SIGNALS:
@@ -45,7 +45,7 @@ class NewFingerDialog : public FittedDialog {
   QPushButton *choose_folder_, *choose_camera_;
   QComboBox *kind_, *polarity_;
   NumberField *width_, *layer_, *plane_;
-  WholeNumberField* per_row_;
+  IntegerField* per_row_;
   QWidget *folder_row_, *camera_row_;
   QLabel* intro_;
   ProblemList* problems_;

@@ -1,11 +1,11 @@
-// The one thing to do next: the largest button of a page, in the colour of what is chosen.
+// The primary action of a page: its largest button, in the colour of the selection.
 #pragma once
 
 #include <QPushButton>
 
 namespace alltact {
 
-/// From now on it is, or is not any more. Of a page at most one is at a time.
+/// Sets or clears the mark. At most one button of a page has it at a time.
 void set_primary(QPushButton& button, bool is_primary = true);
 [[nodiscard]] bool is_primary(const QWidget& widget);
 

@@ -26,7 +26,7 @@ QString without_numbers(QString text) {
   return text.remove(numbers);
 }
 
-/// Not another one because it has gone on: counts and figures in it grow.
+/// Compares without numbers: counts and figures of a lasting problem grow.
 bool is_same_problem(const Problem& a, const Problem& b) {
   return a.meaning == b.meaning && without_numbers(a.what) == without_numbers(b.what);
 }
@@ -36,7 +36,7 @@ bool is_same_problem(const Problem& a, const Problem& b) {
 Problem Problem::of(const Error& error, Meaning meaning) {
   Problem problem;
   problem.meaning = meaning;
-  problem.told = error;
+  problem.cause = error;
   problem.what = window_sentence(en::at(error.where, error.what));
   if (!error.advice.empty())
     problem.advice =
@@ -44,7 +44,7 @@ Problem Problem::of(const Error& error, Meaning meaning) {
   return problem;
 }
 
-bool Problem::says_the_same(const Problem& other) const {
+bool Problem::has_same_text(const Problem& other) const {
   return meaning == other.meaning && what == other.what && advice == other.advice &&
          action == other.action;
 }
@@ -54,62 +54,62 @@ ProblemList::ProblemList(QWidget* parent) : Translated(parent), rows_(new QVBoxL
   rows_->setSpacing(4);
   set_accessible_role(*this, QAccessible::List);
   hide();
-  connect(&clock_, &QTimer::timeout, this, &ProblemList::tell_ages);
+  connect(&clock_, &QTimer::timeout, this, &ProblemList::show_ages);
   clock_.setInterval(kBetweenAges_ms);
   say([this] {
     setAccessibleName(tr("Problems"));
-    word_anew();
+    retranslate();
   });
 }
 
 void ProblemList::set_problems(std::vector<Problem> problems) {
-  std::vector<Noted> now, before;
+  std::vector<ListedProblem> now, before;
   const qint64 time_ms = now_ms();
-  bool is_same = problems.size() == noted_.size();
+  bool is_same = problems.size() == listed_.size();
   for (Problem& problem : problems) {
-    const auto old = std::find_if(noted_.begin(), noted_.end(), [&](const Noted& noted) {
-      return is_same_problem(noted.problem, problem);
+    const auto old = std::find_if(listed_.begin(), listed_.end(), [&](const ListedProblem& listed) {
+      return is_same_problem(listed.problem, problem);
     });
-    is_same = is_same && old != noted_.end() && old->problem.says_the_same(problem);
-    if (old == noted_.end())
+    is_same = is_same && old != listed_.end() && old->problem.has_same_text(problem);
+    if (old == listed_.end())
       now.push_back({std::move(problem), time_ms, false});
     else
       before.push_back({std::move(problem), old->since_ms, old->is_dismissed});
   }
   now.insert(
       now.end(), std::make_move_iterator(before.begin()), std::make_move_iterator(before.end()));
-  std::stable_sort(now.begin(), now.end(), [](const Noted& a, const Noted& b) {
+  std::stable_sort(now.begin(), now.end(), [](const ListedProblem& a, const ListedProblem& b) {
     return a.since_ms > b.since_ms;
   });
-  noted_ = std::move(now);
+  listed_ = std::move(now);
   if (!is_same) rebuild();
 }
 
-std::vector<const ProblemList::Noted*> ProblemList::shown() const {
-  std::vector<const Noted*> shown;
-  for (const Noted& noted : noted_)
-    if (!noted.is_dismissed) shown.push_back(&noted);
+std::vector<const ProblemList::ListedProblem*> ProblemList::shown() const {
+  std::vector<const ListedProblem*> shown;
+  for (const ListedProblem& listed : listed_)
+    if (!listed.is_dismissed) shown.push_back(&listed);
   return shown;
 }
 
 std::vector<Problem> ProblemList::problems() const {
   std::vector<Problem> problems;
-  for (const Noted* noted : shown()) problems.push_back(noted->problem);
+  for (const ListedProblem* listed : shown()) problems.push_back(listed->problem);
   return problems;
 }
 
 void ProblemList::dismiss(const QString& what) {
-  for (Noted& noted : noted_)
-    if (noted.problem.what == what) noted.is_dismissed = true;
+  for (ListedProblem& listed : listed_)
+    if (listed.problem.what == what) listed.is_dismissed = true;
   rebuild();
 }
 
-void ProblemList::word_anew() {
-  for (Noted& noted : noted_)
-    if (noted.problem.told) {
-      Problem anew = Problem::of(*noted.problem.told, noted.problem.meaning);
-      noted.problem.what = std::move(anew.what);
-      noted.problem.advice = std::move(anew.advice);
+void ProblemList::retranslate() {
+  for (ListedProblem& listed : listed_)
+    if (listed.problem.cause) {
+      Problem anew = Problem::of(*listed.problem.cause, listed.problem.meaning);
+      listed.problem.what = std::move(anew.what);
+      listed.problem.advice = std::move(anew.advice);
     }
   rebuild();
 }
@@ -130,14 +130,14 @@ void ProblemList::rebuild() {
   setVisible(!all.empty());
   all.empty() ? clock_.stop() : clock_.start();
   if (all.empty()) return;
-  tell_ages();
+  show_ages();
   show_fold();
   QAccessibleEvent event(rows_->itemAt(0)->widget(), QAccessible::Alert);
   QAccessible::updateAccessibility(&event);
 }
 
-QWidget* ProblemList::make_row(const Noted& noted, bool is_first) {
-  const Problem& problem = noted.problem;
+QWidget* ProblemList::make_row(const ListedProblem& listed, bool is_first) {
+  const Problem& problem = listed.problem;
   auto* row = new QFrame;
   row->setObjectName(QStringLiteral("problem"));
   row->setFocusPolicy(Qt::TabFocus);
@@ -154,11 +154,11 @@ QWidget* ProblemList::make_row(const Noted& noted, bool is_first) {
                               palette().color(QPalette::Highlight).name()));
   auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(10, 3, 6, 3);
-  auto* picture = new QLabel;
-  picture->setPixmap(
+  auto* symbol_label = new QLabel;
+  symbol_label->setPixmap(
       symbol(meaning_symbol(problem.meaning), colour, kProblemSymbol, devicePixelRatioF()));
-  picture->setAccessibleName(word);
-  layout->addWidget(picture, 0, Qt::AlignVCenter);
+  symbol_label->setAccessibleName(word);
+  layout->addWidget(symbol_label, 0, Qt::AlignVCenter);
   const QString head = labelled(word, {}).trimmed();
   const QString sentences = problem.what + QLatin1Char(' ') + problem.advice;
   if (is_unfolded_) {
@@ -169,22 +169,22 @@ QWidget* ProblemList::make_row(const Noted& noted, bool is_first) {
     text->setTextInteractionFlags(Qt::TextSelectableByMouse);
     layout->addWidget(text, 1);
   } else {
-    line_ = new OneLine;
+    line_ = new ElidedLabel;
     line_->set_text(head + QLatin1Char(' ') + sentences, static_cast<int>(head.size()));
     layout->addWidget(line_, 1);
   }
-  add_buttons(noted, is_first, *layout);
+  add_buttons(listed, is_first, *layout);
   return row;
 }
 
-void ProblemList::add_buttons(const Noted& noted, bool is_first, QHBoxLayout& layout) {
+void ProblemList::add_buttons(const ListedProblem& listed, bool is_first, QHBoxLayout& layout) {
   auto* age = new QLabel;
   age->setForegroundRole(QPalette::PlaceholderText);
-  ages_.emplace_back(age, noted.since_ms);
+  ages_.emplace_back(age, listed.since_ms);
   layout.addWidget(age, 0, Qt::AlignVCenter);
-  if (!noted.problem.action.isEmpty()) {
-    auto* button = new QPushButton(noted.problem.action);
-    connect(button, &QPushButton::clicked, this, noted.problem.on_action);
+  if (!listed.problem.action.isEmpty()) {
+    auto* button = new QPushButton(listed.problem.action);
+    connect(button, &QPushButton::clicked, this, listed.problem.on_action);
     layout.addWidget(button, 0, Qt::AlignVCenter);
   }
   if (is_first) {
@@ -202,8 +202,8 @@ void ProblemList::add_buttons(const Noted& noted, bool is_first, QHBoxLayout& la
   away->setAutoRaise(true);
   away->setText(QString(QChar(0x00d7)));
   away->setToolTip(tr("Dismiss until it happens again"));
-  away->setAccessibleName(tr("Dismiss: %1").arg(noted.problem.what));
-  connect(away, &QToolButton::clicked, this, [this, what = noted.problem.what] { dismiss(what); });
+  away->setAccessibleName(tr("Dismiss: %1").arg(listed.problem.what));
+  connect(away, &QToolButton::clicked, this, [this, what = listed.problem.what] { dismiss(what); });
   layout.addWidget(away, 0, Qt::AlignVCenter);
 }
 
@@ -214,7 +214,7 @@ QString ProblemList::age_text(qint64 since_ms) const {
   return tr("%n h ago", nullptr, minutes / 60);
 }
 
-void ProblemList::tell_ages() {
+void ProblemList::show_ages() {
   for (const auto& [label, since_ms] : ages_) label->setText(age_text(since_ms));
 }
 
@@ -225,7 +225,7 @@ void ProblemList::show_fold() {
   const QString name = is_unfolded_ ? tr("Show the newest alone") : tr("Show all in full");
   fold_->setToolTip(name);
   fold_->setAccessibleName(name);
-  fold_->setVisible(is_unfolded_ || others > 0 || (line_ != nullptr && line_->is_cut()));
+  fold_->setVisible(is_unfolded_ || others > 0 || (line_ != nullptr && line_->is_elided()));
 }
 
 void ProblemList::resizeEvent(QResizeEvent* event) {

@@ -1,8 +1,8 @@
-// What is wrong now, in words, with what to do about it; nothing when all is well.
+// Current problems as text, with advice; hidden without problems.
 #pragma once
 
 #include "core/result.h"
-#include "widgets/shell/one_line.h"
+#include "widgets/shell/elided_label.h"
 #include "widgets/theme.h"
 #include "widgets/translated.h"
 
@@ -21,27 +21,27 @@ struct Problem {
   Meaning meaning = Meaning::kBad;
   QString what;    ///< a sentence
   QString advice;  ///< a sentence; may be empty
-  /// A button beside it; empty for none.
+  /// Label of a button; empty for none.
   QString action;
   std::function<void()> on_action = {};
-  /// What a library said, from which `what` and `advice` are worded in the window's language.
-  std::optional<Error> told = {};
+  /// The library's error; `what` and `advice` are its translation into the window's language.
+  std::optional<Error> cause = {};
 
-  /// A library's error in place: where it is, what is wrong, what to try. Of a warning or a remark,
-  /// which is a sentence alone, it is Error{sentence, "", ""}.
+  /// A library's error with location, cause and advice. A warning or a remark, which is one
+  /// sentence, is Error{sentence, "", ""}.
   [[nodiscard]] static Problem of(const Error& error, Meaning meaning = Meaning::kBad);
-  [[nodiscard]] bool says_the_same(const Problem& other) const;
+  [[nodiscard]] bool has_same_text(const Problem& other) const;
 };
 
-/// One line: the newest of them with its age, folded over the others; it unfolds to all, each with
-/// its sentences whole. What is dismissed stays away until it has ended and begins anew. Each takes
-/// the keyboard's focus so that it can be read out, and new ones are announced.
+/// Folded it shows the newest problem with its age in one line; unfolded it shows all, in full
+/// sentences. A dismissed problem stays away until it has ended and begins again. Each takes the
+/// keyboard's focus so that it can be read out, and new ones are announced.
 class ProblemList : public Translated<QFrame> {
   Q_OBJECT
  public:
   explicit ProblemList(QWidget* parent = nullptr);
   void set_problems(std::vector<Problem> problems);
-  /// Newest first, without those that were dismissed.
+  /// Newest first, without the dismissed ones.
   [[nodiscard]] std::vector<Problem> problems() const;
   [[nodiscard]] bool is_unfolded() const { return is_unfolded_; }
 
@@ -50,27 +50,27 @@ class ProblemList : public Translated<QFrame> {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  struct Noted {
+  struct ListedProblem {
     Problem problem;
     qint64 since_ms = 0;  ///< of the monotonic clock
     bool is_dismissed = false;
   };
   void rebuild();
-  void word_anew();
-  void tell_ages();
+  void retranslate();
+  void show_ages();
   void show_fold();
   void dismiss(const QString& what);
-  [[nodiscard]] std::vector<const Noted*> shown() const;
-  [[nodiscard]] QWidget* make_row(const Noted& noted, bool is_first);
-  void add_buttons(const Noted& noted, bool is_first, QHBoxLayout& layout);
+  [[nodiscard]] std::vector<const ListedProblem*> shown() const;
+  [[nodiscard]] QWidget* make_row(const ListedProblem& listed, bool is_first);
+  void add_buttons(const ListedProblem& listed, bool is_first, QHBoxLayout& layout);
   [[nodiscard]] QString age_text(qint64 since_ms) const;
 
-  std::vector<Noted> noted_;  // newest first
+  std::vector<ListedProblem> listed_;  // newest first
   QVBoxLayout* rows_;
   QTimer clock_;
   bool is_unfolded_ = false;
-  std::vector<std::pair<QLabel*, qint64>> ages_;  // of the rows that are shown
-  OneLine* line_ = nullptr;                       // of the first row, folded
+  std::vector<std::pair<QLabel*, qint64>> ages_;  // of the shown rows
+  ElidedLabel* line_ = nullptr;                   // of the first row, folded
   QToolButton* fold_ = nullptr;
 };
 

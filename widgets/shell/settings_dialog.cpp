@@ -36,7 +36,7 @@ SettingsDialog::SettingsDialog(const Appearance& now, Pedal* pedal, QWidget* par
   layout->addStretch();
   layout->addWidget(buttons_);
   for (std::size_t i = 0; i < kThemes.size(); ++i) theme_->addItem({});
-  // Each language in its own words, so that everyone finds theirs.
+  // Each language in its own words, so that its speakers find it.
   for (const char* name : {"", "English", "Deutsch", "简体中文"})
     language_->addItem(QString::fromUtf8(name));
   theme_->setCurrentIndex(
@@ -44,8 +44,8 @@ SettingsDialog::SettingsDialog(const Appearance& now, Pedal* pedal, QWidget* par
   for (std::size_t i = 0; i < kLanguages.size(); ++i)
     if (now.language == QLatin1String(kLanguages[i]))
       language_->setCurrentIndex(static_cast<int>(i));
-  connect(theme_, &QComboBox::currentIndexChanged, this, &SettingsDialog::tell);
-  connect(language_, &QComboBox::currentIndexChanged, this, &SettingsDialog::tell);
+  connect(theme_, &QComboBox::currentIndexChanged, this, &SettingsDialog::emit_choice);
+  connect(language_, &QComboBox::currentIndexChanged, this, &SettingsDialog::emit_choice);
   connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
   say([this] {
     setWindowTitle(tr("Settings"));
@@ -67,8 +67,8 @@ SettingsDialog::SettingsDialog(const Appearance& now, Pedal* pedal, QWidget* par
 }
 
 QWidget* SettingsDialog::make_pedal() {
-  auto* whole = new QWidget;
-  auto* column = new QVBoxLayout(whole);
+  auto* container = new QWidget;
+  auto* column = new QVBoxLayout(container);
   column->setContentsMargins(0, 0, 0, 0);
   auto* row = new QHBoxLayout;
   row->addWidget(learn_);
@@ -87,7 +87,7 @@ QWidget* SettingsDialog::make_pedal() {
   });
   connect(forget_, &QPushButton::clicked, this, [this] { pedal_->listen(std::nullopt); });
   if (pedal_ != nullptr) connect(pedal_, &Pedal::changed, this, &SettingsDialog::show_pedal);
-  return whole;
+  return container;
 }
 
 void SettingsDialog::show_pedal() {
@@ -106,7 +106,7 @@ void SettingsDialog::show_pedal() {
   pedal_text_->setText(text);
 }
 
-void SettingsDialog::tell() {
+void SettingsDialog::emit_choice() {
   Q_EMIT appearance_chosen(
       {kThemes[static_cast<std::size_t>(theme_->currentIndex())],
        QString::fromLatin1(kLanguages[static_cast<std::size_t>(language_->currentIndex())])});

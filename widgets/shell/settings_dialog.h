@@ -1,4 +1,4 @@
-// How the program looks and which language it speaks; every choice shows at once.
+// Theme and language of the program; every choice takes effect at once.
 #pragma once
 
 #include "widgets/live/pedal.h"
@@ -22,14 +22,14 @@ struct Appearance {
 class SettingsDialog : public FittedDialog {
   Q_OBJECT
  public:
-  /// `pedal` is told what is chosen of it, and outlives the dialog; null: nothing can be.
+  /// `pedal` receives its settings and outlives the dialog; null: there is none to set.
   explicit SettingsDialog(const Appearance& now, Pedal* pedal, QWidget* parent = nullptr);
 
  Q_SIGNALS:
   void appearance_chosen(const alltact::Appearance& appearance);
 
  private:
-  void tell();
+  void emit_choice();
   [[nodiscard]] QWidget* make_pedal();
   void show_pedal();
 

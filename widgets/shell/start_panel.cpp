@@ -30,14 +30,14 @@ StartPanel::StartPanel(QWidget* parent)
   row->addLayout(make_left(), 1);
   row->addLayout(make_right());
   connect(cards_, &FingerCards::filled, this, &StartPanel::mark_primary);
-  connect(try_, &QPushButton::clicked, this, &StartPanel::try_wanted);
-  connect(last_, &QPushButton::clicked, this, &StartPanel::last_wanted);
-  connect(simulated_, &QPushButton::clicked, this, &StartPanel::simulated_wanted);
-  connect(video_, &QPushButton::clicked, this, &StartPanel::video_wanted);
-  connect(folder_, &QPushButton::clicked, this, &StartPanel::folder_wanted);
-  connect(finger_, &QPushButton::clicked, this, &StartPanel::finger_wanted);
-  connect(new_finger_, &QPushButton::clicked, this, &StartPanel::new_finger_wanted);
-  connect(all_, &QPushButton::clicked, this, &StartPanel::all_fingers_wanted);
+  connect(try_, &QPushButton::clicked, this, &StartPanel::tutorial_requested);
+  connect(last_, &QPushButton::clicked, this, &StartPanel::last_requested);
+  connect(simulated_, &QPushButton::clicked, this, &StartPanel::simulation_requested);
+  connect(video_, &QPushButton::clicked, this, &StartPanel::video_requested);
+  connect(folder_, &QPushButton::clicked, this, &StartPanel::folder_requested);
+  connect(finger_, &QPushButton::clicked, this, &StartPanel::finger_requested);
+  connect(new_finger_, &QPushButton::clicked, this, &StartPanel::new_finger_requested);
+  connect(all_, &QPushButton::clicked, this, &StartPanel::all_fingers_requested);
   say([this] { name_parts(); });
 }
 
@@ -123,10 +123,10 @@ void StartPanel::show_cameras() {
   }
   if (found_.empty()) cameras_->addWidget(new QLabel(tr("No camera is plugged in.")));
   for (const FoundCamera& camera : found_) {
-    const QString name = QString::fromStdString(camera.identity.lasting());
+    const QString name = QString::fromStdString(camera.identity.stable_name());
     auto* button = new QPushButton(tr("Camera %1").arg(camera_label(camera, found_)));
     button->setToolTip(name);
-    connect(button, &QPushButton::clicked, this, [this, name] { Q_EMIT camera_wanted(name); });
+    connect(button, &QPushButton::clicked, this, [this, name] { Q_EMIT camera_requested(name); });
     cameras_->addWidget(button);
     if (!camera.problem) continue;
     button->setEnabled(false);

@@ -1,4 +1,4 @@
-// What stands where the picture will be: ways to begin, in the order in which they are wanted.
+// Shown while no source is open: the options to start with, in the order of their likelihood.
 #pragma once
 
 #include "core/sources/v4l2/camera_list.h"
@@ -19,30 +19,30 @@ class StartPanel : public Translated<QWidget> {
  public:
   explicit StartPanel(QWidget* parent = nullptr);
   void set_cameras(const std::vector<FoundCamera>& cameras);
-  /// What was worked on last; empty for nothing.
+  /// Name of the last session's source; empty for none.
   void set_last(const QString& what);
   /// The recent fingers.
   [[nodiscard]] FingerCards& cards() { return *cards_; }
 
  Q_SIGNALS:
-  void last_wanted();
-  void camera_wanted(const QString& name);
-  void simulated_wanted();
-  /// Whoever has no finger at hand tries everything with one that is made up.
-  void try_wanted();
-  /// All that were ever made here, in one list.
-  void all_fingers_wanted();
-  void video_wanted();
-  void folder_wanted();
-  void finger_wanted();
-  void new_finger_wanted();
+  void last_requested();
+  void camera_requested(const QString& name);
+  void simulation_requested();
+  /// The tutorial with a simulated finger, for users without a finger at hand.
+  void tutorial_requested();
+  /// All fingers that were ever made here, in one list.
+  void all_fingers_requested();
+  void video_requested();
+  void folder_requested();
+  void finger_requested();
+  void new_finger_requested();
 
  private:
   [[nodiscard]] QVBoxLayout* make_left();
   [[nodiscard]] QVBoxLayout* make_right();
   void name_parts();
   void show_cameras();
-  /// What is most likely wanted is the largest button.
+  /// The most likely option is the largest button.
   void mark_primary();
 
   std::vector<FoundCamera> found_;

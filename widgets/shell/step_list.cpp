@@ -13,13 +13,13 @@ namespace {
 
 constexpr int kStepSymbol = 16;
 constexpr int kHeight = 34, kHighHeight = 36;
-constexpr int kBesideText = kStepSymbol + 22;  // px of a button
+constexpr int kTextMargin = kStepSymbol + 22;  // px of a button
 
 QString state_word(StepState state) {
   switch (state) {
     case StepState::kDone:
       return StepList::tr("done");
-    case StepState::kLookAgain:
+    case StepState::kOutdated:
       return StepList::tr("look again");
     case StepState::kReading:
       return StepList::tr("is being read");
@@ -34,7 +34,7 @@ QString state_word(StepState state) {
 StepList::StepList(QWidget* parent) : Translated(parent) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
-  say([this] { dress(); });
+  say([this] { apply_style(); });
 }
 
 void StepList::make_buttons(std::size_t count) {
@@ -62,11 +62,11 @@ void StepList::show_steps(const std::vector<Step>& steps, std::size_t current) {
                a.why_not == b.why_not;
       });
   steps_ = steps;
-  if (is_new) dress();
+  if (is_new) apply_style();
   buttons_[current]->setChecked(true);
 }
 
-void StepList::dress() {
+void StepList::apply_style() {
   for (std::size_t i = 0; i < steps_.size(); ++i) {
     const Step& step = steps_[i];
     QToolButton* button = buttons_[i];
@@ -74,7 +74,7 @@ void StepList::dress() {
     button->setToolTip(step.is_open ? QString() : step.why_not);
     button->setAccessibleName(labelled(title(i), state_word(step.state)));
     const bool is_done = step.state == StepState::kDone;
-    const bool is_known = is_done || step.state == StepState::kLookAgain;
+    const bool is_known = is_done || step.state == StepState::kOutdated;
     button->setIcon(
         !is_known
             ? QIcon()
@@ -100,13 +100,13 @@ void StepList::fit() {
   }
   const int count = static_cast<int>(buttons_.size());
   const int gaps = layout()->spacing() * (count - 1);
-  const bool is_one_line = count * (widest + kBesideText) + gaps <= width();
+  const bool is_one_line = count * (widest + kTextMargin) + gaps <= width();
   for (std::size_t i = 0; i < steps_.size(); ++i) {
     QToolButton* button = buttons_[i];
     button->setText(is_one_line ? button->accessibleName()
                                 : title(i) + QLatin1Char('\n') + state_word(steps_[i].state));
     button->setFixedHeight(is_one_line ? kHeight : kHighHeight);
-    button->setMinimumWidth(widest_part + kBesideText);
+    button->setMinimumWidth(widest_part + kTextMargin);
   }
 }
 
@@ -117,7 +117,7 @@ void StepList::resizeEvent(QResizeEvent* event) {
 
 void StepList::changeEvent(QEvent* event) {
   Translated::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange) dress();
+  if (event->type() == QEvent::PaletteChange) apply_style();
 }
 
 }  // namespace alltact

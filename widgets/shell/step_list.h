@@ -1,5 +1,4 @@
-// Steps in a row, each with a number, its name and how far it is; those that cannot be gone to yet
-// say why.
+// Steps in a row, each with number, name and state; a step that is not open yet shows why.
 #pragma once
 
 #include "widgets/translated.h"
@@ -13,14 +12,14 @@ namespace alltact {
 enum class StepState {
   kToDo = 1,
   kDone,
-  kLookAgain,  ///< done, but something has changed since
-  kReading,    ///< nobody knows yet: the finger is being read
+  kOutdated,  ///< done, but something has changed since
+  kReading,   ///< not known yet: the finger is being read
 };
 
 struct Step {
   QString title;
   StepState state = StepState::kToDo;
-  bool is_open = true;  ///< it can be gone to
+  bool is_open = true;  ///< the user can go to it
   QString why_not;      ///< shown where it is not open
 };
 
@@ -41,7 +40,7 @@ class StepList : public Translated<QWidget> {
 
  private:
   void make_buttons(std::size_t count);
-  void dress();
+  void apply_style();
   [[nodiscard]] QString title(std::size_t step) const;
   /// In one line where all have the room, else in two.
   void fit();

@@ -73,7 +73,7 @@ void draw_primary(QPainter& painter, const QStyleOption& option) {
                  kFocusWidth);
 }
 
-/// What of several is chosen: tinted, and a bar along its lower edge.
+/// The selected one of several: tinted, and a bar along its lower edge.
 void draw_chosen(QPainter& painter, const QStyleOption& option) {
   const QColor colour = option.palette.color(QPalette::Highlight);
   const QRect inside = option.rect.adjusted(1, 1, -1, -1);
@@ -113,7 +113,7 @@ void StudioStyle::drawPrimitive(PrimitiveElement element,
     return draw_outline(
         *painter, option->rect, option->palette.color(QPalette::Highlight), kFocusWidth);
   QProxyStyle::drawPrimitive(element, option, painter, widget);
-  // Fusion asks for no PE_FrameFocusRect of buttons; its own sign is a shade of their edge.
+  // Fusion draws no PE_FrameFocusRect for buttons; its own sign is a shade of their edge.
   if (element == PE_PanelButtonCommand && has_focus(*option) && !is_black(*option))
     draw_outline(*painter, option->rect, option->palette.color(QPalette::Highlight), kFocusWidth);
   if (element == PE_PanelButtonTool && option->state.testFlag(State_On))
@@ -175,7 +175,7 @@ QRect StudioStyle::subControlRect(ComplexControl control,
   QRect rect = QProxyStyle::subControlRect(control, option, part, widget);
   const auto* group = qstyleoption_cast<const QStyleOptionGroupBox*>(option);
   if (control == CC_GroupBox && part == SC_GroupBoxLabel && group != nullptr) {
-    // In bold it is wider.
+    // Wider in bold.
     QFont title = widget == nullptr ? QFont() : widget->font();
     title.setBold(true);
     const int wide =

@@ -1,6 +1,5 @@
-// Qt's Fusion with what it lacks: outlines that can be seen on dark ground, a focus that can be
-// seen at all, groups that are a title and a line instead of a box in a box, a button for what
-// comes next, and one spacing everywhere.
+// Qt's Fusion style with visible outlines on dark backgrounds, a visible focus, a primary button,
+// and uniform spacing. A group is a title and a line instead of nested boxes.
 #pragma once
 
 #include <QProxyStyle>

@@ -14,7 +14,7 @@ namespace {
 struct ContactWords {
   Q_DECLARE_TR_FUNCTIONS(alltact::ContactWords)
  public:
-  static QString touched(PushedFace face) {
+  static QString face_text(PushedFace face) {
     switch (face) {
       case PushedFace::kContact:
         return tr("Touched on the contact face");
@@ -33,7 +33,7 @@ struct ContactWords {
   }
 
   static QString head(const FingerContact& contact, const TouchHistory* history) {
-    QString text = QStringLiteral("<b>%1</b>").arg(touched(contact.face));
+    QString text = QStringLiteral("<b>%1</b>").arg(face_text(contact.face));
     if (history == nullptr || contact.held_s.value_or(0.0) <= 0) return text;
     return text + QStringLiteral(" ") + tr("for %1").arg(seconds(*contact.held_s));
   }
@@ -48,8 +48,8 @@ struct ContactWords {
 
   static QString rows(const FingerContact& contact) {
     QString rows;
-    if (contact.place) {
-      const PlaceOnFinger& at = *contact.place;
+    if (contact.position) {
+      const PositionOnFinger& at = *contact.position;
       rows += row(tr("Along"), millimetres(at.along_mm, at.along_sd_mm, 2));
       if (at.across_mm) rows += row(tr("Across"), millimetres(*at.across_mm, at.across_sd_mm, 2));
       if (at.depth_mm)
@@ -59,13 +59,14 @@ struct ContactWords {
                         : millimetres(*at.depth_mm, at.depth_sd_mm, 2));
     }
     if (!contact.direction) return rows;
-    const Eigen::Vector3d& way = *contact.direction;
+    const Eigen::Vector3d& direction = *contact.direction;
     const QString turned = contact.direction_sd_deg
                                ? tr("± %1°").arg(sd_number(*contact.direction_sd_deg, 1))
                                : tr("(the face's normal)");
-    const QString components =
-        tr("x %1, y %2, z %3")
-            .arg(plain_number(way.x(), 2), plain_number(way.y(), 2), plain_number(way.z(), 2));
+    const QString components = tr("x %1, y %2, z %3")
+                                   .arg(plain_number(direction.x(), 2),
+                                        plain_number(direction.y(), 2),
+                                        plain_number(direction.z(), 2));
     return rows + row(tr("Direction"), components + QStringLiteral(" ") + turned);
   }
 
@@ -89,7 +90,8 @@ struct ContactWords {
     QString text = parts.join(QStringLiteral("<br>"));
     text += QStringLiteral("<table>%1</table>").arg(rows(contact));
     parts.clear();
-    if (!contact.place && !contact.no_place.empty()) parts << window_sentence(contact.no_place);
+    if (!contact.position && !contact.no_position.empty())
+      parts << window_sentence(contact.no_position);
     parts << extent(result.regions);
     parts.removeAll(QString());
     return text + parts.join(QStringLiteral("<br>"));
@@ -110,7 +112,7 @@ struct ContactWords {
 
   static QString brief(const FrameResult& result) {
     QStringList parts;
-    if (result.contact) parts << touched(result.contact->face);
+    if (result.contact) parts << face_text(result.contact->face);
     if (result.force && result.force->in_range) {
       const Force& force = *result.force;
       const std::array names{
@@ -137,7 +139,7 @@ QString contact_words(const FrameResult& result, const TouchHistory* history) {
                         : ContactWords::free(result, history);
 }
 
-QString brief_touch_words(const FrameResult& result) {
+QString brief_contact_words(const FrameResult& result) {
   return ContactWords::brief(result);
 }
 

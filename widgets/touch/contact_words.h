@@ -1,4 +1,4 @@
-// What touches the finger, in words.
+// Text about the contact.
 #pragma once
 
 #include "widgets/number_text.h"
@@ -8,15 +8,15 @@
 
 namespace alltact {
 
-/// Rich text: which face and since when, slip, place on the finger and direction with their
-/// standard deviations, extent; or that nothing touches, and when that ended. `history`: null where
-/// frames do not follow each other.
+/// Rich text: face and duration of the contact, slip, position on the finger and direction with
+/// their standard deviations, extent. Without contact: when the last one ended. `history`: null
+/// where frames are not consecutive.
 [[nodiscard]] QString contact_words(const FrameResult& result, const TouchHistory* history);
 
-/// Face and force, as measured, on one line; empty where nothing is told.
-[[nodiscard]] QString brief_touch_words(const FrameResult& result);
+/// Face and force, as measured, on one line; empty where neither is known.
+[[nodiscard]] QString brief_contact_words(const FrameResult& result);
 
-/// What the figures count from, for a tool tip.
+/// Origins of the figures, for a tool tip.
 [[nodiscard]] QString contact_words_help();
 
 }  // namespace alltact

@@ -33,7 +33,7 @@ struct ForceWords {
 
 }  // namespace
 
-QString why_no_force(const FingerStatus& finger) {
+QString no_force_reason(const FingerStatus& finger) {
   return ForceWords::why_none(finger);
 }
 

@@ -1,4 +1,4 @@
-// Why no force is told.
+// Explains why there is no force.
 #pragma once
 
 #include "calibration/live/live_finger.h"
@@ -8,6 +8,6 @@
 namespace alltact {
 
 /// Rich text, with what to do.
-[[nodiscard]] QString why_no_force(const FingerStatus& finger);
+[[nodiscard]] QString no_force_reason(const FingerStatus& finger);
 
 }  // namespace alltact

@@ -1,4 +1,4 @@
-// From which reading on a finger's forces count, for as long as the program runs.
+// Zero of a finger's forces, valid while the program runs.
 #pragma once
 
 #include "widgets/touch/touch_history.h"
@@ -9,7 +9,7 @@
 
 namespace alltact {
 
-/// A zero with what it belongs to: no other finger's forces count from it, nor another model's.
+/// A zero with its finger and force model; it does not apply to others.
 struct SessionZero {
   ForceZero zero;
   QDateTime since;

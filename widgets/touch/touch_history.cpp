@@ -7,7 +7,7 @@ namespace alltact {
 
 void TouchHistory::add(const FrameResult& result, double time_s) {
   if (now_s_ && time_s < *now_s_) forget();
-  const bool is_after_gap = now_s_ && time_s > *now_s_ + kLongestGap_s;
+  const bool is_after_gap = now_s_ && time_s > *now_s_ + kMaxGap_s;
   now_s_ = time_s;
   add_force(result.force, is_after_gap);
   add_contact(result.contact, is_after_gap);
@@ -22,13 +22,13 @@ void TouchHistory::add_force(const std::optional<Force>& force, bool is_after_ga
   const bool is_same_slot = !forces_.empty() && slot(forces_.back().time_s) == slot(*now_s_);
   if (is_same_slot && forces_.back().force && force)
     forces_.back() = {*now_s_, force};
-  else if (!is_same_slot || force)  // what a slot told is not lost by a frame that tells nothing
+  else if (!is_same_slot || force)  // a frame without a force does not replace one in the same slot
     forces_.push_back({*now_s_, force});
 }
 
 void TouchHistory::add_contact(const std::optional<FingerContact>& contact, bool is_after_gap) {
   const bool was_on = !contacts_.empty() && !contacts_.back().has_ended;
-  // Frames that were not taken may hold its end and the next one's beginning.
+  // Between the frames one contact may have ended and the next begun.
   const bool is_another =
       contact && was_on &&
       (is_after_gap || contact->is_new ||
@@ -46,7 +46,7 @@ void TouchHistory::add_contact(const std::optional<FingerContact>& contact, bool
 }
 
 void TouchHistory::add_slip() {
-  if (slips_.empty() || *now_s_ - slips_.back().to_s > kOneSlip_s) slips_.push_back({*now_s_, 0});
+  if (slips_.empty() || *now_s_ - slips_.back().to_s > kSlipMerge_s) slips_.push_back({*now_s_, 0});
   slips_.back().to_s = *now_s_;
 }
 
@@ -80,7 +80,7 @@ std::optional<ForceZero> present_zero(const TouchHistory& history) {
   if (count == 0) return std::nullopt;
   for (Eigen::Vector3d* sum : {&zero.force_N, &zero.sd_N, &zero.half_90_N, &zero.half_95_N})
     *sum /= count;
-  zero.is_touched = !history.contacts().empty() && !history.contacts().back().has_ended;
+  zero.has_contact = !history.contacts().empty() && !history.contacts().back().has_ended;
   return zero;
 }
 

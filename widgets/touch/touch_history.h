@@ -1,4 +1,4 @@
-// What a finger felt of late: its forces and its contacts, by the frames' own times.
+// Recent forces and contacts of a finger, by the frames' capture times.
 #pragma once
 
 #include "core/sensing/pipeline.h"
@@ -9,29 +9,29 @@
 
 namespace alltact {
 
-/// A value. Bounded: the last kLength_s, at most one force in kSlot_s.
+/// A value type of bounded size: the last kLength_s, at most one force in each kSlot_s.
 class TouchHistory {
  public:
   static constexpr double kLength_s = 30.0, kSlot_s = 0.02;
-  /// Frames further apart say nothing of the time between them.
-  static constexpr double kLongestGap_s = 1.0;
+  /// Between frames further apart than this nothing is known.
+  static constexpr double kMaxGap_s = 1.0;
 
   struct ForceReading {
     double time_s = 0;
-    std::optional<Force> force;  ///< absent: it could not be told, or frames are missing before
+    std::optional<Force> force;  ///< empty: not estimated, or frames are missing before it
   };
   struct Contact {
-    double from_s = 0, to_s = 0;  ///< by the frames that came; to_s: when it was seen last
+    double from_s = 0, to_s = 0;  ///< by capture times; to_s: of its last frame
     PushedFace face = PushedFace::kContact;
     bool has_ended = false;
   };
   struct Slip {
     double from_s = 0, to_s = 0;
   };
-  /// Frames that tell of slip so near to each other tell of one.
-  static constexpr double kOneSlip_s = 0.1;
+  /// Slip in frames closer than this is one slip.
+  static constexpr double kSlipMerge_s = 0.1;
 
-  /// time_s: of capture, of any clock. Time that goes back begins it anew.
+  /// time_s: of capture, of any clock. A time before the last one clears the history.
   void add(const FrameResult& result, double time_s);
   void forget() { *this = TouchHistory(); }
 
@@ -39,9 +39,9 @@ class TouchHistory {
   [[nodiscard]] const std::deque<Contact>& contacts() const { return contacts_; }  ///< oldest first
   [[nodiscard]] const std::deque<Slip>& slips() const { return slips_; }
   [[nodiscard]] bool has_slipped(const Contact& contact) const;
-  /// Of the latest frame; nullopt before the first.
+  /// Time of the latest frame; nullopt before the first.
   [[nodiscard]] std::optional<double> now_s() const { return now_s_; }
-  /// A force was told of some frame that is kept.
+  /// At least one retained frame has a force.
   [[nodiscard]] bool has_forces() const;
 
  private:
@@ -55,24 +55,23 @@ class TouchHistory {
   std::deque<Slip> slips_;
 };
 
-/// A force that counts as none from now on.
+/// A force that is subtracted as zero.
 struct ForceZero {
   Eigen::Vector3d force_N = Eigen::Vector3d::Zero();
-  /// How far the reading may be off: half widths as in Force.
+  /// Uncertainty of the reading: half widths as in Force.
   Eigen::Vector3d half_90_N = Eigen::Vector3d::Zero();
   Eigen::Vector3d half_95_N = Eigen::Vector3d::Zero();
   Eigen::Vector3d sd_N = Eigen::Vector3d::Zero();
-  bool is_touched = false;  ///< something touched the finger then: what it pressed counts as none
+  bool has_contact = false;  ///< something was in contact, so its force counts as zero
   bool operator==(const ForceZero&) const = default;
 };
 
-/// Mean of the readings of the last kZeroSpan_s, all of them in range; nullopt: there is none.
+/// Mean of the readings of the last kZeroSpan_s; nullopt: there is none, or one is out of range.
 [[nodiscard]] std::optional<ForceZero> present_zero(const TouchHistory& history);
 inline constexpr double kZeroSpan_s = 0.5;
 
-/// The force less the zero. Both err, and how much of that they share is not known: half widths are
-/// the root of the sum of squares, as of readings that share nothing. What they do share, like a
-/// model that errs alike in both, makes that wider than need be.
+/// The force minus the zero. Half widths are the root of the sum of squares, as for independent
+/// errors. Errors shared by both, like those of one model, make this wider than necessary.
 [[nodiscard]] Force zeroed(Force force, const std::optional<ForceZero>& zero);
 
 }  // namespace alltact

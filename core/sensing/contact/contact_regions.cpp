@@ -1,6 +1,6 @@
 #include "core/sensing/contact/contact_regions.h"
 
-#include "core/sensing/contact/contact_frame.h"
+#include "core/sensing/contact/contact_geometry.h"
 #include "core/sensing/contact/principal_axis.h"
 #include "core/sensing/contact/untouched_cells.h"
 #include "core/sensing/depth/depth_cells.h"
@@ -20,65 +20,65 @@ namespace {
 
 constexpr int kCell = kDepthCellPx;  // regions are connected in cells
 constexpr double kLargestAngleSdDeg = 15.0;
-constexpr double kLeastSds = 4.0;  // from untouched, of what counts
+constexpr double kMinSds = 4.0;  // minimum distance from contact-free skin
 
 double sd_of_mean(const UntouchedSd& sd, double pixels, const RegionOptions& options) {
   const double independent = std::max(1.0, pixels / options.correlated_px2);
   return std::hypot(sd.noise / std::sqrt(independent), sd.systematic);
 }
 
-DepthCauses pressed_at(const RegionOptions& options,
-                       const Eigen::Vector2d& pixel,
-                       double depth_mm) {
-  DepthCauses causes;
+DepthErrorTerms pressed_at(const RegionOptions& options,
+                           const Eigen::Vector2d& pixel,
+                           double depth_mm) {
+  DepthErrorTerms causes;
   causes.noise = options.noise_mm;
   if (!options.pressed) return causes;
   return options.pressed(
       static_cast<int>(std::lround(pixel.x())), static_cast<int>(std::lround(pixel.y())), depth_mm);
 }
 
-/// Of all pixels around the middle of what presses, the deepest is the one that noise makes
-/// deepest: further off by a part of the noise's sd that balls drawn at random show.
-double sd_of_deepest(const DepthCauses& causes) {
+/// The deepest pixel of a contact is a maximum over noisy pixels. Its additional error is a
+/// fraction of the noise's sd, from simulated balls.
+double sd_of_deepest(const DepthErrorTerms& causes) {
   constexpr double kChosen = 0.5;
   return std::hypot(causes.total(), kChosen * causes.noise);
 }
 
-/// Takes cells back that untouched skin might reach. touched: of the box.
-void keep_significant(const cv::Mat& cells_mm,
-                      const cv::Rect& box,
-                      const RegionOptions& options,
-                      UntouchedCells& untouched,
-                      cv::Mat& touched) {
+/// Clears cells that contact-free skin could explain. in_contact: mask of the box.
+void drop_insignificant(const cv::Mat& cells_mm,
+                        const cv::Rect& box,
+                        const RegionOptions& options,
+                        UntouchedCells& untouched,
+                        cv::Mat& in_contact) {
   if (!options.untouched) return;
   for (int y = 0; y < box.height; ++y)
     for (int x = 0; x < box.width; ++x) {
-      std::uint8_t& is_touched = touched.at<std::uint8_t>(y, x);
-      if (is_touched == 0) continue;
+      std::uint8_t& is_cell_in_contact = in_contact.at<std::uint8_t>(y, x);
+      if (is_cell_in_contact == 0) continue;
       const cv::Point cell = box.tl() + cv::Point(x, y);
       const double sd = sd_of_mean(untouched.at(cell), kCell * kCell, options);
-      if (cells_mm.at<float>(cell) < kLeastSds * sd) is_touched = 0;
+      if (cells_mm.at<float>(cell) < kMinSds * sd) is_cell_in_contact = 0;
     }
 }
 
-/// Pressed pixels of one cell, all taken to lie at their depth-weighted middle.
+/// Pressed pixels of one cell, all assigned to their depth-weighted centre.
 struct CellSums {
   int pixels = 0;
   double depth = 0, depth_square = 0, depth_u = 0, depth_v = 0;  // sums over the pixels
   std::uint8_t limits = 0;
 };
 
-/// Where on the face the volume above the threshold has its centre. The weight begins at nothing,
-/// so that pixels of the rim which noise takes in or leaves out do not move it.
+/// Centre on the face of the volume above the threshold. The weight starts at 0, so that pixels of
+/// the rim, which noise adds or removes, do not move it.
 class SkinCentre {
  public:
   void add(const CellSums& cell,
-           const Eigen::Vector2d& place_mm,
+           const Eigen::Vector2d& position_mm,
            double pixel_mm2,
            double threshold_mm,
            double noise_mm) {
-    if (weight_ == 0) origin_mm_ = place_mm;
-    const Eigen::Vector2d off = place_mm - origin_mm_;
+    if (weight_ == 0) origin_mm_ = position_mm;
+    const Eigen::Vector2d off = position_mm - origin_mm_;
     const double above = cell.depth - threshold_mm * cell.pixels;
     weight_ += pixel_mm2 * above;
     first_ += pixel_mm2 * above * off;
@@ -89,9 +89,9 @@ class SkinCentre {
     noise_second_ += variance * off * off.transpose();
   }
   [[nodiscard]] Eigen::Vector2d mean_mm() const { return origin_mm_ + first_ / weight_; }
-  /// Of the depth above the threshold, weighted with itself.
+  /// Mean depth above the threshold, weighted with itself.
   [[nodiscard]] double mean_above_mm() const { return square_ / weight_; }
-  /// Of the mean, were pixels independent: an error e moves it by (place - mean) e / weights.
+  /// Of the mean, for independent pixels: an error e moves it by (position - mean) e / weights.
   [[nodiscard]] Eigen::Matrix2d covariance_mm2() const {
     const Eigen::Vector2d mean = first_ / weight_;
     const Eigen::Matrix2d mixed = noise_first_ * mean.transpose();
@@ -105,22 +105,22 @@ class SkinCentre {
   double weight_ = 0, square_ = 0, noise_ = 0;
 };
 
-/// What a region is told from, gathered cell by cell. Within a cell of 4 px the face is even: its
-/// own spread of (4^2 - 1) / 12 px^2 is the same in every direction and left out.
+/// Sums of a region, accumulated cell by cell. Within a cell of 4 px the face is even. Its own
+/// spread of (4^2 - 1) / 12 px^2 is isotropic and omitted.
 class RegionSums {
  public:
-  /// Of pixels of rows [first_row, first_row + rows).
+  /// For pixels of rows [first_row, first_row + rows).
   RegionSums(const FaceShape& shape, const Face& face, double threshold_mm, int first_row, int rows)
       : shape_(shape),
         face_(face),
         threshold_mm_(threshold_mm),
         first_row_(first_row),
         ends_(static_cast<std::size_t>(rows), {std::numeric_limits<int>::max(), -1}) {
-    region_.place_mm.setZero();
-    region_.place_px.setZero();
+    region_.position_mm.setZero();
+    region_.position_px.setZero();
   }
 
-  /// sd: of the cell's untouched skin
+  /// sd: of the cell without contact
   void add(const CellSums& cell, const UntouchedSd& sd, const RegionOptions& options) {
     const Eigen::Vector2d middle(cell.depth_u / cell.depth, cell.depth_v / cell.depth);
     region_.limits |= cell.limits;
@@ -134,21 +134,21 @@ class RegionSums {
     const Eigen::Vector3d pressed_mm =
         untouched_point_mm(*local, face_.layer_mm, MappingAlong::kZ) -
         Eigen::Vector3d(0.0, 0.0, weighted_depth);
-    const double volume = cell.depth * area->flat_mm2;
-    // Moments about a point of the region itself, so that little cancels.
+    const double volume = cell.depth * area->projected_mm2;
+    // Moments about a point of the region itself, to avoid cancellation.
     if (region_.pixels == 0) origin_mm_ = pressed_mm;
     region_.pixels += cell.pixels;
     region_.volume_mm3 += volume;
-    region_.place_mm += volume * pressed_mm;
-    region_.place_px += volume * middle;
-    const Eigen::Vector2d on_face_mm = shape_.place_mm(middle.x(), middle.y());
-    region_.place_on_face_mm += volume * on_face_mm;
+    region_.position_mm += volume * pressed_mm;
+    region_.position_px += volume * middle;
+    const Eigen::Vector2d on_face_mm = shape_.position_mm(middle.x(), middle.y());
+    region_.position_on_face_mm += volume * on_face_mm;
     region_.area_mm2 += cell.pixels * area->on_face_mm2;
-    const DepthCauses causes = pressed_at(options, middle, cell.depth / cell.pixels);
+    const DepthErrorTerms causes = pressed_at(options, middle, cell.depth / cell.pixels);
     errors_.add(causes, volume, cell.pixels);
-    centre_.add(cell, on_face_mm, area->flat_mm2, threshold_mm_, causes.noise);
-    // The axis is that of the volume between the threshold and the depth: a weight that begins at
-    // nothing, so that pixels of the rim which noise takes in or leaves out do not move it.
+    centre_.add(cell, on_face_mm, area->projected_mm2, threshold_mm_, causes.noise);
+    // The axis is that of the volume between the threshold and the depth. The weight starts at 0,
+    // so that pixels of the rim, which noise adds or removes, do not move it.
     const double above = cell.depth - threshold_mm_ * cell.pixels;
     const double middle_depth =
         0.5 * (cell.depth_square - threshold_mm_ * threshold_mm_ * cell.pixels) / above;
@@ -167,8 +167,8 @@ class RegionSums {
     row_first = std::min(row_first, first), row_last = std::max(row_last, last);
   }
 
-  /// A pixel that may be the deepest.
-  void look_at(int u, int row, double depth_mm) {
+  /// A candidate for the deepest pixel.
+  void update_deepest(int u, int row, double depth_mm) {
     if (!(depth_mm > region_.deepest_mm)) return;
     const auto local = shape_.at(u, row);
     if (!local) return;
@@ -179,62 +179,62 @@ class RegionSums {
   }
 
   [[nodiscard]] bool empty() const { return region_.pixels == 0; }
-  /// Whether untouched skin would hardly ever look like this.
+  /// Whether contact-free skin would hardly ever have these depths.
   [[nodiscard]] bool is_significant(const RegionOptions& options) const {
     const double pixels = region_.pixels;
     const double sd = sd_of_mean({noise_ / pixels, systematic_ / pixels}, pixels, options);
-    return depth_ / pixels >= kLeastSds * sd;
+    return depth_ / pixels >= kMinSds * sd;
   }
-  /// How many standard deviations deep the deepest place lies; infinite where none is told.
+  /// Greatest depth in standard deviations; infinite without `pressed`.
   [[nodiscard]] double sds_deep(const RegionOptions& options) const {
     if (!options.pressed) return std::numeric_limits<double>::infinity();
-    DepthCauses causes = pressed_at(options, deepest_px_, region_.deepest_mm);
+    DepthErrorTerms causes = pressed_at(options, deepest_px_, region_.deepest_mm);
     causes.lateral = 0;
     return region_.deepest_mm / std::max(sd_of_deepest(causes), 1e-9);
   }
   [[nodiscard]] ContactRegion region(const RegionOptions& options) const {
     ContactRegion region = region_;
-    region.place_mm /= region.volume_mm3;
-    region.place_px /= region.volume_mm3;
-    region.place_on_face_mm /= region.volume_mm3;
-    find_deepest_place(options, region);
+    region.position_mm /= region.volume_mm3;
+    region.position_px /= region.volume_mm3;
+    region.position_on_face_mm /= region.volume_mm3;
+    find_deepest_position(options, region);
     if (options.pressed) {
-      const DepthCauses causes = pressed_at(options, deepest_px_, region.deepest_mm);
+      const DepthErrorTerms causes = pressed_at(options, deepest_px_, region.deepest_mm);
       region.deepest_sd_mm = sd_of_deepest(causes);
       region.limits |= limits_of(causes, options.is_light_doubtful) & kDoubtfulLight;
     }
     if (options.pressed)
-      region.place_covariance_mm2 = contact_covariance_mm2(
-          shape_, region.place_px, errors_.mean_sd_mm(region, options.correlated_px2));
-    if (const auto local = shape_.at(region.place_px.x(), region.place_px.y()))
+      region.position_covariance_mm2 = contact_covariance_mm2(
+          shape_, region.position_px, errors_.mean_sd_mm(region, options.correlated_px2));
+    if (const auto local = shape_.at(region.position_px.x(), region.position_px.y()))
       region.normal = local->normal;
     find_angle(options, region);
-    if (region.angle_deg) region.axis = contact_axis(shape_, region.place_px, *region.angle_deg);
+    if (region.angle_deg) region.axis = contact_axis(shape_, region.position_px, *region.angle_deg);
     region.polygon_mm =
         convex_polygon(outline_mm(), 0.25 * std::sqrt(region.area_mm2 / region.pixels));
     return region;
   }
 
  private:
-  /// Both ends of each row, mm on the face: what lies between them is within any polygon around
-  /// them.
+  /// Both ends of each row, mm on the face: any convex polygon around them contains the pixels
+  /// between.
   [[nodiscard]] std::vector<Eigen::Vector2d> outline_mm() const {
     std::vector<Eigen::Vector2d> outline;
     for (std::size_t k = 0; k < ends_.size(); ++k) {
       const auto [first, last] = ends_[k];
       if (last < first) continue;
       const double row = first_row_ + static_cast<double>(k);
-      outline.push_back(shape_.place_mm(first - 0.5, row));
-      outline.push_back(shape_.place_mm(last + 0.5, row));
+      outline.push_back(shape_.position_mm(first - 0.5, row));
+      outline.push_back(shape_.position_mm(last + 0.5, row));
     }
     return outline;
   }
 
-  /// As contact_regions() says of the weights depth - h: the centre lies
-  /// (sum of (d - h)^2 / sum of (d - h) / 2 + h) sin(theta) from the middle.
-  void find_deepest_place(const RegionOptions& options, ContactRegion& region) const {
+  /// Formula of contact_regions() with the weights depth - h: the centre lies
+  ///   (sum of (d - h)^2 / sum of (d - h) / 2 + h) sin(theta) from the middle.
+  void find_deepest_position(const RegionOptions& options, ContactRegion& region) const {
     region.deepest_on_face_mm = centre_.mean_mm();
-    if (const auto plane = contact_plane(shape_, region.place_px))
+    if (const auto plane = contact_plane(shape_, region.position_px))
       region.deepest_on_face_mm +=
           (region.deepest_mm - threshold_mm_ - 0.5 * centre_.mean_above_mm()) *
           plane->row(2).transpose();
@@ -242,31 +242,31 @@ class RegionSums {
       region.centre_covariance_mm2 = options.correlated_px2 * centre_.covariance_mm2();
   }
 
-  /// Principal axis, where one can be told: where points drawn from the contact, as many as it has
-  /// independent pixels, would show it to kLargestAngleSdDeg, sqrt(l1 l2 / n) / (l1 - l2).
+  /// Principal axis, where it is determined. Criterion: as many random points of the contact as it
+  /// has independent pixels give an sd of at most kLargestAngleSdDeg, sqrt(l1 l2 / n) / (l1 - l2).
   void find_angle(const RegionOptions& options, ContactRegion& region) const {
-    const auto plane = contact_plane(shape_, region.place_px);
+    const auto plane = contact_plane(shape_, region.position_px);
     if (!plane) return;
     const auto axis = principal_axis(columns_, *plane, options.correlated_px2);
     if (!axis) return;
     constexpr double kDegPerRad = 180.0 / M_PI;
     const double independent = std::max(1.0, region.pixels / options.correlated_px2);
-    const double drawn_deg = kDegPerRad *
-                             std::sqrt(axis->greater_mm2 * axis->smaller_mm2 / independent) /
-                             (axis->greater_mm2 - axis->smaller_mm2);
+    const double sampling_sd_deg = kDegPerRad *
+                                   std::sqrt(axis->greater_mm2 * axis->smaller_mm2 / independent) /
+                                   (axis->greater_mm2 - axis->smaller_mm2);
     const double width_mm = std::sqrt(axis->smaller_mm2);
     const double sd_deg = std::hypot(
         kDegPerRad * axis->sd_rad,
         width_mm > 0 ? options.axis_beyond_noise_deg / std::sqrt(width_mm) : kLargestAngleSdDeg);
-    if (!(drawn_deg <= kLargestAngleSdDeg && sd_deg <= kLargestAngleSdDeg)) return;
+    if (!(sampling_sd_deg <= kLargestAngleSdDeg && sd_deg <= kLargestAngleSdDeg)) return;
     region.angle_deg = kDegPerRad * axis->angle_rad;
     region.angle_sd_deg = sd_deg;
   }
 
-  /// What errs in the mean depth: what all pixels share, and the noise that they do not.
+  /// Errors of the mean depth: those that all pixels share, and their independent noise.
   struct MeanErrors {
     double volume = 0, mapping = 0, reference = 0, light = 0, noise_square = 0;
-    void add(const DepthCauses& causes, double cell_volume, int pixels) {
+    void add(const DepthErrorTerms& causes, double cell_volume, int pixels) {
       volume += cell_volume;
       mapping += cell_volume * causes.mapping;
       reference += cell_volume * causes.reference;
@@ -287,7 +287,7 @@ class RegionSums {
   int first_row_;
   std::vector<std::pair<int, int>> ends_;  // the first and the last pressed pixel of each row
   MeanErrors errors_;
-  ContactRegion region_;  // places not yet divided by the volume
+  ContactRegion region_;  // positions not yet divided by the volume
   Eigen::Vector3d origin_mm_ = Eigen::Vector3d::Zero();
   double depth_ = 0, noise_ = 0, systematic_ = 0;  // sums over the pixels
   SkinCentre centre_;
@@ -327,7 +327,7 @@ PressedCell pressed_in(const DepthMap& map, const cv::Rect& cell, float threshol
   return pressed;
 }
 
-/// The pressed pixels of the cells with a label; the label picture begins at the cell `origin`.
+/// The pressed pixels of the cells with a label; the label image begins at the cell `origin`.
 RegionSums sums_of(const DepthMap& depth,
                    const cv::Mat& labels,
                    int label,
@@ -339,20 +339,21 @@ RegionSums sums_of(const DepthMap& depth,
                    double threshold_mm,
                    const RegionOptions& options) {
   RegionSums sums(shape, face, threshold_mm, (origin.y + cells.y) * kCell, cells.height * kCell);
-  const cv::Rect picture({0, 0}, depth.depth_mm.size());
+  const cv::Rect image({0, 0}, depth.depth_mm.size());
   for (int y = cells.y; y < cells.y + cells.height; ++y) {
     const int* row = labels.ptr<int>(y);
     for (int x = cells.x; x < cells.x + cells.width; ++x) {
       if (row[x] != label) continue;
       const cv::Rect cell =
-          cv::Rect((origin.x + x) * kCell, (origin.y + y) * kCell, kCell, kCell) & picture;
+          cv::Rect((origin.x + x) * kCell, (origin.y + y) * kCell, kCell, kCell) & image;
       const PressedCell pressed = pressed_in(depth, cell, static_cast<float>(threshold_mm));
       if (pressed.sums.pixels == 0) continue;
       sums.add(pressed.sums, untouched.at(origin + cv::Point(x, y)), options);
       for (std::size_t k = 0; k < pressed.ends.size(); ++k)
         if (const auto& [first, last] = pressed.ends[k]; last >= 0)
           sums.widen(cell.y + static_cast<int>(k), first, last);
-      sums.look_at(pressed.deepest_u, pressed.deepest_row, static_cast<double>(pressed.deepest));
+      sums.update_deepest(
+          pressed.deepest_u, pressed.deepest_row, static_cast<double>(pressed.deepest));
     }
   }
   return sums;
@@ -363,13 +364,13 @@ struct FoundRegion {
   double sds_deep;
 };
 
-std::vector<ContactRegion> by_sureness_and_volume(std::vector<FoundRegion>& found) {
-  constexpr double kPartOfSurest = 0.5;
-  double surest = 0;
-  for (const FoundRegion& one : found) surest = std::max(surest, one.sds_deep);
+std::vector<ContactRegion> by_certainty_and_volume(std::vector<FoundRegion>& found) {
+  constexpr double kPartOfMaxSds = 0.5;
+  double max_sds = 0;
+  for (const FoundRegion& one : found) max_sds = std::max(max_sds, one.sds_deep);
   std::stable_sort(found.begin(), found.end(), [&](const FoundRegion& a, const FoundRegion& b) {
     const auto rank = [&](const FoundRegion& one) {
-      return std::pair(one.sds_deep >= kPartOfSurest * surest, one.region.volume_mm3);
+      return std::pair(one.sds_deep >= kPartOfMaxSds * max_sds, one.region.volume_mm3);
     };
     return rank(a) > rank(b);
   });
@@ -386,23 +387,23 @@ std::vector<ContactRegion> contact_regions(const DepthMap& depth,
                                            const RegionOptions& options) {
   const double threshold = std::max(options.threshold_mm, 4.0 * options.noise_mm);
   cv::Mat everywhere = depth.cells_mm > threshold;
-  // Labels are given within the box that holds all that is touched, and a cell around it.
+  // Labels are computed within the bounding box of all cells in contact, and a cell around it.
   const cv::Rect tight = cv::boundingRect(everywhere);
   if (tight.empty()) return {};
   const cv::Rect box = cv::Rect(tight.x - 1, tight.y - 1, tight.width + 2, tight.height + 2) &
                        cv::Rect({0, 0}, everywhere.size());
-  cv::Mat touched = everywhere(box);
+  cv::Mat in_contact = everywhere(box);
   UntouchedCells untouched(options, depth.depth_mm.size(), box);
-  keep_significant(depth.cells_mm, box, options, untouched, touched);
+  drop_insignificant(depth.cells_mm, box, options, untouched, in_contact);
   cv::Mat labels, statistics, centres;
   const int count =
-      cv::connectedComponentsWithStats(touched, labels, statistics, centres, 8, CV_32S);
-  // A region's rim reaches into the cells around it.
+      cv::connectedComponentsWithStats(in_contact, labels, statistics, centres, 8, CV_32S);
+  // A region's rim extends into the adjacent cells.
   cv::Mat wide;
   labels.convertTo(wide, CV_32F);
   cv::dilate(wide, wide, cv::Mat::ones(3, 3, CV_8U));
   wide.convertTo(wide, CV_32S);
-  labels.copyTo(wide, touched);
+  labels.copyTo(wide, in_contact);
 
   std::vector<FoundRegion> found;
   for (int label = 1; label < count; ++label) {
@@ -416,10 +417,10 @@ std::vector<ContactRegion> contact_regions(const DepthMap& depth,
     if (sums.empty() || !sums.is_significant(options)) continue;
     const ContactRegion region = sums.region(options);
     const double sds_deep = sums.sds_deep(options);
-    if (region.area_mm2 >= options.minimum_area_mm2 && sds_deep >= kLeastSds)
+    if (region.area_mm2 >= options.minimum_area_mm2 && sds_deep >= kMinSds)
       found.push_back({region, sds_deep});
   }
-  return by_sureness_and_volume(found);
+  return by_certainty_and_volume(found);
 }
 
 }  // namespace alltact

@@ -1,4 +1,4 @@
-// When a contact begins and ends, and whether what touches slips: over the frames of one source.
+// Beginning and end of a contact, and whether the object slips: over the frames of one source.
 #pragma once
 
 #include <deque>
@@ -8,53 +8,53 @@
 
 namespace alltact {
 
-/// A contact begins when frames have told of one (strength 1 and more, ContactSigns) for kOnset_s,
-/// and ends when they have told of less than kRelease of that for kRelease_s. In between it stays
-/// what it was. Durations are in seconds, so that neither the frame rate nor lost frames matter; of
-/// frames without a time each counts by itself. The first frame counts at once, as does the first
-/// after a pause of more than kMostGap_s or after time went back.
+/// A contact begins when frames have shown one (strength 1 and more, ContactEvidence) for kOnset_s.
+/// It ends when they have shown less than kRelease of that for kRelease_s. In between the state
+/// does not change. Durations are in seconds, so that neither the frame rate nor lost frames
+/// matter; each frame without a time counts by itself. The first frame counts at once, as does the
+/// first after a pause of more than kMaxGap_s or after time went back.
 ///
-/// What touches slips when its place has moved against the skin within kWindow_s by more than
-/// kSlipSds standard deviations of that, and by more than kLeastSlip_mm, as which a growing dent
-/// and the markers' distance behind the face can pass. Rolling is told as slipping: both move the
-/// contact over the skin.
+/// The object slips when its position has moved against the skin within kWindow_s by more than
+/// kSlipSds standard deviations and by more than kMinSlip_mm. Growing indentations and the markers'
+/// distance behind the face can cause apparent motion up to kMinSlip_mm. Rolling is reported as
+/// slipping: both move the contact over the skin.
 class ContactState {
  public:
   static constexpr double kRelease = 0.6;
-  static constexpr double kOnset_s = 0.015, kRelease_s = 0.05, kMostGap_s = 1.0;
-  static constexpr double kWindow_s = 0.25, kSlipSds = 5.0, kLeastSlip_mm = 0.4;
+  static constexpr double kOnset_s = 0.015, kRelease_s = 0.05, kMaxGap_s = 1.0;
+  static constexpr double kWindow_s = 0.25, kSlipSds = 5.0, kMinSlip_mm = 0.4;
 
-  struct Seen {
+  struct Observation {
     std::optional<double> time_s;  ///< of any clock
     double strength = 0;
-    /// Of the contact, along the face and across it, and its covariance; absent: not told.
-    std::optional<Eigen::Vector2d> place_mm;
-    Eigen::Matrix2d place_covariance_mm2 = Eigen::Matrix2d::Zero();
-    /// How the skin lies along the face, in the same coordinates (skin_along_mm).
+    /// Of the contact, along the face and across it, and its covariance; empty: unknown.
+    std::optional<Eigen::Vector2d> position_mm;
+    Eigen::Matrix2d position_covariance_mm2 = Eigen::Matrix2d::Zero();
+    /// Position of the skin along the face, in the same coordinates (skin_along_mm).
     double skin_along_mm = 0;
   };
-  struct Told {
-    bool is_touched = false, is_new = false;
-    std::optional<double> held_s;            ///< since it began; absent without times
-    std::optional<bool> is_slipping;         ///< absent: untouched, no places, or no times
+  struct Estimate {
+    bool has_contact = false, is_new = false;
+    std::optional<double> held_s;            ///< since it began; empty without times
+    std::optional<bool> is_slipping;         ///< empty: no contact, no positions, or no times
     std::optional<Eigen::Vector2d> slip_mm;  ///< over the skin, within the window
   };
-  [[nodiscard]] Told add(const Seen& seen);
+  [[nodiscard]] Estimate add(const Observation& seen);
   void forget() { *this = ContactState(); }
 
  private:
-  void follow(const Seen& seen, Told& told);
-  void look_for_slip(const Seen& seen, Told& told);
+  void update_contact(const Observation& seen, Estimate& estimate);
+  void detect_slip(const Observation& seen, Estimate& estimate);
 
-  struct Place {
+  struct Sample {
     double time_s;
     Eigen::Vector2d on_skin_mm;
     Eigen::Matrix2d covariance_mm2;
   };
-  bool has_begun_ = false, is_touched_ = false;
+  bool has_begun_ = false, has_contact_ = false;
   std::optional<double> last_s_, began_s_;
   std::optional<double> strong_s_, weak_s_;  // since when
-  std::deque<Place> places_;
+  std::deque<Sample> samples_;
 };
 
 }  // namespace alltact

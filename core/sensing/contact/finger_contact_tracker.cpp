@@ -3,32 +3,35 @@
 namespace alltact {
 namespace {
 
-ContactSigns signs_of(const FingerContactTracker::FrameSigns& frame) {
-  ContactSigns signs;
-  signs.regions = frame.regions;
-  if (frame.push == nullptr) return signs;
-  signs.push = frame.push;
-  signs.push_threshold_px = frame.settings->threshold_px;
-  if (!(signs.push_strength() > ContactState::kRelease)) return signs;
+ContactEvidence evidence_of(const FingerContactTracker::FrameInput& frame) {
+  ContactEvidence evidence;
+  evidence.regions = frame.regions;
+  if (frame.push == nullptr) return evidence;
+  evidence.push = frame.push;
+  evidence.push_threshold_px = frame.settings->threshold_px;
+  if (!(evidence.push_strength() > ContactState::kRelease)) return evidence;
   const auto& rest = frame.settings->rest_markers;
-  signs.way = tip_way(*frame.markers, rest, *frame.shape, *frame.ways_px2);
-  if (signs.way && face_of_way(*signs.way) == PushedFace::kBack && !(signs.depth_strength() > 1))
-    signs.along_back =
-        push_along_back(*frame.markers, rest, *frame.shape, *frame.ways_px2, *signs.way);
-  return signs;
+  evidence.displacement =
+      tip_displacement(*frame.markers, rest, *frame.shape, *frame.displacement_cov_px2);
+  if (evidence.displacement && face_of_motion(*evidence.displacement) == PushedFace::kBack &&
+      !(evidence.depth_strength() > 1))
+    evidence.along_back = push_along_back(
+        *frame.markers, rest, *frame.shape, *frame.displacement_cov_px2, *evidence.displacement);
+  return evidence;
 }
 
-ContactState::Seen seen_in(const FingerContactTracker::FrameSigns& frame, double strength) {
-  ContactState::Seen seen;
+ContactState::Observation observation_of(const FingerContactTracker::FrameInput& frame,
+                                         double strength) {
+  ContactState::Observation seen;
   seen.time_s = frame.time_s;
   seen.strength = strength;
   if (frame.regions == nullptr || frame.regions->empty()) return seen;
   const ContactRegion& region = frame.regions->front();
-  const auto covariance = place_covariance_on_face_mm2(region, *frame.shape);
+  const auto covariance = position_covariance_on_face_mm2(region, *frame.shape);
   if (!covariance) return seen;
-  seen.place_mm = region.place_on_face_mm;
-  seen.place_covariance_mm2 = *covariance;
-  // The skin of a flat sensor stays where it is.
+  seen.position_mm = region.position_on_face_mm;
+  seen.position_covariance_mm2 = *covariance;
+  // The skin of a flat sensor does not move.
   if (frame.markers != nullptr)
     seen.skin_along_mm = skin_along_mm(*frame.markers, *frame.shape).value_or(0);
   return seen;
@@ -36,28 +39,28 @@ ContactState::Seen seen_in(const FingerContactTracker::FrameSigns& frame, double
 
 }  // namespace
 
-std::optional<FingerContact> FingerContactTracker::operator()(const FrameSigns& frame) {
-  const ContactSigns signs = signs_of(frame);
-  const ContactState::Told told = state_.add(seen_in(frame, signs.strength()));
-  if (!told.is_touched) {
+std::optional<FingerContact> FingerContactTracker::operator()(const FrameInput& frame) {
+  const ContactEvidence evidence = evidence_of(frame);
+  const ContactState::Estimate estimate = state_.add(observation_of(frame, evidence.strength()));
+  if (!estimate.has_contact) {
     face_.reset();
     return std::nullopt;
   }
-  FingerContact contact = finger_contact(signs, *frame.shape, face_);
-  contact.is_new = told.is_new;
-  contact.held_s = told.held_s;
-  contact.is_slipping = told.is_slipping;
+  FingerContact contact = finger_contact(evidence, *frame.shape, face_);
+  contact.is_new = estimate.is_new;
+  contact.held_s = estimate.held_s;
+  contact.is_slipping = estimate.is_slipping;
   face_ = contact.face;
   return contact;
 }
 
-FrameContacts FingerContactTracker::alone(const FrameSigns& frame) {
-  const ContactSigns signs = signs_of(frame);
+FrameContacts FingerContactTracker::single_frame(const FrameInput& frame) {
+  const ContactEvidence evidence = evidence_of(frame);
   FrameContacts contacts;
-  contacts.seen = seen_in(frame, signs.strength());
-  contacts.by_face[0] = finger_contact(signs, *frame.shape, std::nullopt);
+  contacts.seen = observation_of(frame, evidence.strength());
+  contacts.by_face[0] = finger_contact(evidence, *frame.shape, std::nullopt);
   for (std::size_t face = 1; face < contacts.by_face.size(); ++face)
-    contacts.by_face[face] = finger_contact(signs, *frame.shape, static_cast<PushedFace>(face));
+    contacts.by_face[face] = finger_contact(evidence, *frame.shape, static_cast<PushedFace>(face));
   return contacts;
 }
 

@@ -1,4 +1,4 @@
-// From what each frame tells to the contact that lasts over them.
+// Tracks the contact of a finger over the frames of a source.
 #pragma once
 
 #include "core/finger/finger.h"
@@ -13,30 +13,31 @@
 
 namespace alltact {
 
-/// All that a frame by itself tells of a contact: what was seen, and the contact as it would be
-/// with each face that the frame before may have left behind.
+/// All evidence of one frame: the observation, and the contact for each face that the frame before
+/// may have had.
 struct FrameContacts {
-  ContactState::Seen seen;
+  ContactState::Observation seen;
   std::array<FingerContact, 5> by_face;  ///< 0: none before; else a PushedFace
 };
 
-/// Remembers what touched in the frames before.
+/// Stores the contact of the frames before.
 class FingerContactTracker {
  public:
-  struct FrameSigns {
+  struct FrameInput {
     std::optional<double> time_s;               ///< of any clock
-    const FaceShape* shape = nullptr;           ///< needed
+    const FaceShape* shape = nullptr;           ///< required
     const Markers* markers = nullptr;           ///< null: none were found
-    const Push* push = nullptr;                 ///< null: no marker tells one
-    const ContactSettings* settings = nullptr;  ///< needed with `push`
-    const Eigen::MatrixXd* ways_px2 = nullptr;  ///< ways_covariance_px2(); needed with `push`
-    const std::vector<ContactRegion>* regions = nullptr;  ///< null: no depth was told
+    const Push* push = nullptr;                 ///< null: no marker shows one
+    const ContactSettings* settings = nullptr;  ///< required with `push`
+    /// displacement_covariance_px2(); required with `push`
+    const Eigen::MatrixXd* displacement_cov_px2 = nullptr;
+    const std::vector<ContactRegion>* regions = nullptr;  ///< null: there is no depth
   };
-  /// nullopt: nothing touches.
-  [[nodiscard]] std::optional<FingerContact> operator()(const FrameSigns& frame);
-  /// Remembers nothing: for frames that are measured apart from those before them.
-  [[nodiscard]] static FrameContacts alone(const FrameSigns& frame);
-  /// The next frame is not the neighbour of the last one in time.
+  /// nullopt: there is no contact.
+  [[nodiscard]] std::optional<FingerContact> operator()(const FrameInput& frame);
+  /// Uses no state: for frames that are measured independently of those before them.
+  [[nodiscard]] static FrameContacts single_frame(const FrameInput& frame);
+  /// Resets the state: the next frame does not follow the last one in time.
   void forget() { *this = FingerContactTracker(); }
 
  private:

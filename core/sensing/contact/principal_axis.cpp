@@ -8,7 +8,7 @@
 namespace alltact {
 namespace {
 
-constexpr double kMostLogWeight = 0.6931471805599453;  // ln 2, from end to end
+constexpr double kMaxLogWeight = 0.6931471805599453;  // ln 2, from end to end
 
 struct Flat {
   Eigen::Vector2d mean;
@@ -16,23 +16,23 @@ struct Flat {
   double weight = 0;
 };
 
-/// Two passes about the mean, so that nothing cancels.
+/// Two passes about the mean, to avoid cancellation.
 Flat moments_of(const std::vector<ContactColumn>& columns,
                 const ContactPlane& plane,
-                const std::vector<double>& sureness) {
+                const std::vector<double>& certainty) {
   Flat flat{Eigen::Vector2d::Zero(), Eigen::Matrix2d::Zero()};
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    const double weight = sureness[i] * columns[i].volume_mm3;
+    const double weight = certainty[i] * columns[i].volume_mm3;
     flat.weight += weight;
     flat.mean += weight * (plane.transpose() * columns[i].middle_mm);
   }
   if (!(flat.weight > 0)) return flat;
   flat.mean /= flat.weight;
-  const Eigen::Vector2d upright = plane.row(2).transpose();  // how a column of volume lies
+  const Eigen::Vector2d upright = plane.row(2).transpose();  // projection of a column of volume
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const ContactColumn& column = columns[i];
     const Eigen::Vector2d off = plane.transpose() * column.middle_mm - flat.mean;
-    flat.covariance += sureness[i] * column.volume_mm3 / flat.weight *
+    flat.covariance += certainty[i] * column.volume_mm3 / flat.weight *
                        (off * off.transpose() +
                         column.height_mm * column.height_mm / 12.0 * upright * upright.transpose());
   }
@@ -64,15 +64,15 @@ Eigen::Vector2d log_slope(const std::vector<ContactColumn>& columns,
   return normal.inverse() * right;
 }
 
-std::vector<double> sureness_of(const std::vector<ContactColumn>& columns,
-                                const ContactPlane& plane,
-                                const Flat& flat) {
+std::vector<double> certainty_of(const std::vector<ContactColumn>& columns,
+                                 const ContactPlane& plane,
+                                 const Flat& flat) {
   const Eigen::Vector2d slope = log_slope(columns, plane, flat);
   std::vector<double> logs;
   for (const ContactColumn& column : columns)
     logs.push_back(slope.dot(plane.transpose() * column.middle_mm - flat.mean));
-  const auto [least, most] = std::minmax_element(logs.begin(), logs.end());
-  const double part = std::min(1.0, kMostLogWeight / std::max(*most - *least, kMostLogWeight));
+  const auto [lowest, highest] = std::minmax_element(logs.begin(), logs.end());
+  const double part = std::min(1.0, kMaxLogWeight / std::max(*highest - *lowest, kMaxLogWeight));
   for (double& value : logs) value = std::exp(part * value);
   return logs;
 }
@@ -84,8 +84,8 @@ std::optional<PrincipalAxis> principal_axis(const std::vector<ContactColumn>& co
                                             double correlated_px2) {
   const Flat alike = moments_of(columns, plane, std::vector<double>(columns.size(), 1.0));
   if (!(alike.weight > 0)) return std::nullopt;
-  const std::vector<double> sureness = sureness_of(columns, plane, alike);
-  const Flat flat = moments_of(columns, plane, sureness);
+  const std::vector<double> certainty = certainty_of(columns, plane, alike);
+  const Flat flat = moments_of(columns, plane, certainty);
   const double xx = flat.covariance(0, 0), xy = flat.covariance(0, 1), yy = flat.covariance(1, 1);
   const double difference = std::hypot(xx - yy, 2.0 * xy);
   if (!(difference > 0.0)) return std::nullopt;
@@ -99,7 +99,7 @@ std::optional<PrincipalAxis> principal_axis(const std::vector<ContactColumn>& co
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const Eigen::Vector2d off = plane.transpose() * columns[i].pressed_mm - flat.mean;
     const double x = c * off.x() + s * off.y(), y = c * off.y() - s * off.x();
-    squares += columns[i].noise_mm6 * std::pow(sureness[i] * x * y, 2);
+    squares += columns[i].noise_mm6 * std::pow(certainty[i] * x * y, 2);
   }
   axis.sd_rad = std::sqrt(correlated_px2 * squares) / (flat.weight * difference);
   return axis;

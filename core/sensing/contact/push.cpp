@@ -6,7 +6,7 @@
 namespace alltact {
 namespace {
 
-PushedFace nearest_face(const Eigen::Vector2d& direction, bool base_at_low_u) {
+PushedFace face_towards(const Eigen::Vector2d& direction, bool base_at_low_u) {
   const double towards_tip = base_at_low_u ? direction.x() : -direction.x();
   if (std::abs(towards_tip) >= std::abs(direction.y()))
     return towards_tip > 0 ? PushedFace::kContact : PushedFace::kBack;
@@ -15,26 +15,26 @@ PushedFace nearest_face(const Eigen::Vector2d& direction, bool base_at_low_u) {
 
 }  // namespace
 
-Eigen::MatrixXd ways_covariance_px2(const Markers& markers,
-                                    const std::optional<Eigen::MatrixXd>& now_px2) {
+Eigen::MatrixXd displacement_covariance_px2(const Markers& markers,
+                                            const std::optional<Eigen::MatrixXd>& now_px2) {
   double seen_square = 0, seen = 0;
   for (const Marker& marker : markers)
     if (marker.seen) seen_square += marker.sd_px * marker.sd_px, ++seen;
   const auto size = static_cast<Eigen::Index>(2 * markers.size());
-  Eigen::MatrixXd ways = now_px2 ? *now_px2 : Eigen::MatrixXd::Zero(size, size);
+  Eigen::MatrixXd covariance = now_px2 ? *now_px2 : Eigen::MatrixXd::Zero(size, size);
   for (Eigen::Index k = 0; k < size; ++k) {
     const Marker& marker = markers[static_cast<std::size_t>(k / 2)];
     const double own = marker.sd_px * marker.sd_px;
-    if (!now_px2) ways(k, k) += own;
-    ways(k, k) += marker.seen || seen == 0 ? own : seen_square / seen;
+    if (!now_px2) covariance(k, k) += own;
+    covariance(k, k) += marker.seen || seen == 0 ? own : seen_square / seen;
   }
-  return ways;
+  return covariance;
 }
 
 Push push_of(const Markers& markers,
              const ContactSettings& settings,
              bool base_at_low_u,
-             const Eigen::MatrixXd& ways_px2) {
+             const Eigen::MatrixXd& displacement_cov_px2) {
   Push result;
   result.offset_px.setZero();
   const auto& rest = settings.rest_markers;
@@ -46,10 +46,12 @@ Push push_of(const Markers& markers,
     result.offset_px.setZero();
     return result;
   }
-  const Eigen::MatrixXd ways = ways_px2.size() == 0 ? ways_covariance_px2(markers) : ways_px2;
-  for (Eigen::Index i = 0; i < ways.rows(); i += 2)
-    for (Eigen::Index k = 0; k < ways.cols(); k += 2)
-      result.offset_covariance_px2 += ways.block<2, 2>(i, k);
+  const Eigen::MatrixXd covariance = displacement_cov_px2.size() == 0
+                                         ? displacement_covariance_px2(markers)
+                                         : displacement_cov_px2;
+  for (Eigen::Index i = 0; i < covariance.rows(); i += 2)
+    for (Eigen::Index k = 0; k < covariance.cols(); k += 2)
+      result.offset_covariance_px2 += covariance.block<2, 2>(i, k);
   result.pushed = length > settings.threshold_px && length > 0;
   if (!result.pushed) return result;
   const Eigen::Vector2d direction = result.offset_px / length;
@@ -57,7 +59,7 @@ Push push_of(const Markers& markers,
   result.direction = Eigen::Vector3d(direction.x(), direction.y(), 0.0);
   result.sd_deg = std::sqrt(across.dot(result.offset_covariance_px2 * across)) / length * 180.0 /
                   std::numbers::pi;
-  result.face = nearest_face(direction, base_at_low_u);
+  result.face = face_towards(direction, base_at_low_u);
   return result;
 }
 

@@ -1,5 +1,5 @@
-// Is the finger pushed at all, and from where: from the markers alone. Other kinds of touch: see
-// contact_regions.h.
+// Detects whether the finger is pushed, and from which side, from the markers alone. Other notions
+// of contact: see contact_regions.h.
 #pragma once
 
 #include "core/finger/finger.h"
@@ -16,26 +16,25 @@ struct Push {
   bool pushed = false;
   Eigen::Vector2d offset_px;  ///< o': sum over markers of position - rest position
   Eigen::Matrix2d offset_covariance_px2 = Eigen::Matrix2d::Zero();
-  /// Below, only when pushed: unit offset in the picture plane, its standard deviation, and the
-  /// face whose inward normal is nearest: contact +u (towards the tip), back -u, upper +v, lower
-  /// -v.
+  /// Set only when pushed: unit offset in the image plane, its standard deviation, and the face
+  /// whose inward normal is nearest. Contact is +u (towards the tip), back -u, upper +v, lower -v.
   std::optional<Eigen::Vector3d> direction;
   std::optional<double> sd_deg;  ///< of offset_covariance_px2 across the direction, over |o'|
   std::optional<PushedFace> face;
 };
 
-/// Covariance (4n x 4n) of the markers' ways from rest. `now_px2` is that of where they are now
-/// (MarkerModel::covariance_px2), without it each errs by its own sd_px. To this comes the rest
-/// layout, which is that of one frame of the recording: each marker as sure there as it is now, one
-/// that is not seen now as those that are on average.
-[[nodiscard]] Eigen::MatrixXd ways_covariance_px2(
+/// Covariance (4n x 4n) of the markers' displacements from rest. `now_px2` is that of their current
+/// positions (MarkerModel::covariance_px2); without it each has its own sd_px. The covariance of
+/// the rest layout, one frame of the recording, is added. Each marker has the same sd there as now;
+/// a marker that is not seen now has the mean of the seen ones.
+[[nodiscard]] Eigen::MatrixXd displacement_covariance_px2(
     const Markers& markers, const std::optional<Eigen::MatrixXd>& now_px2 = std::nullopt);
 
-/// `ways_px2`: the above; empty: without now_px2.
-/// Not pushed, offset 0: the markers are not those of the settings, or one lies nowhere.
+/// `displacement_cov_px2`: the above; empty: without now_px2. Returns no push and offset 0 where
+/// the markers are not those of the settings, or one has no position.
 [[nodiscard]] Push push_of(const Markers& markers,
                            const ContactSettings& settings,
                            bool base_at_low_u,
-                           const Eigen::MatrixXd& ways_px2 = {});
+                           const Eigen::MatrixXd& displacement_cov_px2 = {});
 
 }  // namespace alltact

@@ -12,16 +12,17 @@ constexpr double kPatchMm = 2.0;  // along the face; a ball of 4 mm pressed in 0
 constexpr int kPieces = 100;      // along
 constexpr int kAcross = 12;
 constexpr int kReach = 3;         // patches to each side that are the surroundings
-constexpr double kRimPx = 4.0;    // beside the edges a shift of a tenth of a pixel shows
+constexpr double kRimPx = 4.0;    // at the edges a shift of a tenth of a pixel shows
 constexpr double kEndMm = 5.0;    // of the face at both ends, where light ends with it
-constexpr double kDarker = 0.05;  // about 0.2 mm of a usual layer
+constexpr double kDarker = 0.05;  // about 0.2 mm of a typical layer
 constexpr double kSigmas = 6.0;
 constexpr double kDarkLearnt = 0.01;
 constexpr int kMemory = 60;  // frames
-constexpr int kLeastPixels = 6;
+constexpr int kMinPixels = 6;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-using Patches = std::vector<double>;  // by piece and place across; NaN where the face is not seen
+// by piece and position across; NaN where the face is not seen
+using Patches = std::vector<double>;
 
 std::size_t at(int piece, int across) {
   return static_cast<std::size_t>(piece * kAcross + across);
@@ -47,15 +48,15 @@ Patches levels_of(const cv::Mat& grey, const FaceShape& shape) {
     }
   }
   for (std::size_t i = 0; i < sum.size(); ++i)
-    sum[i] = count[i] >= kLeastPixels ? std::log(std::max(1.0, sum[i] / count[i])) : kNaN;
+    sum[i] = count[i] >= kMinPixels ? std::log(std::max(1.0, sum[i] / count[i])) : kNaN;
   return sum;
 }
 
-/// How much darker a patch is than what lies around it on both of two opposite sides, so that an
-/// even change of light is none; the least of along and across the face.
-double standing_out(const Patches& levels, int piece, int across) {
+/// Darkness of a patch against its surroundings on two opposite sides, so that an even change of
+/// light cancels. Returns the smaller one of along and across the face.
+double local_contrast(const Patches& levels, int piece, int across) {
   const double here = levels[at(piece, across)];
-  double most = kNaN;
+  double lowest = kNaN;
   for (const auto& [along_step, across_step] : {std::array{1, 0}, {0, 1}}) {
     double sum = 0;
     int sides = 0;
@@ -66,25 +67,25 @@ double standing_out(const Patches& levels, int piece, int across) {
       sum += levels[at(p, a)];
       ++sides;
     }
-    if (sides == 2 && !(0.5 * sum - here < most)) most = 0.5 * sum - here;
+    if (sides == 2 && !(0.5 * sum - here < lowest)) lowest = 0.5 * sum - here;
   }
-  return most;
+  return lowest;
 }
 
 }  // namespace
 
 bool ReferenceFreeContactDetector::learn(Skin& skin, double now) {
-  const double off = now - skin.usual;
+  const double off = now - skin.typical;
   const double limit = std::max(kDarker, kSigmas * std::sqrt(skin.variance));
   if (skin.frames >= kFirstFrames && off > limit) return false;
-  // Something pressed on it until now.
+  // A contact ended here.
   if (skin.frames >= kFirstFrames && off < -limit) skin = {};
   skin.frames = std::min(skin.frames + 1, kMemory);
   const double share = 1.0 / skin.frames;
-  // A press that comes slowly must not be learnt: how far skin varies by itself is told by its
-  // bright side alone, and the dark side moves what is usual only a little.
+  // Slowly increasing contacts must not be learnt. The variance is estimated from the bright side
+  // alone, and the dark side changes the typical value only a little.
   if (skin.frames > 1 && off < 0) skin.variance += share * (off * off - skin.variance);
-  skin.usual += share * (skin.frames > kFirstFrames ? std::min(off, kDarkLearnt) : off);
+  skin.typical += share * (skin.frames > kFirstFrames ? std::min(off, kDarkLearnt) : off);
   return true;
 }
 
@@ -98,10 +99,10 @@ std::optional<ReferenceFreeContact> ReferenceFreeContactDetector::operator()(
   for (int piece = 0; piece < kPieces; ++piece)
     for (int across = 0; across < kAcross; ++across) {
       if (!std::isfinite(levels[at(piece, across)])) continue;
-      const double now = standing_out(levels, piece, across);
+      const double now = local_contrast(levels, piece, across);
       if (!std::isfinite(now)) continue;
       Skin& skin = skin_[at(piece, across)];
-      const double darker = now - skin.usual;
+      const double darker = now - skin.typical;
       if (learn(skin, now) || (contact && darker <= contact->darker)) continue;
       contact = ReferenceFreeContact{darker, (piece + 0.5) * kPatchMm};
     }

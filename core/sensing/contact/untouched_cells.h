@@ -1,4 +1,4 @@
-// How far off untouched skin may be told, cell by cell.
+// Errors of the depth of contact-free skin, cell by cell.
 #pragma once
 
 #include "core/sensing/contact/contact_regions.h"
@@ -12,33 +12,33 @@
 
 namespace alltact {
 
-/// How far off the untouched skin of a box of cells may be told, in their middles. Each is worked
-/// out when it is asked for, once.
+/// Errors of the depth in the middles of a box of cells without contact. Each is computed once, on
+/// request.
 class UntouchedCells {
  public:
-  UntouchedCells(const RegionOptions& options, const cv::Size& picture, const cv::Rect& box)
+  UntouchedCells(const RegionOptions& options, const cv::Size& image_size, const cv::Rect& box)
       : options_(options),
-        picture_(picture),
+        image_size_(image_size),
         box_(box),
         sd_(static_cast<std::size_t>(box.area())) {}
 
   [[nodiscard]] const UntouchedSd& at(const cv::Point& cell) {
     std::optional<UntouchedSd>& sd =
         sd_[static_cast<std::size_t>((cell.y - box_.y) * box_.width + cell.x - box_.x)];
-    if (!sd) sd = told(cell);
+    if (!sd) sd = estimate(cell);
     return *sd;
   }
 
  private:
-  [[nodiscard]] UntouchedSd told(const cv::Point& cell) const {
+  [[nodiscard]] UntouchedSd estimate(const cv::Point& cell) const {
     if (!options_.untouched) return {options_.noise_mm, 0.0};
     return options_.untouched(
-        std::min(picture_.width - 1, cell.x * kDepthCellPx + kDepthCellPx / 2),
-        std::min(picture_.height - 1, cell.y * kDepthCellPx + kDepthCellPx / 2));
+        std::min(image_size_.width - 1, cell.x * kDepthCellPx + kDepthCellPx / 2),
+        std::min(image_size_.height - 1, cell.y * kDepthCellPx + kDepthCellPx / 2));
   }
 
   const RegionOptions& options_;
-  cv::Size picture_;
+  cv::Size image_size_;
   cv::Rect box_;
   std::vector<std::optional<UntouchedSd>> sd_;
 };

@@ -13,18 +13,19 @@
 namespace alltact {
 namespace {
 
-// Mean depth below which a cell only needs scaling: noise stays below it.
-constexpr float kDentedMm = 0.02F, kMostDentedMm = 0.1F;
-// The same of a bulge: shallower ones are so wide that scaling is off by some hundredths at most.
+// A cell below this mean depth only needs scaling; it lies above the noise.
+constexpr float kIndentedMm = 0.02F, kMaxIndentedMm = 0.1F;
+// The same limit for bulges: shallower ones are so wide that scaling is off by a few hundredths.
 constexpr double kBulgingMm = 0.05;
-constexpr float kAboveNoise = 9.4F;  // 3 sd, by the quarter of a normal law's magnitudes (0.319 sd)
-constexpr int kSteps = 6;            // each at least halves the error
+// 3 sd, from the first quartile of a normal law's magnitudes (0.319 sd)
+constexpr float kAboveNoise = 9.4F;
+constexpr int kSteps = 6;  // each at least halves the error
 
-/// The finger's length profile in the x-z plane, of the middle of the face. Across it a face that
-/// is twisted goes on as its normal says there.
+/// The finger's length profile in the x-z plane, along the middle of the face. Across it a twisted
+/// face continues along its normal.
 class Profile {
  public:
-  std::vector<double> foot_x_mm;  ///< x of the untouched face seen along the normal, ascending
+  std::vector<double> foot_x_mm;  ///< x of the contact-free face seen along the normal, ascending
   std::vector<double> z_mm, normal_x, normal_y, normal_z;
 
   explicit Profile(const FaceShape& shape) {
@@ -43,17 +44,17 @@ class Profile {
     }
   }
 
-  struct Place {
+  struct Section {
     double z_mm, normal_x, normal_y, normal_z;
   };
-  /// The face whose normal leads to x on the untouched face; clamped to the ends. The search begins
-  /// where the last one ended, because neighbours are asked for in turn.
-  [[nodiscard]] Place at(double x_mm) {
+  /// Section whose normal leads to x on the contact-free face; clamped to the ends. The search
+  /// starts at the last result, because neighbours are requested in order.
+  [[nodiscard]] Section at(double x_mm) {
     const std::size_t last = foot_x_mm.size() - 1;
-    std::size_t r = near_;
+    std::size_t r = last_index_;
     while (r < last && foot_x_mm[r] < x_mm) ++r;
     while (r > 1 && !(foot_x_mm[r - 1] < x_mm)) --r;
-    near_ = r;
+    last_index_ = r;
     const std::size_t l = r - 1;
     const double part = std::clamp((x_mm - foot_x_mm[l]) / (foot_x_mm[r] - foot_x_mm[l]), 0.0, 1.0);
     const auto between = [&](const std::vector<double>& values) {
@@ -63,61 +64,61 @@ class Profile {
   }
 
  private:
-  std::size_t near_ = 1;
+  std::size_t last_index_ = 1;
 };
 
-/// The mean depth from which on a cell is dented or bulges, by the quarter of the face that is
-/// least so.
-float dented_mm(const cv::Mat& cells_mm) {
+/// Threshold of a cell's mean depth for indentations and bulges. Derived from the first quartile of
+/// the magnitudes.
+float indented_mm(const cv::Mat& cells_mm) {
   std::vector<float> means;
   for (auto mean = cells_mm.begin<float>(); mean != cells_mm.end<float>(); ++mean)
     if (std::isfinite(*mean)) means.push_back(std::abs(*mean));
-  if (means.empty()) return kDentedMm;
+  if (means.empty()) return kIndentedMm;
   const auto quarter = means.begin() + static_cast<std::ptrdiff_t>(means.size() / 4);
   std::nth_element(means.begin(), quarter, means.end());
-  return std::clamp(kAboveNoise * *quarter, kDentedMm, kMostDentedMm);
+  return std::clamp(kAboveNoise * *quarter, kIndentedMm, kMaxIndentedMm);
 }
 
-/// Cells near a dented one: where looking elsewhere can make a difference.
-cv::Mat dented_cells(const cv::Mat& cells_mm, const FaceShape& shape) {
-  const double least_mm = static_cast<double>(dented_mm(cells_mm));
-  cv::Mat dented = (cells_mm > least_mm) | (cells_mm < -std::max(least_mm, kBulgingMm));
+/// Cells near an indentation, where another pixel can see the line along z.
+cv::Mat indented_cells(const cv::Mat& cells_mm, const FaceShape& shape) {
+  const double min_mm = static_cast<double>(indented_mm(cells_mm));
+  cv::Mat indented = (cells_mm > min_mm) | (cells_mm < -std::max(min_mm, kBulgingMm));
   double nearest_mm = 1e9;
   for (const FaceColumn& column : shape.columns())
     if (column.valid) nearest_mm = std::min(nearest_mm, column.z_mm);
   const double px_per_mm = 1.0 / shape.camera().mm_per_px_at(nearest_mm);
   const int reach =
       1 + static_cast<int>(std::ceil(shape.face().layer_mm * px_per_mm / kDepthCellPx));
-  cv::dilate(dented, dented, cv::Mat::ones(3, 2 * reach + 1, CV_8U));
-  return dented;
+  cv::dilate(indented, indented, cv::Mat::ones(3, 2 * reach + 1, CV_8U));
+  return indented;
 }
 
-struct Found {
+struct Lookup {
   double depth_mm = NAN;
   cv::Point seen_at;  ///< the pixel that sees the line
 };
 
-/// Depth along z over one pixel; NaN where the pixel that sees it has no measurement.
-Found look_up(const cv::Mat& depth_normal_mm,
-              const FaceShape& shape,
-              Profile& profile,
-              const FaceShape::Local& here) {
+/// Depth along z over one pixel; NaN where the pixel that sees the line has no measurement.
+Lookup measure_along_z(const cv::Mat& depth_normal_mm,
+                       const FaceShape& shape,
+                       Profile& profile,
+                       const FaceShape::Local& here) {
   const double layer_mm = shape.face().layer_mm;
   const Eigen::Vector3d untouched = untouched_point_mm(here, layer_mm, MappingAlong::kZ);
-  // How far the untouched face lies beyond the profile on this line.
-  const Profile::Place foot = profile.at(untouched.x());
+  // Distance of the contact-free face beyond the profile on this line.
+  const Profile::Section foot = profile.at(untouched.x());
   const double beyond_mm = untouched.z() - foot.z_mm - foot.normal_z * layer_mm;
   double depth = 0, pressed_z = 0;
   cv::Point at;
   for (int step = 0; step < kSteps; ++step) {
     // The foot moves back along the normal as the layer thins.
-    Profile::Place place = profile.at(untouched.x());
-    place = profile.at(untouched.x() + place.normal_x * depth);
+    Profile::Section section = profile.at(untouched.x());
+    section = profile.at(untouched.x() + section.normal_x * depth);
     const double thickness = layer_mm - depth;
-    const double falls_mm = place.normal_y * place.normal_y / place.normal_z * depth;
-    const double z_mm = place.z_mm + beyond_mm - falls_mm;
-    const Eigen::Vector3d seen_at(untouched.x() - place.normal_x * thickness,
-                                  untouched.y() - place.normal_y * thickness,
+    const double falls_mm = section.normal_y * section.normal_y / section.normal_z * depth;
+    const double z_mm = section.z_mm + beyond_mm - falls_mm;
+    const Eigen::Vector3d seen_at(untouched.x() - section.normal_x * thickness,
+                                  untouched.y() - section.normal_y * thickness,
                                   z_mm);
     const auto pixel = shape.camera().project(seen_at);
     if (!pixel) return {};
@@ -125,7 +126,7 @@ Found look_up(const cv::Mat& depth_normal_mm,
     if (!std::isfinite(found)) return {};
     at = {static_cast<int>(std::lround(pixel->x())), static_cast<int>(std::lround(pixel->y()))};
     depth = step < 2 ? found : 0.5 * (depth + found);
-    pressed_z = z_mm + place.normal_z * (layer_mm - depth);
+    pressed_z = z_mm + section.normal_z * (layer_mm - depth);
   }
   return {untouched.z() - pressed_z, at};
 }
@@ -142,19 +143,19 @@ cv::Mat depth_along_z(const cv::Mat& depth_normal_mm,
   const cv::Mat flags_before = flags.clone();
   Profile profile(shape);
   const std::vector<float>& along_z = shape.along_z_per_normal();
-  const cv::Mat dented = dented_cells(cells_mm, shape);
+  const cv::Mat indented = indented_cells(cells_mm, shape);
   for (int row = 0; row < depth_mm.rows; ++row) {
-    const std::uint8_t* cell = dented.ptr<std::uint8_t>(row / kDepthCellPx);
+    const std::uint8_t* cell = indented.ptr<std::uint8_t>(row / kDepthCellPx);
     float* depth = depth_mm.ptr<float>(row);
     auto* flag = flags.ptr<std::uint8_t>(row);
     for (int u = 0; u < depth_mm.cols; ++u) {
-      // Where the face is even, along the normal or along z is a matter of scale alone.
+      // On an even face, depth along the normal and along z differ by a factor only.
       depth[u] *= along_z[static_cast<std::size_t>(u)];
       if (cell[u / kDepthCellPx] == 0 || !std::isfinite(depth[u]) || profile.foot_x_mm.size() < 2)
         continue;
       const auto here = shape.at(u, row);
       if (!here) continue;
-      const Found found = look_up(depth_normal_mm, shape, profile, *here);
+      const Lookup found = measure_along_z(depth_normal_mm, shape, profile, *here);
       if (!std::isfinite(found.depth_mm)) continue;
       depth[u] = static_cast<float>(found.depth_mm);
       flag[u] = flags_before.at<std::uint8_t>(found.seen_at);

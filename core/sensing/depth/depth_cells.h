@@ -1,5 +1,5 @@
-// Mean depth over small square cells: where something is touched can be seen in a sixteenth of the
-// numbers, and with less noise than pixel by pixel.
+// Mean depth over small square cells: contacts show in a sixteenth of the numbers, with less noise
+// than in single pixels.
 #pragma once
 
 #include "core/sensing/face/face_runs.h"
@@ -13,24 +13,25 @@ namespace alltact {
 
 constexpr int kDepthCellPx = 4;  ///< a side
 
-/// Gathered row by row while the depths are still near the processor.
+/// Accumulated row by row while the depths are in the processor's cache.
 class DepthCells {
  public:
-  explicit DepthCells(const cv::Size& picture);
+  explicit DepthCells(const cv::Size& image_size);
 
-  /// Rows are to be added in turn, from 0 to the last. `depth_mm`: the whole row; only the runs are
-  /// read, NaN counts as untouched.
+  /// Rows are added in order, from 0 to the last. `depth_mm`: the full row; only the runs are read,
+  /// and NaN counts as 0.
   void add_row(int row, std::span<const FaceRun> runs, const float* depth_mm);
-  /// CV_32FC1, mm, one number a cell; cells that the picture cuts are divided like whole ones.
+  /// CV_32FC1, mm, one value per cell. Cells that the image border cuts are divided by the full
+  /// area.
   [[nodiscard]] const cv::Mat& mean_mm() const { return mean_mm_; }
 
  private:
-  cv::Size picture_;
+  cv::Size image_size_;
   cv::Mat mean_mm_;
-  std::vector<float> sum_;  // of a row of cells, column by column
+  std::vector<float> sum_;  // of a row of cells, by column
 };
 
-/// The same from a whole depth map, CV_32FC1.
+/// The same from a complete depth map, CV_32FC1.
 [[nodiscard]] cv::Mat depth_cells(const cv::Mat& depth_mm);
 
 }  // namespace alltact

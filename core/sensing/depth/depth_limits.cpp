@@ -34,16 +34,17 @@ std::uint8_t limit_of_flag(std::uint8_t flag) {
 }
 
 bool is_light_doubtful(const DepthMap& depth) {
-  return depth.is_light_unknown || std::abs(depth.light.change()) > kLightOffPart;
+  return depth.is_light_unknown || std::abs(depth.light.change()) > kMaxLightChange;
 }
 
-std::uint8_t limits_of(const DepthCauses& causes, bool is_doubtful) {
-  constexpr double kLeastLightMm = 0.02;  // less is no matter: corners of every face have some
+std::uint8_t limits_of(const DepthErrorTerms& causes, bool is_doubtful) {
+  // smaller values do not matter: corners of every face have some
+  constexpr double kMinLightMm = 0.02;
   std::uint8_t limits = kNoLimit;
   const double total = causes.total();
   if (causes.per_px > total) limits |= kSteep;
-  const bool is_most_light = 2 * causes.light * causes.light > total * total;
-  if (is_doubtful || (is_most_light && causes.light > kLeastLightMm)) limits |= kDoubtfulLight;
+  const bool is_mainly_light = 2 * causes.light * causes.light > total * total;
+  if (is_doubtful || (is_mainly_light && causes.light > kMinLightMm)) limits |= kDoubtfulLight;
   return limits;
 }
 
@@ -56,12 +57,12 @@ DepthSdAndLimits depth_sd_and_limits(const DepthMap& depth,
       cv::Mat(size, CV_32FC1, cv::Scalar(std::numeric_limits<float>::quiet_NaN())),
       cv::Mat::zeros(size, CV_8UC1)};
   const bool is_doubtful = is_light_doubtful(depth);
-  DepthError error(depth, reference, shape, mapping);
+  DepthErrorModel error(depth, reference, shape, mapping);
   for (int v = 0; v < size.height; ++v) {
     auto* sd = made.sd_mm.ptr<float>(v);
     auto* limits = made.limits.ptr<std::uint8_t>(v);
     const auto* flags = depth.flags.ptr<std::uint8_t>(v);
-    error.row(v, [&](int u, const DepthCauses& causes) {
+    error.row(v, [&](int u, const DepthErrorTerms& causes) {
       sd[u] = static_cast<float>(causes.total());
       limits[u] =
           static_cast<std::uint8_t>(limit_of_flag(flags[u]) | limits_of(causes, is_doubtful));

@@ -15,15 +15,15 @@ namespace {
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 constexpr std::int16_t kCeiling = kClippedFrom * kGreySteps;
 
-/// Both brightnesses of a row in steps; true when every pixel of it can be measured, as nearly all
-/// rows can.
+/// Converts both brightnesses of a row to steps. True when every pixel of it can be measured, as in
+/// nearly all rows.
 ALLTACT_WIDE bool copy_row(const std::uint8_t* __restrict grey,
                            const std::int16_t* __restrict reference,
                            std::int16_t darkest,
                            int count,
                            std::int16_t* __restrict live_out,
                            std::int16_t* __restrict reference_out) {
-  // By place in a block: brought together once, not in every block.
+  // By lane of a block; reduced once at the end, not in every block.
   std::array<std::int16_t, kBlock> brightest{}, darkest_seen;
   darkest_seen.fill(kCeiling);
   in_blocks(
@@ -35,16 +35,16 @@ ALLTACT_WIDE bool copy_row(const std::uint8_t* __restrict grey,
           live_out[u] = live;
           reference_out[u] = ref;
           const std::int16_t brighter = live > ref ? live : ref;
-          std::int16_t& most = brightest[static_cast<std::size_t>(k)];
-          std::int16_t& least = darkest_seen[static_cast<std::size_t>(k)];
-          most = brighter > most ? brighter : most;
-          least = ref < least ? ref : least;
+          std::int16_t& max_value = brightest[static_cast<std::size_t>(k)];
+          std::int16_t& min_value = darkest_seen[static_cast<std::size_t>(k)];
+          max_value = brighter > max_value ? brighter : max_value;
+          min_value = ref < min_value ? ref : min_value;
         }
       });
-  return largest_of(brightest) < kCeiling && least_of(darkest_seen) >= darkest;
+  return max_of(brightest) < kCeiling && min_of(darkest_seen) >= darkest;
 }
 
-/// Says of each pixel of a row whether it can be measured, and sets both to 0 where not.
+/// Flags each pixel of a row that cannot be measured, and sets both brightnesses to 0 there.
 ALLTACT_WIDE void mark_row(std::int16_t darkest,
                            int count,
                            std::int16_t* __restrict live,
@@ -54,29 +54,29 @@ ALLTACT_WIDE void mark_row(std::int16_t darkest,
                          clipped = kSaturated;
   for (int u = 0; u < count; ++u) {
     const std::int16_t ref = reference[u], now = live[u];
-    // The last reason wins; each pixel takes the same steps, so that the loop runs in vectors.
+    // The last reason wins; each pixel takes the same steps, so that the loop is vectorised.
     std::int16_t flag = now >= kCeiling ? clipped : measured;
     flag = ref >= kCeiling ? clipped : flag;
     flag = ref < darkest ? dark : flag;
     flag = ref == kNoGrey ? unknown : flag;
-    // A mask: a choice would become a branch.
-    const auto kept = static_cast<std::int16_t>(-static_cast<std::int16_t>(flag == measured));
+    // A mask: a conditional would become a branch.
+    const auto mask = static_cast<std::int16_t>(-static_cast<std::int16_t>(flag == measured));
     flags[u] = static_cast<std::uint8_t>(flag);
-    live[u] = static_cast<std::int16_t>(now & kept);
-    reference[u] = static_cast<std::int16_t>(ref & kept);
+    live[u] = static_cast<std::int16_t>(now & mask);
+    reference[u] = static_cast<std::int16_t>(ref & mask);
   }
 }
 
-constexpr float kLeastPart = 0.2F;  // of the kernel: in a corner of the face 0.3 is left
+constexpr float kMinKernelPart = 0.2F;  // of the kernel: 0.3 is left in a corner of the face
 
-constexpr std::array<float, kBlock> kPlaces = [] {
-  std::array<float, kBlock> places{};
-  for (std::size_t k = 0; k < places.size(); ++k) places[k] = static_cast<float>(k);
-  return places;
+constexpr std::array<float, kBlock> kIndices = [] {
+  std::array<float, kBlock> indices{};
+  for (std::size_t k = 0; k < indices.size(); ++k) indices[k] = static_cast<float>(k);
+  return indices;
 }();
 
-/// Divides a row all of whose pixels were measured, as divide_row() does; false where that has to
-/// say something of one of them, as in few rows.
+/// Fast path of divide_row() for rows without flags. Returns false where a pixel needs a flag,
+/// which few rows do.
 ALLTACT_WIDE bool divide_plain_row(const SmoothRow& row,
                                    const std::array<float, 3>& light,
                                    int first_column,
@@ -91,24 +91,24 @@ ALLTACT_WIDE bool divide_plain_row(const SmoothRow& row,
         const auto begin = static_cast<float>(first_column + first);
         for (int k = 0; k < size; ++k) {
           const int u = first + k;
-          const float column = begin + kPlaces[static_cast<std::size_t>(k)];
+          const float column = begin + kIndices[static_cast<std::size_t>(k)];
           const float correction = constant + column * (slope + column * bow);
           const auto here = static_cast<float>(from.raw[u]);
           const auto below = static_cast<float>(from.reference[u]);
           const float value = (below - correction * static_cast<float>(from.live[u])) / below;
           x[u] = value;
-          const std::int32_t thin = below > kLeastPart * here ? 0 : 1;
+          const std::int32_t thin = below > kMinKernelPart * here ? 0 : 1;
           const std::int32_t beyond = value <= x_max ? 0 : 1;
           special[static_cast<std::size_t>(k)] |= thin | beyond;
         }
       });
-  return largest_of(special) == 0;
+  return max_of(special) == 0;
 }
 
-/// `light`: what live pixels are to be multiplied with, in powers of u - first_column. Amid pixels
-/// that could not be measured hardly any of the kernel is left, and its outer weights are negative:
-/// such a pixel takes the reason of those around it, by whether it is nearer to black or to
-/// clipped. What is measured and beyond x_max is flagged as such.
+/// `light`: factor for live pixels, in powers of u - first_column. Between pixels that could not be
+/// measured hardly any of the kernel is left, and its outer weights are negative. Such a pixel
+/// takes the reason of its neighbours: dark or clipped, whichever level is nearer. Measured values
+/// beyond x_max are flagged.
 ALLTACT_WIDE void divide_row(const SmoothRow& row,
                              std::uint8_t* __restrict flags,
                              const std::array<float, 3>& light,
@@ -125,27 +125,28 @@ ALLTACT_WIDE void divide_row(const SmoothRow& row,
       count, [=](int first, auto size) __attribute__((always_inline)) {
         const auto begin = static_cast<float>(first_column + first);
         // In three loops: in one the compiler would branch for each pixel.
-        std::array<float, kBlock> reason, told;
+        std::array<float, kBlock> reason, values;
         for (int k = 0; k < size; ++k) {
           const auto before = static_cast<float>(static_cast<std::int32_t>(flags[first + k]));
-          const float flag = before == extrapolated ? measured : before;  // of a place done twice
+          // the row may be divided twice
+          const float flag = before == extrapolated ? measured : before;
           const auto here = static_cast<float>(from.raw[first + k]);
           const auto smooth = static_cast<float>(from.reference[first + k]);
           const float thin = here > kMiddle ? clipped : dark;
-          const float left = smooth > kLeastPart * here ? measured : thin;
+          const float left = smooth > kMinKernelPart * here ? measured : thin;
           reason[static_cast<std::size_t>(k)] = flag == measured ? left : flag;
         }
         for (int k = 0; k < size; ++k) {
-          const float column = begin + kPlaces[static_cast<std::size_t>(k)];
+          const float column = begin + kIndices[static_cast<std::size_t>(k)];
           const float correction = constant + column * (slope + column * bow);
           const auto live = static_cast<float>(from.live[first + k]);
           const auto smooth = static_cast<float>(from.reference[first + k]);
           const float value = (smooth - correction * live) / smooth;
-          told[static_cast<std::size_t>(k)] =
+          values[static_cast<std::size_t>(k)] =
               reason[static_cast<std::size_t>(k)] == measured ? value : kNaN;
         }
         for (int k = 0; k < size; ++k) {
-          const float value = told[static_cast<std::size_t>(k)];
+          const float value = values[static_cast<std::size_t>(k)];
           const float final = value > x_max ? extrapolated : reason[static_cast<std::size_t>(k)];
           x[first + k] = value;
           flags[first + k] = static_cast<std::uint8_t>(static_cast<std::int32_t>(final));
@@ -168,7 +169,7 @@ ALLTACT_WIDE void flag_row(const float* __restrict x,
       });
 }
 
-ALLTACT_WIDE void bound_row(const float* __restrict most_mm,
+ALLTACT_WIDE void clamp_row(const float* __restrict max_mm,
                             int count,
                             float* __restrict depth_mm,
                             std::uint8_t* __restrict flags) {
@@ -177,14 +178,14 @@ ALLTACT_WIDE void bound_row(const float* __restrict most_mm,
       count, [&](int first, auto size) __attribute__((always_inline)) {
         for (int k = 0; k < size; ++k)
           deeper[static_cast<std::size_t>(k)] |=
-              std::abs(depth_mm[first + k]) > most_mm[first + k] ? 1 : 0;
+              std::abs(depth_mm[first + k]) > max_mm[first + k] ? 1 : 0;
       });
-  if (largest_of(deeper) == 0) return;  // as nearly everywhere
+  if (max_of(deeper) == 0) return;  // true for nearly all rows
   for (int u = 0; u < count; ++u) {
-    const float most = most_mm[u];
-    if (!(std::abs(depth_mm[u]) > most)) continue;
+    const float max_value = max_mm[u];
+    if (!(std::abs(depth_mm[u]) > max_value)) continue;
     flags[u] = depth_mm[u] > 0.0F ? kBeyondLayer : kBulgeLimit;
-    depth_mm[u] = std::copysign(most, depth_mm[u]);
+    depth_mm[u] = std::copysign(max_value, depth_mm[u]);
   }
 }
 
@@ -223,8 +224,8 @@ void flag_beyond(const float* x, float x_max, int count, std::uint8_t* flags) {
   flag_row(x, x_max, count, flags);
 }
 
-void bound(const float* most_mm, int count, float* depth_mm, std::uint8_t* flags) {
-  bound_row(most_mm, count, depth_mm, flags);
+void clamp(const float* max_mm, int count, float* depth_mm, std::uint8_t* flags) {
+  clamp_row(max_mm, count, depth_mm, flags);
 }
 
 }  // namespace alltact::depth_rows

@@ -40,11 +40,11 @@ DepthScale::DepthScale(const MappingParameters& mapping, const FaceShape& shape)
     if (!column.valid) continue;
     const double along_z = static_cast<double>(by_column_[i]);
     const double middle_v = 0.5 * (column.upper_v + column.lower_v);
-    // What of f does not change across the face, and what does.
-    const double s = variation.within(shape.place_mm(u, middle_v)).x();
+    // Splits f into a factor that is constant across the face and a slope across it.
+    const double s = variation.within(shape.position_mm(u, middle_v)).x();
     by_column_[i] = static_cast<float>(along_z * (1.0 + variation.part.x() * s));
     across_[i] = static_cast<float>(along_z * variation.part.y());
-    const double per_px = shape.place_mm(u, middle_v + 1.0).y() / variation.half_mm.y();
+    const double per_px = shape.position_mm(u, middle_v + 1.0).y() / variation.half_mm.y();
     across_per_px_[i] = static_cast<float>(per_px);
     middle_v_[i] =
         static_cast<float>(middle_v + variation.middle_mm.y() / (per_px * variation.half_mm.y()));

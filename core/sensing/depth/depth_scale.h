@@ -1,4 +1,4 @@
-// From what the mapping gives to millimetres along z where these differ by a factor only.
+// Scales the mapping's output to millimetres along z where these differ by a factor only.
 #pragma once
 
 #include "core/finger/mapping.h"
@@ -8,8 +8,8 @@
 
 namespace alltact {
 
-/// The factor of every pixel: how the mapping varies over the face, and for a mapping of projected
-/// depths how much longer the way along z is. Made for one frame.
+/// Factor of every pixel: the mapping's variation over the face. For a mapping of projected depths
+/// also the ratio of the path along z to that along the normal. Made for one frame.
 class DepthScale {
  public:
   DepthScale(const MappingParameters& mapping, const FaceShape& shape);
@@ -21,7 +21,7 @@ class DepthScale {
 
  private:
   std::vector<float> by_column_;                          // in the middle of the face
-  std::vector<float> across_, middle_v_, across_per_px_;  // empty unless it varies across
+  std::vector<float> across_, middle_v_, across_per_px_;  // empty unless the factor varies across
 };
 
 }  // namespace alltact

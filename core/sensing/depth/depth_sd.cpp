@@ -12,36 +12,36 @@ namespace alltact {
 namespace {
 
 constexpr int kTable = 512;
-constexpr double kSidewaysPx = 0.25;  // of edges, skin and lens together
+constexpr double kLateralPx = 0.25;  // of edges, skin and lens together
 
-cv::Mat nowhere(const cv::Size& size) {
+cv::Mat nan_image(const cv::Size& size) {
   return {size, CV_32FC1, cv::Scalar(std::numeric_limits<float>::quiet_NaN())};
 }
 
 }  // namespace
 
-double DepthCauses::total() const {
+double DepthErrorTerms::total() const {
   return std::sqrt(noise * noise + mapping * mapping + reference * reference + light * light +
                    lateral * lateral);
 }
 
-DepthError::DepthError(const DepthMap& depth,
-                       const Reference& reference,
-                       const FaceShape& shape,
-                       const Mapping& mapping)
+DepthErrorModel::DepthErrorModel(const DepthMap& depth,
+                                 const Reference& reference,
+                                 const FaceShape& shape,
+                                 const Mapping& mapping)
     : depth_(depth),
       reference_(reference),
       shape_(shape),
       mapping_(mapping),
-      reader_(reference.picture),
+      reader_(reference.image),
       along_z_(mapping.parameters().along == MappingAlong::kZ
                    ? std::vector<float>(static_cast<std::size_t>(depth.depth_mm.cols), 1.0F)
                    : shape.along_z_per_normal()),
       step_mm_(mapping.depth_mm(mapping.x_max()) / kTable) {
-  CV_Assert(depth.depth_mm.type() == CV_32FC1 && depth.depth_mm.size() == reference.picture.size());
+  CV_Assert(depth.depth_mm.type() == CV_32FC1 && depth.depth_mm.size() == reference.image.size());
 }
 
-void DepthError::know_curve() {
+void DepthErrorModel::build_curve() {
   if (!x_.empty()) return;
   for (int i = -kTable; i <= kTable; ++i) {
     x_.push_back(mapping_.difference_at(i * step_mm_));
@@ -49,41 +49,41 @@ void DepthError::know_curve() {
   }
 }
 
-/// x and slope of a depth that the mapping gives; beyond the table the curve goes on straight.
-DepthError::At DepthError::curve_at(double depth_mm) const {
+/// x and slope at a depth of the mapping; linear beyond the table.
+DepthErrorModel::At DepthErrorModel::table_curve_at(double depth_mm) const {
   const double end_mm = step_mm_ * kTable;
   if (depth_mm >= end_mm)
     return {x_.back() + (depth_mm - end_mm) / slope_mm_.back(), slope_mm_.back()};
   if (depth_mm <= -end_mm)
     return {x_.front() + (depth_mm + end_mm) / slope_mm_.front(), slope_mm_.front()};
-  const double place = depth_mm / step_mm_ + kTable;
+  const double index = depth_mm / step_mm_ + kTable;
   const auto i =
-      std::min(static_cast<std::size_t>(place), static_cast<std::size_t>(2 * kTable - 1));
-  const double part = place - static_cast<double>(i);
+      std::min(static_cast<std::size_t>(index), static_cast<std::size_t>(2 * kTable - 1));
+  const double part = index - static_cast<double>(i);
   const auto between = [&](const std::vector<double>& values) {
     return values[i] + part * (values[i + 1] - values[i]);
   };
   return {between(x_), between(slope_mm_)};
 }
 
-double DepthError::reference_sd(int u, int v) {
+double DepthErrorModel::reference_sd(int u, int v) {
   const cv::Mat& sd = reference_.relative_sd;
   if (sd.empty()) return 0.0;
-  const ChartWarp& warp = reference_.picture.warp();
+  const ChartWarp& warp = reference_.image.warp();
   if (u < warp.first() || u >= warp.end()) return 0.0;
   float at_u = 0, at_v = 0;
-  warp.places(v, u, 1, &at_u, &at_v);
-  const cv::Point origin = reference_.picture.origin();
+  warp.positions(v, u, 1, &at_u, &at_v);
+  const cv::Point origin = reference_.image.origin();
   const int x = static_cast<int>(at_u - static_cast<float>(origin.x)) / kErrorCellPx,
             y = static_cast<int>(at_v - static_cast<float>(origin.y)) / kErrorCellPx;
   const double factor =
-      reference_.picture.is_first_mix(u) ? reference_.error_factor : reference_.outer_error_factor;
+      reference_.image.is_first_mix(u) ? reference_.error_factor : reference_.outer_error_factor;
   return factor * static_cast<double>(
                       sd.at<float>(std::clamp(y, 0, sd.rows - 1), std::clamp(x, 0, sd.cols - 1)));
 }
 
-void DepthError::add_lateral(int u, int v, DepthCauses& causes) const {
-  constexpr int kStep = 2;  // further than most of the noise is shared
+void DepthErrorModel::add_lateral(int u, int v, DepthErrorTerms& causes) const {
+  constexpr int kStep = 2;  // longer than the correlation of most noise
   const cv::Mat& mm = depth_.depth_mm;
   const double here = static_cast<double>(mm.at<float>(v, u));
   const auto at = [&](int du, int dv) {
@@ -94,7 +94,7 @@ void DepthError::add_lateral(int u, int v, DepthCauses& causes) const {
   };
   const double left = at(-1, 0), right = at(1, 0), above = at(0, -1), below = at(0, 1);
   const auto squares = [](double a, double b) { return a * a + b * b; };
-  // What noise alone makes of the same differences is taken off.
+  // Subtracts the share that noise alone adds to these differences.
   const double noise = causes.noise * causes.noise;
   const double slope_square =
       std::max(0.0, squares(right - left, below - above) - 4.0 * noise) / (4.0 * kStep * kStep);
@@ -102,18 +102,18 @@ void DepthError::add_lateral(int u, int v, DepthCauses& causes) const {
       std::max(0.0, squares(left - 2.0 * here + right, above - 2.0 * here + below) - 12.0 * noise) /
       std::pow(kStep, 4);
   causes.per_px = std::sqrt(slope_square);
-  causes.lateral = std::sqrt(kSidewaysPx * kSidewaysPx * slope_square +
+  causes.lateral = std::sqrt(kLateralPx * kLateralPx * slope_square +
                              0.25 * kOpticsPx2 * kOpticsPx2 * bend_square);
 }
 
-double DepthError::level_at(int u, int v) {
+double DepthErrorModel::level_at(int u, int v) {
   const FaceRun one{v, u, u + 1, 0};
   return static_cast<double>(reader_.row(v, {&one, 1})[u]) / kGreySteps;
 }
 
-/// The same without the table, which costs as much as some hundred single depths: x to a millionth
-/// of the domain, by Newton's method between what is known to be below and above.
-DepthError::At DepthError::single_at(double depth_mm) const {
+/// The same without the table, which costs as much as some hundred single depths. Newton's method
+/// with bracketing finds x to a millionth of the domain.
+DepthErrorModel::At DepthErrorModel::solved_curve_at(double depth_mm) const {
   const double end = mapping_.x_max(), end_mm = step_mm_ * kTable;
   if (depth_mm >= end_mm) {
     const double slope_mm = mapping_.slope_mm(end);
@@ -141,34 +141,35 @@ DepthError::At DepthError::single_at(double depth_mm) const {
   return {x, slope_mm};
 }
 
-DepthCauses DepthError::causes(int u, int v, double level, double depth_mm, ReadCurve read) {
-  const Eigen::Vector2d place = shape_.place_mm(u, v);
+DepthErrorTerms DepthErrorModel::causes(
+    int u, int v, double level, double depth_mm, ReadCurve read) {
+  const Eigen::Vector2d position = shape_.position_mm(u, v);
   const double longer = static_cast<double>(along_z_[static_cast<std::size_t>(u)]);
-  const double factor = mapping_.parameters().variation.at(place);
+  const double factor = mapping_.parameters().variation.at(position);
   const auto [x, slope_mm] = (this->*read)(depth_mm / (longer * factor));
-  const double per_part = longer * factor * slope_mm;  // mm by the relative brightness
+  const double per_part = longer * factor * slope_mm;  // mm per relative brightness
   const double left = std::max(0.0, 1.0 - x);
-  DepthCauses causes;
+  DepthErrorTerms causes;
   causes.noise = per_part * depth_.live_sd / level * std::hypot(1.0, left * reference_.noise_gain);
-  causes.mapping = longer * mapping_.depth_sd_mm(x, place);
+  causes.mapping = longer * mapping_.depth_sd_mm(x, position);
   causes.reference = per_part * left * reference_sd(u, v);
   causes.light = per_part * left * depth_.light.sd_at(u, v) / depth_.light.at(u, v);
   return causes;
 }
 
-DepthCauses DepthError::of_depth(int u, int v, double depth_mm) {
+DepthErrorTerms DepthErrorModel::of_depth(int u, int v, double depth_mm) {
   const double level = level_at(u, v);
   if (!(level > 0)) return {};
-  DepthCauses all = causes(u, v, level, depth_mm, &DepthError::single_at);
+  DepthErrorTerms all = causes(u, v, level, depth_mm, &DepthErrorModel::solved_curve_at);
   add_lateral(u, v, all);
   return all;
 }
 
-UntouchedSd DepthError::untouched(int u, int v) {
+UntouchedSd DepthErrorModel::untouched(int u, int v) {
   const double level = level_at(u, v);
   if (!(level > 0)) return {};
   const double per_part = static_cast<double>(along_z_[static_cast<std::size_t>(u)]) *
-                          mapping_.parameters().variation.at(shape_.place_mm(u, v)) *
+                          mapping_.parameters().variation.at(shape_.position_mm(u, v)) *
                           mapping_.slope_mm(0.0);
   return {
       per_part * depth_.live_sd / level * std::hypot(1.0, reference_.noise_gain),
@@ -179,31 +180,31 @@ cv::Mat depth_sd_mm(const DepthMap& depth,
                     const Reference& reference,
                     const FaceShape& shape,
                     const Mapping& mapping) {
-  DepthError error(depth, reference, shape, mapping);
-  cv::Mat sd = nowhere(depth.depth_mm.size());
+  DepthErrorModel error(depth, reference, shape, mapping);
+  cv::Mat sd = nan_image(depth.depth_mm.size());
   for (int v = 0; v < sd.rows; ++v)
-    error.row(v, [row = sd.ptr<float>(v)](int u, const DepthCauses& causes) {
+    error.row(v, [row = sd.ptr<float>(v)](int u, const DepthErrorTerms& causes) {
       row[u] = static_cast<float>(causes.total());
     });
   return sd;
 }
 
-std::vector<NamedPicture> depth_sd_by_cause(const DepthMap& depth,
-                                            const Reference& reference,
-                                            const FaceShape& shape,
-                                            const Mapping& mapping) {
-  DepthError error(depth, reference, shape, mapping);
-  std::vector<NamedPicture> pictures;
+std::vector<NamedSdMap> depth_sd_by_cause(const DepthMap& depth,
+                                          const Reference& reference,
+                                          const FaceShape& shape,
+                                          const Mapping& mapping) {
+  DepthErrorModel error(depth, reference, shape, mapping);
+  std::vector<NamedSdMap> maps;
   for (const char* name : {"noise", "mapping", "reference", "light", "lateral"})
-    pictures.push_back({name, nowhere(depth.depth_mm.size())});
+    maps.push_back({name, nan_image(depth.depth_mm.size())});
   for (int v = 0; v < depth.depth_mm.rows; ++v)
-    error.row(v, [&](int u, const DepthCauses& causes) {
+    error.row(v, [&](int u, const DepthErrorTerms& causes) {
       std::size_t next = 0;
       for (const double sd :
            {causes.noise, causes.mapping, causes.reference, causes.light, causes.lateral})
-        pictures[next++].sd_mm.at<float>(v, u) = static_cast<float>(sd);
+        maps[next++].sd_mm.at<float>(v, u) = static_cast<float>(sd);
     });
-  return pictures;
+  return maps;
 }
 
 }  // namespace alltact

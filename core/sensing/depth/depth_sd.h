@@ -1,4 +1,4 @@
-// How sure every pixel's depth is, and why.
+// Standard deviation of every pixel's depth, by cause.
 #pragma once
 
 #include "core/finger/mapping.h"
@@ -12,100 +12,100 @@
 
 namespace alltact {
 
-/// Standard deviations of one pixel's depth, mm along z, by cause; independent of each other.
-struct DepthCauses {
-  /// Noise of the picture and of its reference: f M'(x) sd / I_ref sqrt(1 + (1 - x)^2 gain^2).
+/// Standard deviations of one pixel's depth, mm along z, by independent causes.
+struct DepthErrorTerms {
+  /// Noise of the image and of its reference: f M'(x) sd / I_ref sqrt(1 + (1 - x)^2 gain^2).
   double noise = 0;
-  double mapping = 0;  ///< what the calibration leaves open (Mapping::depth_sd_mm at the place)
-  /// What references of this recording are off by here (reference_error.h): the pose, the skin that
-  /// is not followed to a hair, blemishes: f M'(x) (1 - x) sd_ref / I_ref.
+  double mapping = 0;  ///< uncertainty of the calibration (Mapping::depth_sd_mm at the position)
+  /// Error of this recording's references here (reference_error.h), from the pose, imperfect skin
+  /// registration and blemishes: f M'(x) (1 - x) sd_ref / I_ref.
   double reference = 0;
-  double light = 0;  ///< how well the light's change is known: f M'(x) (1 - x) sd(q) / q
-  /// Where depth changes fast: a quarter of a pixel sideways, and what smoothing takes off a bend.
+  double light = 0;  ///< uncertainty of the light's change: f M'(x) (1 - x) sd(q) / q
+  /// Where depth changes fast: a lateral offset of a quarter of a pixel, and the bias of smoothing.
   double lateral = 0;
-  /// No cause of its own: what the depth changes by from a pixel to the next, mm. 0: within noise.
+  /// Not an error of its own: the depth difference between adjacent pixels, mm. 0: within noise.
   double per_px = 0;
 
   [[nodiscard]] double total() const;
 };
 
-/// Of a pixel that nothing presses: what averages out over a region (noise) and what does not
-/// (reference and light), mm.
+/// Errors of a pixel without contact, mm: noise averages out over a region, the systematic part
+/// (reference and light) does not.
 struct UntouchedSd {
   double noise = 0, systematic = 0;
 };
 
-/// Of one frame; what it is made from must live as long.
-class DepthError {
+/// Error model of one frame. Its inputs must outlive it.
+class DepthErrorModel {
  public:
-  DepthError(const DepthMap& depth,
-             const Reference& reference,
-             const FaceShape& shape,
-             const Mapping& mapping);
+  DepthErrorModel(const DepthMap& depth,
+                  const Reference& reference,
+                  const FaceShape& shape,
+                  const Mapping& mapping);
 
   /// Calls put(u, causes) for each pixel of row v that has a depth.
   template <class Put>
   void row(int v, Put put);
 
-  /// How far off untouched skin may be told at a pixel.
+  /// Errors of the depth at a pixel without contact.
   [[nodiscard]] UntouchedSd untouched(int u, int v);
 
-  /// The same of a depth that is told there; `lateral` is that of the depths around it.
-  [[nodiscard]] DepthCauses of_depth(int u, int v, double depth_mm);
+  /// Errors of a given depth at a pixel; `lateral` is that of the depths around it.
+  [[nodiscard]] DepthErrorTerms of_depth(int u, int v, double depth_mm);
 
  private:
   struct At {
     double x, slope_mm;
   };
-  void know_curve();
-  [[nodiscard]] At curve_at(double depth_mm) const;
-  [[nodiscard]] At single_at(double depth_mm) const;
+  void build_curve();
+  [[nodiscard]] At table_curve_at(double depth_mm) const;
+  [[nodiscard]] At solved_curve_at(double depth_mm) const;
   [[nodiscard]] double reference_sd(int u, int v);
-  void add_lateral(int u, int v, DepthCauses& causes) const;
+  void add_lateral(int u, int v, DepthErrorTerms& causes) const;
   [[nodiscard]] double level_at(int u, int v);
-  using ReadCurve = At (DepthError::*)(double depth_mm) const;
-  [[nodiscard]] DepthCauses causes(int u, int v, double level, double depth_mm, ReadCurve read);
+  using ReadCurve = At (DepthErrorModel::*)(double depth_mm) const;
+  [[nodiscard]] DepthErrorTerms causes(int u, int v, double level, double depth_mm, ReadCurve read);
 
   const DepthMap& depth_;
   const Reference& reference_;
   const FaceShape& shape_;
   const Mapping& mapping_;
-  ReferencePicture::Reader reader_;
+  ReferenceImage::Reader reader_;
   std::vector<float> along_z_;
   double step_mm_;
   std::vector<double> x_, slope_mm_;  // of the mapping, by depth
 };
 
-/// The causes together: CV_32FC1, mm along z, NaN where there is no depth. As dear as the depth
-/// itself, so not made for every live frame.
+/// All causes combined: CV_32FC1, mm along z, NaN where there is no depth. As expensive as the
+/// depth itself, so not computed for every live frame.
 [[nodiscard]] cv::Mat depth_sd_mm(const DepthMap& depth,
                                   const Reference& reference,
                                   const FaceShape& shape,
                                   const Mapping& mapping);
 
-/// Each cause apart, named as in DepthCauses.
-struct NamedPicture {
+/// Each cause separately, named as in DepthErrorTerms.
+struct NamedSdMap {
   const char* name;
   cv::Mat sd_mm;
 };
-[[nodiscard]] std::vector<NamedPicture> depth_sd_by_cause(const DepthMap& depth,
-                                                          const Reference& reference,
-                                                          const FaceShape& shape,
-                                                          const Mapping& mapping);
+[[nodiscard]] std::vector<NamedSdMap> depth_sd_by_cause(const DepthMap& depth,
+                                                        const Reference& reference,
+                                                        const FaceShape& shape,
+                                                        const Mapping& mapping);
 
 template <class Put>
-void DepthError::row(int v, Put put) {
-  know_curve();
-  const FaceRun whole{v, 0, depth_.depth_mm.cols, 0};
-  const std::int16_t* grey = reader_.row(v, {&whole, 1});
+void DepthErrorModel::row(int v, Put put) {
+  build_curve();
+  const FaceRun full_row{v, 0, depth_.depth_mm.cols, 0};
+  const std::int16_t* grey = reader_.row(v, {&full_row, 1});
   const float* depth = depth_.depth_mm.ptr<float>(v);
   for (int u = 0; u < depth_.depth_mm.cols; ++u)
     if (depth[u] == depth[u] && grey[u] > 0) {
-      DepthCauses all = causes(u,
-                               v,
-                               static_cast<double>(grey[u]) / 64.0,
-                               static_cast<double>(depth[u]),
-                               &DepthError::curve_at);
+      DepthErrorTerms all = causes(u,
+                                   v,
+                                   static_cast<double>(grey[u]) / 64.0,
+                                   static_cast<double>(depth[u]),
+                                   &DepthErrorModel::table_curve_at);
       add_lateral(u, v, all);
       put(u, all);
     }

@@ -12,18 +12,17 @@ namespace alltact {
 namespace {
 
 constexpr std::size_t kLanes = 8;  // blocks side by side: the widest vector of doubles
-/// Sums of weight s^i t^j up to i + j = 4, of pull s^i t^j up to 2, and of the shares.
+/// Sums of weight s^i t^j up to i + j = 4, of pull s^i t^j up to 2, and of the robust weights.
 constexpr std::size_t kMoments = 15, kSums = kMoments + kLightTerms + 1;
 using Lanes = std::array<double, kSums * kLanes>;
 
-/// Numbers of some times kLanes blocks. Each lane has sums of its own, in whatever vectors they
-/// lie.
-struct Eight {
+/// Values of a multiple of kLanes blocks. Each lane has its own sums, whatever the vector width.
+struct LaneBlocks {
   const double *s, *t, *ratio, *sd;
   const double* counts;  ///< 1 or 0 by lane, for all of them
 };
 
-ALLTACT_WIDE void add_eights(const Eight& first,
+ALLTACT_WIDE void add_blocks(const LaneBlocks& first,
                              std::size_t count,
                              const double* c,
                              double tukey2,
@@ -60,7 +59,7 @@ ALLTACT_WIDE void add_eights(const Eight& first,
     }
 }
 
-/// Which moment the product of two of the basis' terms is.
+/// Index of the moment that is the product of two basis terms.
 std::size_t moment_of(int i, int j) {
   constexpr std::array<std::array<int, 2>, kLightTerms> powers{
       {{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}}};
@@ -69,7 +68,7 @@ std::size_t moment_of(int i, int j) {
   return static_cast<std::size_t>(degree * (degree + 1) / 2 + t);
 }
 
-/// What of a row can be compared: both brightnesses there, 0 where they cannot, and whether.
+/// Brightnesses of a row that can be compared, 0 elsewhere, and a flag for each.
 ALLTACT_WIDE void compare_row(const std::uint8_t* __restrict grey,
                               const std::int16_t* __restrict untouched,
                               int count,
@@ -99,17 +98,17 @@ LightEquations LightBlocks::equations(const LightTerms& terms,
   alignas(64) Lanes sums{};
   alignas(64) std::array<double, kLanes> ones;
   ones.fill(1.0);
-  const std::size_t whole = size() / kLanes * kLanes;
-  const auto add = [&](const Eight& first, std::size_t count) {
-    add_eights(first, count, terms.data(), tukey * tukey, widening * widening, sums.data());
+  const std::size_t full_lanes = size() / kLanes * kLanes;
+  const auto add = [&](const LaneBlocks& first, std::size_t count) {
+    add_blocks(first, count, terms.data(), tukey * tukey, widening * widening, sums.data());
   };
-  add({s_.data(), t_.data(), ratio_.data(), sd_.data(), ones.data()}, whole);
-  if (whole < size()) {
-    // What does not fill a vector: beside it stand blocks that do not count.
+  add({s_.data(), t_.data(), ratio_.data(), sd_.data(), ones.data()}, full_lanes);
+  if (full_lanes < size()) {
+    // Pads the last vector with blocks of weight 0.
     std::array<std::array<double, kLanes>, 5> rest{};
     rest[3].fill(1.0);
-    for (std::size_t i = whole; i < size(); ++i) {
-      const std::size_t lane = i - whole;
+    for (std::size_t i = full_lanes; i < size(); ++i) {
+      const std::size_t lane = i - full_lanes;
       rest[0][lane] = s_[i], rest[1][lane] = t_[i];
       rest[2][lane] = ratio_[i], rest[3][lane] = sd_[i], rest[4][lane] = 1.0;
     }
@@ -126,22 +125,22 @@ LightEquations LightBlocks::equations(const LightTerms& terms,
       equations.normal(i, j) = equations.normal(j, i) = sum(moment_of(i, j));
   for (int i = 0; i < kLightTerms; ++i)
     equations.pull[i] = sum(kMoments + static_cast<std::size_t>(i));
-  equations.believed = sum(kSums - 1);
+  equations.inlier_sum = sum(kSums - 1);
   return equations;
 }
 
 LightBlocks light_blocks(const cv::Mat& grey,
-                         const ReferencePicture& reference,
+                         const ReferenceImage& reference,
                          const FaceRuns& face,
                          const cv::Rect& bounds,
-                         double most,
+                         double block_count,
                          double noise_sd,
                          double noise_gain,
                          double floor) {
   LightBlocks blocks;
-  const int step = std::max(2, static_cast<int>(std::sqrt(face.pixels() / most)));
+  const int step = std::max(2, static_cast<int>(std::sqrt(face.pixels() / block_count)));
   const double half_u = 0.5 * bounds.width, half_v = 0.5 * bounds.height;
-  ReferencePicture::Reader reader(reference);
+  ReferenceImage::Reader reader(reference);
   const auto width = static_cast<std::size_t>(grey.cols);
   std::vector<std::int32_t> lives(width), references(width), counts(width);
   for (int v = bounds.y + step / 2; v < bounds.br().y; v += step) {

@@ -1,9 +1,9 @@
-// Small pieces of the face, each with how bright it is against its reference: what the light's
-// change is told from.
+// Small blocks of the face with their brightness ratio to the reference; the light's change is
+// fitted to them.
 #pragma once
 
 #include "core/sensing/face/face_runs.h"
-#include "core/sensing/reference/reference_picture.h"
+#include "core/sensing/reference/reference_image.h"
 
 #include <array>
 #include <vector>
@@ -16,7 +16,7 @@ namespace alltact {
 constexpr int kLightTerms = 6;
 using LightTerms = Eigen::Matrix<double, kLightTerms, 1>;
 
-/// 1, s, t, s^2, s t, t^2 of a place within the face's bounding rectangle, -1 to 1.
+/// 1, s, t, s^2, s t, t^2 of a position within the face's bounding rectangle, -1 to 1.
 [[nodiscard]] inline LightTerms light_basis(double s, double t) {
   LightTerms basis;
   basis << 1.0, s, t, s * s, s * t, t * t;
@@ -24,19 +24,19 @@ using LightTerms = Eigen::Matrix<double, kLightTerms, 1>;
 }
 
 struct LightBlock {
-  double s = 0, t = 0;          ///< place, -1 to 1
+  double s = 0, t = 0;          ///< position, -1 to 1
   double ratio = 0, noise = 0;  ///< live over reference, and its white noise
-  double sd = 0;                ///< with what references are off by apart from it
+  double sd = 0;                ///< noise and the reference's other errors together
 };
 
-/// What a step of least squares needs, sums over the blocks that are believed.
+/// Normal equations of one step of least squares, summed over the inlier blocks.
 struct LightEquations {
   Eigen::Matrix<double, kLightTerms, kLightTerms> normal;
   LightTerms pull;
-  double believed = 0;  ///< sum of the blocks' shares, 0 to 1 each
+  double inlier_sum = 0;  ///< sum of the blocks' robust weights, 0 to 1 each
 };
 
-/// Blocks, number by number.
+/// Blocks as a structure of arrays.
 class LightBlocks {
  public:
   void add(const LightBlock& block);
@@ -49,8 +49,8 @@ class LightBlocks {
   [[nodiscard]] const std::vector<double>& ratios() const { return ratio_; }
   [[nodiscard]] const std::vector<double>& noises() const { return noise_; }
 
-  /// Of the step that follows `terms`, which weighs each block by Tukey's biweight of how far it is
-  /// off, in `tukey` times its sd together with `widening`.
+  /// Normal equations of the next step from `terms`. Tukey's biweight weighs each block by its
+  /// residual, with `tukey` times its sd combined with `widening` as the limit.
   [[nodiscard]] LightEquations equations(const LightTerms& terms,
                                          double tukey,
                                          double widening) const;
@@ -59,14 +59,14 @@ class LightBlocks {
   std::vector<double> s_, t_, ratio_, noise_, sd_;
 };
 
-/// About `most` blocks of the face, which lies within `bounds`. noise_sd, noise_gain: of one
-/// picture, grey levels, and the reference's against it; floor: what references are off by, apart
-/// from noise.
+/// About `block_count` blocks of the face, which lies within `bounds`. noise_sd: noise of one
+/// image, grey levels. noise_gain: the reference's noise relative to it. floor: errors of
+/// references apart from noise.
 [[nodiscard]] LightBlocks light_blocks(const cv::Mat& grey,
-                                       const ReferencePicture& reference,
+                                       const ReferenceImage& reference,
                                        const FaceRuns& face,
                                        const cv::Rect& bounds,
-                                       double most,
+                                       double block_count,
                                        double noise_sd,
                                        double noise_gain,
                                        double floor);

@@ -15,17 +15,18 @@
 namespace alltact {
 namespace {
 
-constexpr double kBlocks = 600;      // enough for six numbers, few enough to cost little
-constexpr double kFloor = 0.002;     // what references are off by apart from noise
-constexpr double kTukey = 4.0;       // sigmas beyond which a block says nothing
-constexpr double kConstantSd = 0.5;  // what changes are to be expected
+constexpr double kTargetBlocks = 600;  // enough for six terms, few enough to cost little
+constexpr double kFloor = 0.002;       // errors of references apart from noise
+constexpr double kTukey = 4.0;         // sigmas beyond which a block has no weight
+constexpr double kConstantSd = 0.5;    // prior sd of the changes
 constexpr double kShapeSd = 0.05;
-constexpr double kAlike = 2.0;   // times the shortest stretch of ratios
-constexpr double kPatches = 30;  // of the face, over each of which references are off alike
-constexpr int kLeastBlocks = 20;
-constexpr double kBrighter = 0.05;  // than any halo around a contact
-// A second light, told by what the first makes brighter than its reference: from such a part of the
-// face on it is looked for, such a part of that must agree on it, and it must leave no more over.
+constexpr double kAlike = 2.0;   // times the shortest interval of ratios
+constexpr double kPatches = 30;  // of the face; errors of references are correlated within each
+constexpr int kMinBlocks = 20;
+constexpr double kBrighter = 0.05;  // more than any halo around a contact
+// A second light is searched for where at least this share of the face is brighter than the first
+// fit. At least this share of those blocks must be its inliers, and at most this share may stay
+// brighter.
 constexpr double kMuchBrighter = 0.1, kAgreeing = 0.6, kLeftBrighter = 0.02;
 
 using Terms = LightTerms;
@@ -43,11 +44,11 @@ double change_at(const LightBlock& block, const Terms& terms) {
   return light_basis(block.s, block.t).dot(terms);
 }
 
-/// Sorts numbers most of which lie close together: into narrow bins first, then each of these.
+/// Bucket sort: most numbers lie close together, so narrow bins are sorted one by one.
 std::vector<double> ascending(const std::vector<double>& values) {
   constexpr std::size_t kBins = 1024;
-  const auto [least, most] = std::minmax_element(values.begin(), values.end());
-  const double low = *least, per_value = (kBins - 1) / std::max(*most - low, 1e-12);
+  const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
+  const double low = *lowest, per_value = (kBins - 1) / std::max(*highest - low, 1e-12);
   const auto bin_of = [&](double value) {
     return static_cast<std::size_t>((value - low) * per_value);
   };
@@ -62,9 +63,9 @@ std::vector<double> ascending(const std::vector<double>& values) {
   return sorted;
 }
 
-/// The middle and half the length of the brightest stretch of ratios that holds a fifth of them and
-/// is not much longer than the shortest that does: untouched skin looks alike, and what presses on
-/// it, however wide, is darker.
+/// Middle and length of the brightest interval that holds a fifth of the ratios and is not much
+/// longer than the shortest. Contact-free skin has uniform ratios, and a contact of any width is
+/// darker.
 std::pair<double, double> untouched_ratio(const LightBlocks& blocks) {
   const std::vector<double> ratios = ascending(blocks.ratios());
   const std::size_t held = ratios.size() / 5;
@@ -81,16 +82,16 @@ double ramp(double value, double from, double to) {
   return std::clamp((value - from) / (to - from), 1e-3, 1.0);
 }
 
-/// One step of the re-weighted least squares; gives the part of the blocks that is believed.
+/// One step of the re-weighted least squares; returns the inlier fraction of the blocks.
 double refit(const LightBlocks& blocks,
              double widening,
-             double believed,
+             double inlier_fraction,
              Terms* terms,
              LightGain::Covariance* information) {
   auto [normal, pull, weights] = blocks.equations(*terms, kTukey, widening);
   normal.diagonal()[0] += 1.0 / (kConstantSd * kConstantSd);
-  const double tilt_sd = kShapeSd * ramp(believed, 0.2, 0.5),
-               bow_sd = kShapeSd * ramp(believed, 0.35, 0.65);
+  const double tilt_sd = kShapeSd * ramp(inlier_fraction, 0.2, 0.5),
+               bow_sd = kShapeSd * ramp(inlier_fraction, 0.35, 0.65);
   for (int k = 1; k < LightGain::kTerms; ++k) {
     const double sd = k < 3 ? tilt_sd : bow_sd;
     normal.diagonal()[k] += 1.0 / (sd * sd);
@@ -100,10 +101,10 @@ double refit(const LightBlocks& blocks,
   return weights / static_cast<double>(blocks.size());
 }
 
-/// From the skin that is brighter than its reference, where no contact is: half of a normal
-/// distribution's magnitudes lie below 0.6745 sd. What references are off by is taken off.
-/// `promised`: how noisy it is said to be, as a part of the blocks' noise.
-double noise_ratio(const LightBlocks& blocks, const Terms& terms, double promised) {
+/// Noise ratio from the skin that is brighter than its reference, where no contact is. Half of a
+/// normal distribution's magnitudes lie below 0.6745 sd. Errors of the reference are subtracted.
+/// `promised`: expected noise as a fraction of the blocks' noise.
+double noise_ratio(const LightBlocks& blocks, const Terms& terms, double expected_noise) {
   std::vector<double> above, floors;
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     const LightBlock block = blocks[i];
@@ -112,15 +113,14 @@ double noise_ratio(const LightBlocks& blocks, const Terms& terms, double promise
     above.push_back(z);
     floors.push_back(kFloor / block.noise);
   }
-  if (static_cast<int>(above.size()) < kLeastBlocks) return 1.0;
+  if (static_cast<int>(above.size()) < kMinBlocks) return 1.0;
   const double all = upper_median(above) / 0.6745, floor = upper_median(floors);
-  return std::sqrt(std::max(1.0, (all * all - floor * floor) / (promised * promised)));
+  return std::sqrt(std::max(1.0, (all * all - floor * floor) / (expected_noise * expected_noise)));
 }
 
-/// By what the covariance of a fit to independent blocks, as noisy as they were weighed, falls
-/// short: noise is `ratio` times that, and what references are off by is alike over patches of the
-/// face.
-double shortfall(const LightBlocks& blocks, double ratio) {
+/// Factor that corrects the covariance of a fit to independent blocks: noise is `ratio` times the
+/// assumed one, and errors of the reference are correlated over patches of the face.
+double covariance_factor(const LightBlocks& blocks, double ratio) {
   std::vector<double> noises = blocks.noises();
   const double more = std::max(1.0, ratio), one = upper_median(noises);
   const double noise = ratio * one, weighed = more * one;
@@ -129,7 +129,7 @@ double shortfall(const LightBlocks& blocks, double ratio) {
          ((noise * noise + shared * kFloor * kFloor) / (weighed * weighed + kFloor * kFloor));
 }
 
-/// The blocks that are clearly brighter than their reference under the light of `terms`.
+/// Blocks that are clearly brighter than their reference under the light of `terms`.
 LightBlocks brighter_blocks(const LightBlocks& blocks, const Terms& terms) {
   LightBlocks brighter;
   for (std::size_t i = 0; i < blocks.size(); ++i) {
@@ -143,26 +143,26 @@ LightBlocks brighter_blocks(const LightBlocks& blocks, const Terms& terms) {
 struct LightFit {
   Terms terms = Terms::Zero();
   LightGain::Covariance covariance = LightGain::Covariance::Zero();
-  double believed = 0.5;     ///< part of the blocks
-  LightBlocks brighter;      ///< see brighter_blocks()
-  double brighter_part = 0;  ///< of the blocks
+  double inlier_fraction = 0.5;  ///< fraction of the blocks
+  LightBlocks brighter;          ///< see brighter_blocks()
+  double brighter_part = 0;      ///< fraction of the blocks
 };
 
-/// Fits all `blocks`, starting from the ratio that `untouched` have in common.
+/// Fits all `blocks`, starting from the common ratio of `untouched`.
 std::optional<LightFit> fit_light(const LightBlocks& blocks, const LightBlocks& untouched) {
   const auto [ratio, spread] = untouched_ratio(untouched);
   if (!(ratio > 0.0)) return std::nullopt;
   LightFit fit;
   LightGain::Covariance information;
   fit.terms[0] = 1.0 / ratio - 1.0;
-  // From wide to narrow: a change that tilts over the face must not look like a contact.
+  // From wide to narrow: a change that tilts over the face must not be taken for a contact.
   double widening = spread;
   while (widening > 0.5 * kFloor) {
-    fit.believed = refit(blocks, widening, fit.believed, &fit.terms, &information);
+    fit.inlier_fraction = refit(blocks, widening, fit.inlier_fraction, &fit.terms, &information);
     widening *= 0.5;
   }
   for (int last = 0; last < 2; ++last)
-    fit.believed = refit(blocks, 0.0, fit.believed, &fit.terms, &information);
+    fit.inlier_fraction = refit(blocks, 0.0, fit.inlier_fraction, &fit.terms, &information);
   fit.covariance =
       information.selfadjointView<Eigen::Lower>().ldlt().solve(LightGain::Covariance::Identity());
   if (!fit.terms.allFinite() || !fit.covariance.allFinite()) return std::nullopt;
@@ -171,23 +171,23 @@ std::optional<LightFit> fit_light(const LightBlocks& blocks, const LightBlocks& 
   return fit;
 }
 
-/// What presses only darkens. Where the light that most of the face tells makes another part
-/// brighter, and that part agrees on a light of its own, that one is the light and most of the face
-/// is pressed. On another finger the brighter parts do not agree.
+/// Contacts only darken. Where the first light makes another part brighter and that part fits a
+/// light of its own, the second one is the light and most of the face is pressed. On a different
+/// finger the brighter parts have no common light.
 LightFit brightest_light(const LightBlocks& blocks, LightFit first) {
-  if (first.brighter_part < kMuchBrighter || static_cast<int>(first.brighter.size()) < kLeastBlocks)
+  if (first.brighter_part < kMuchBrighter || static_cast<int>(first.brighter.size()) < kMinBlocks)
     return first;
   const auto second = fit_light(blocks, first.brighter);
-  const bool is_the_light = second && second->believed > kAgreeing * first.brighter_part &&
-                            second->brighter_part < kLeftBrighter;
-  return is_the_light ? *second : first;
+  const bool is_true_light = second && second->inlier_fraction > kAgreeing * first.brighter_part &&
+                             second->brighter_part < kLeftBrighter;
+  return is_true_light ? *second : first;
 }
 
 }  // namespace
 
 LightGain::LightGain(const cv::Rect& face,
                      const std::array<double, kTerms>& terms,
-                     double believed,
+                     double inlier_fraction,
                      double brighter,
                      double noise_ratio,
                      const Covariance& covariance)
@@ -196,7 +196,7 @@ LightGain::LightGain(const cv::Rect& face,
       middle_v_(face.y + 0.5 * face.height),
       half_u_(0.5 * face.width),
       half_v_(0.5 * face.height),
-      believed_(believed),
+      inlier_fraction_(inlier_fraction),
       brighter_(brighter),
       noise_ratio_(noise_ratio),
       covariance_(covariance) {}
@@ -222,30 +222,30 @@ double LightGain::sd_at(double u, double v) const {
 }
 
 LightGain light_gain(const cv::Mat& grey,
-                     const ReferencePicture& reference,
+                     const ReferenceImage& reference,
                      const FaceRuns& face,
                      double noise_sd,
                      double noise_gain,
-                     std::optional<double> told_sd) {
+                     std::optional<double> estimated_sd) {
   CV_Assert(grey.type() == CV_8UC1 && grey.size() == reference.size());
   const cv::Rect bounds = bounds_of(face);
   if (bounds.empty()) return {};
   const LightBlocks blocks =
-      light_blocks(grey, reference, face, bounds, kBlocks, noise_sd, noise_gain, kFloor);
-  if (static_cast<int>(blocks.size()) < kLeastBlocks) return {};
+      light_blocks(grey, reference, face, bounds, kTargetBlocks, noise_sd, noise_gain, kFloor);
+  if (static_cast<int>(blocks.size()) < kMinBlocks) return {};
   auto first = fit_light(blocks, blocks);
   if (!first) return {};
   const LightFit fit = brightest_light(blocks, std::move(*first));
   std::array<double, LightGain::kTerms> values;
   std::copy(fit.terms.begin(), fit.terms.end(), values.begin());
-  const double promised = told_sd.value_or(noise_sd) / noise_sd;
-  const double ratio_of_noise = noise_ratio(blocks, fit.terms, promised);
+  const double expected_noise = estimated_sd.value_or(noise_sd) / noise_sd;
+  const double ratio_of_noise = noise_ratio(blocks, fit.terms, expected_noise);
   return {bounds,
           values,
-          fit.believed,
+          fit.inlier_fraction,
           fit.brighter_part,
           ratio_of_noise,
-          shortfall(blocks, promised * ratio_of_noise) * fit.covariance};
+          covariance_factor(blocks, expected_noise * ratio_of_noise) * fit.covariance};
 }
 
 }  // namespace alltact

@@ -9,7 +9,7 @@
 #include "core/sensing/depth/row_smoother.h"
 #include "core/sensing/depth/smoothing.h"
 #include "core/sensing/reference/grey_steps.h"
-#include "core/sensing/reference/picture_pool.h"
+#include "core/sensing/reference/image_pool.h"
 
 #include <algorithm>
 #include <array>
@@ -22,18 +22,18 @@
 namespace alltact {
 namespace {
 
-/// How far the layer can be pressed in at most, by column, in the direction of the mapping's depth.
+/// Greatest possible indentation by column, in the direction of the mapping's depth.
 std::vector<float> layer_by_column(const MappingParameters& mapping, const FaceShape& shape) {
-  constexpr float kMostPerNormal = 3.8637033F;  // 1 / cos of 75 degrees
+  constexpr float kMaxPerNormal = 3.8637033F;  // 1 / cos of 75 degrees
   const auto layer_mm = static_cast<float>(shape.face().layer_mm);
   const auto width = static_cast<std::size_t>(shape.width_px());
   if (mapping.along == MappingAlong::kNormal) return std::vector<float>(width, layer_mm);
-  std::vector<float> most_mm = shape.along_z_per_normal();
-  for (float& most : most_mm) most = layer_mm * std::min(most, kMostPerNormal);
-  return most_mm;
+  std::vector<float> max_mm = shape.along_z_per_normal();
+  for (float& limit : max_mm) limit = layer_mm * std::min(limit, kMaxPerNormal);
+  return max_mm;
 }
 
-/// What of a row lies outside the face's runs has no measurement.
+/// Pixels outside of the face's runs have no measurement.
 template <class Value, class Clear>
 void clear_outside(std::span<const FaceRun> runs, int width, Value* values, Clear clear) {
   int done = 0;
@@ -48,19 +48,19 @@ void fill_off_face(std::uint8_t* flags, int count) {
   std::memset(flags, kOffFace, static_cast<std::size_t>(count));
 }
 
-/// Makes a depth map row by row from rows of differences.
-class Mapper {
+/// Computes a depth map row by row from rows of differences.
+class DepthMapper {
  public:
-  Mapper(const Mapping& mapping, const FaceShape& shape, const FaceRuns& face, DepthMap& map)
+  DepthMapper(const Mapping& mapping, const FaceShape& shape, const FaceRuns& face, DepthMap& map)
       : mapping_(mapping),
         shape_(shape),
         face_(face),
         map_(map),
         scale_(mapping.parameters(), shape),
-        most_mm_(layer_by_column(mapping.parameters(), shape)),
+        max_mm_(layer_by_column(mapping.parameters(), shape)),
         cells_(map.depth_mm.size()) {}
 
-  /// Rows in turn; what is too deep is flagged.
+  /// Takes rows in order; depths beyond the layer are flagged.
   void operator()(int row, const float* x) {
     float* depth = map_.depth_mm.ptr<float>(row);
     auto* flags = map_.flags.ptr<std::uint8_t>(row);
@@ -68,8 +68,8 @@ class Mapper {
     for (const FaceRun& run : runs) {
       mapping_.depths_mm(x + run.first, depth + run.first, run.size());
       if (!scale_.is_one()) scale_.scale(row, run.first, run.size(), depth + run.first);
-      depth_rows::bound(
-          most_mm_.data() + run.first, run.size(), depth + run.first, flags + run.first);
+      depth_rows::clamp(
+          max_mm_.data() + run.first, run.size(), depth + run.first, flags + run.first);
     }
     clear_outside(runs, map_.depth_mm.cols, depth, fill_nan);
     cells_.add_row(row, runs, depth);
@@ -88,13 +88,13 @@ class Mapper {
   const FaceRuns& face_;
   DepthMap& map_;
   DepthScale scale_;
-  std::vector<float> most_mm_;  // by column
+  std::vector<float> max_mm_;  // by column
   DepthCells cells_;
 };
 
-/// Compares row by row: each row is copied, smoothed with those around it and divided while it is
-/// still near the processor. `row_of_x` says where a row's differences go (only the face's runs are
-/// written) and `done` is told when they are there.
+/// Compares row by row: each row is copied, smoothed with its neighbours and divided while it is
+/// cached. `row_of_x` returns the buffer of a row's differences (only the face's runs are written).
+/// `done` is called when they are complete.
 template <class RowOfX, class Done>
 void compare(const cv::Mat& grey,
              const Reference& reference,
@@ -105,20 +105,20 @@ void compare(const cv::Mat& grey,
              cv::Mat& flags,
              RowOfX row_of_x,
              Done done) {
-  CV_Assert(grey.type() == CV_8UC1 && grey.size() == reference.picture.size());
-  // Both pictures are smoothed alike before the division, with nothing from outside the face: the
-  // weights of the missing neighbours cancel in the ratio, and dark pixels are not biased by it.
+  CV_Assert(grey.type() == CV_8UC1 && grey.size() == reference.image.size());
+  // Both images are smoothed alike before the division, without pixels outside of the face. The
+  // weights of the missing neighbours cancel in the ratio, so that dark pixels are not biased.
   RowSmoother live(options.smoothing, grey.cols), untouched(options.smoothing, grey.cols);
-  ReferencePicture::Reader reader(reference.picture);
+  ReferenceImage::Reader reader(reference.image);
   const auto darkest =
       static_cast<std::int16_t>(std::lround(kGreySteps * too_dark_below(options.noise_sd)));
   std::vector<char> is_measured(
       static_cast<std::size_t>(grey.rows) + static_cast<std::size_t>(live.radius()),
-      1);  // all of a row
+      1);  // by row: all of its pixels
   const auto select = [&](int row) {
     const auto runs = row < grey.rows ? face.of_row(row) : std::span<const FaceRun>();
-    std::int16_t* live_row = live.fresh_row(row, runs);
-    std::int16_t* untouched_row = untouched.fresh_row(row, runs);
+    std::int16_t* live_row = live.begin_row(row, runs);
+    std::int16_t* untouched_row = untouched.begin_row(row, runs);
     if (runs.empty()) return;
     const std::int16_t* reference_row = reader.row(row, runs);
     for (const FaceRun& run : runs) {
@@ -162,24 +162,23 @@ void compare(const cv::Mat& grey,
   }
 }
 
-/// One frame's noise, grey levels, that standard deviations are told from.
-double noise_now(const cv::Mat& grey,
-                 const Reference& reference,
-                 const FaceRuns& face,
-                 const DifferenceOptions& options) {
+/// One frame's noise, grey levels, from which standard deviations are computed.
+double frame_noise(const cv::Mat& grey,
+                   const Reference& reference,
+                   const FaceRuns& face,
+                   const DifferenceOptions& options) {
   if (!options.measure_noise) return options.noise_sd;
-  return noise_against_reference(grey, reference.picture, reference.noise_gain, face)
+  return noise_against_reference(grey, reference.image, reference.noise_gain, face)
       .value_or(options.noise_sd);
 }
 
-LightGain light_now(const cv::Mat& grey,
-                    const Reference& reference,
-                    const FaceRuns& face,
-                    const DifferenceOptions& options,
-                    double noise_sd) {
+LightGain frame_light(const cv::Mat& grey,
+                      const Reference& reference,
+                      const FaceRuns& face,
+                      const DifferenceOptions& options,
+                      double noise_sd) {
   if (!options.correct_light) return {};
-  return light_gain(
-      grey, reference.picture, face, options.noise_sd, reference.noise_gain, noise_sd);
+  return light_gain(grey, reference.image, face, options.noise_sd, reference.noise_gain, noise_sd);
 }
 
 }  // namespace
@@ -190,13 +189,13 @@ Difference difference(const cv::Mat& grey,
                       const DifferenceOptions& options) {
   CV_Assert(shape.width_px() == grey.cols);
   Difference result;
-  result.x = pooled_picture(grey.size(), CV_32FC1);
-  result.flags = pooled_picture(grey.size(), CV_8UC1);
+  result.x = pooled_image(grey.size(), CV_32FC1);
+  result.flags = pooled_image(grey.size(), CV_8UC1);
   result.face = face_runs(shape, options.edge_margin_px, grey.size(), options.columns);
   result.blur_px2 = options.smoothing.blur_px2();
-  const double noise_sd = noise_now(grey, reference, result.face, options);
-  result.light = light_now(grey, reference, result.face, options, noise_sd);
-  result.grey_sd = options.smoothing.noise_part() * noise_sd * result.light.noise_ratio() *
+  const double noise_sd = frame_noise(grey, reference, result.face, options);
+  result.light = frame_light(grey, reference, result.face, options, noise_sd);
+  result.grey_sd = options.smoothing.noise_factor() * noise_sd * result.light.noise_ratio() *
                    std::hypot(1.0, reference.noise_gain);
   compare(
       grey,
@@ -214,23 +213,23 @@ Difference difference(const cv::Mat& grey,
 }
 
 DepthMap depth_map(const Difference& difference, const Mapping& mapping, const FaceShape& shape) {
-  DepthMap map{pooled_picture(difference.x.size(), CV_32FC1),
+  DepthMap map{pooled_image(difference.x.size(), CV_32FC1),
                difference.flags.clone(),
                {},
                0.0,
                0.0,
                difference.light,
                false};
-  Mapper mapper(mapping, shape, difference.face, map);
+  DepthMapper depth_mapper(mapping, shape, difference.face, map);
   const auto x_max = static_cast<float>(mapping.x_max());
   for (int row = 0; row < difference.x.rows; ++row) {
     const float* x = difference.x.ptr<float>(row);
     for (const FaceRun& run : difference.face.of_row(row))
       depth_rows::flag_beyond(
           x + run.first, x_max, run.size(), map.flags.ptr<std::uint8_t>(row) + run.first);
-    mapper(row, x);
+    depth_mapper(row, x);
   }
-  mapper.finish();
+  depth_mapper.finish();
   return map;
 }
 
@@ -240,18 +239,18 @@ DepthMap depth_map(const cv::Mat& grey,
                    const DifferenceOptions& options,
                    const Mapping& mapping) {
   CV_Assert(shape.width_px() == grey.cols);
-  DepthMap map{pooled_picture(grey.size(), CV_32FC1),
-               pooled_picture(grey.size(), CV_8UC1),
+  DepthMap map{pooled_image(grey.size(), CV_32FC1),
+               pooled_image(grey.size(), CV_8UC1),
                {},
                0.0,
                0.0,
                {},
                false};
   const FaceRuns face = face_runs(shape, options.edge_margin_px, grey.size(), options.columns);
-  const double noise_sd = noise_now(grey, reference, face, options);
-  map.light = light_now(grey, reference, face, options, noise_sd);
-  map.is_light_unknown = options.correct_light && map.light.believed() == 0;
-  Mapper mapper(mapping, shape, face, map);
+  const double noise_sd = frame_noise(grey, reference, face, options);
+  map.light = frame_light(grey, reference, face, options, noise_sd);
+  map.is_light_unknown = options.correct_light && map.light.inlier_fraction() == 0;
+  DepthMapper depth_mapper(mapping, shape, face, map);
   std::vector<float> x(static_cast<std::size_t>(grey.cols));
   compare(
       grey,
@@ -262,9 +261,9 @@ DepthMap depth_map(const cv::Mat& grey,
       static_cast<float>(mapping.x_max()),
       map.flags,
       [&](int) { return x.data(); },
-      [&](int row) { mapper(row, x.data()); });
-  mapper.finish();
-  map.live_sd = options.smoothing.noise_part() * noise_sd * map.light.noise_ratio();
+      [&](int row) { depth_mapper(row, x.data()); });
+  depth_mapper.finish();
+  map.live_sd = options.smoothing.noise_factor() * noise_sd * map.light.noise_ratio();
   map.noise_mm = mapping.slope_mm(0.0) * map.live_sd * std::hypot(1.0, reference.noise_gain) /
                  mean_brightness(grey, face);
   return map;

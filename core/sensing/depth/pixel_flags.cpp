@@ -10,10 +10,10 @@
 namespace alltact {
 namespace {
 
-constexpr int kMostAtOnce = 255 * kBlock;  // more would not fit the counts of single bytes
+constexpr int kMaxAtOnce = 255 * kBlock;  // more would overflow the counts of single bytes
 
 ALLTACT_WIDE int count_of(const std::uint8_t* flags, int count, std::uint8_t flag) {
-  std::array<std::uint8_t, kBlock> found{};  // by place in a block
+  std::array<std::uint8_t, kBlock> found{};  // by lane of a block
   int u = 0;
   for (; u + kBlock <= count; u += kBlock)
     for (std::size_t k = 0; k < kBlock; ++k)
@@ -26,19 +26,19 @@ ALLTACT_WIDE int count_of(const std::uint8_t* flags, int count, std::uint8_t fla
 
 }  // namespace
 
-FlagShares flag_shares(const cv::Mat& flags, int every_row) {
+FlagFractions flag_fractions(const cv::Mat& flags, int every_row) {
   CV_Assert(flags.type() == CV_8UC1);
-  std::array<double, kPixelFlags> counts{};
+  std::array<double, kPixelFlagCount> counts{};
   for (int v = every_row / 2; v < flags.rows; v += every_row)
-    for (int u = 0; u < flags.cols; u += kMostAtOnce)
+    for (int u = 0; u < flags.cols; u += kMaxAtOnce)
       for (std::size_t k = 0; k < counts.size(); ++k)
         counts[k] += count_of(flags.ptr<std::uint8_t>(v) + u,
-                              std::min(kMostAtOnce, flags.cols - u),
+                              std::min(kMaxAtOnce, flags.cols - u),
                               static_cast<std::uint8_t>(k));
   counts[kOffFace] = 0;
   double face = 0;
   for (const double count : counts) face += count;
-  FlagShares shares{};
+  FlagFractions shares{};
   if (face > 0)
     for (std::size_t k = 0; k < counts.size(); ++k) shares.of[k] = counts[k] / face;
   return shares;

@@ -14,28 +14,29 @@
 namespace alltact {
 namespace {
 
-constexpr int kMostPairs = 6;  // at a time: as many vectors as can be held
+constexpr int kMaxPairs = 6;  // at once: as many vectors as registers hold
 
 /// Pixels and their neighbours before and behind them, at some distances.
 struct Neighbours {
-  const std::int16_t* middle;  // nullptr: what has been added up so far
+  const std::int16_t* middle;  // nullptr: continues with the sums in `out`
   std::int16_t own;            // weight of the middle
-  std::array<const std::int16_t*, kMostPairs> before, behind;
-  std::array<std::int16_t, kMostPairs> weights;
+  std::array<const std::int16_t*, kMaxPairs> before, behind;
+  std::array<std::int16_t, kMaxPairs> weights;
 };
 
-/// out = the middle and its neighbours weighed and added in one pass. What is smoothed is such that
-/// a pair's sum fits; all sums may wrap around on the way. Gives the largest where that is wanted,
+/// out = weighted sum of the middle and its neighbours, in one pass. Input is such that a pair's
+/// sum fits into 16 bits; intermediate sums may wrap around. Returns the largest sum if requested,
 /// at least 0.
 template <bool kLargest, std::size_t... kPair>
-[[gnu::always_inline]] inline std::int16_t weigh_pairs(const Neighbours& given,
-                                                       int count,
-                                                       std::int16_t* __restrict out,
-                                                       std::index_sequence<kPair...>) {
+[[gnu::always_inline]] inline std::int16_t convolve_pairs(const Neighbours& given,
+                                                          int count,
+                                                          std::int16_t* __restrict out,
+                                                          std::index_sequence<kPair...>) {
   const Neighbours near = given;
   const auto pairs_at = [&](int i) __attribute__((always_inline)) {
-    return (... + times(static_cast<std::int16_t>(near.before[kPair][i] + near.behind[kPair][i]),
-                        near.weights[kPair]));
+    return (... +
+            multiply_q15(static_cast<std::int16_t>(near.before[kPair][i] + near.behind[kPair][i]),
+                         near.weights[kPair]));
   };
   if (near.middle == nullptr) {
     std::int16_t largest = 0;
@@ -45,53 +46,54 @@ template <bool kLargest, std::size_t... kPair>
     }
     return largest;
   }
-  // By place in a block: brought together once, not in every block.
-  std::array<std::int16_t, kBlock> most{};
+  // By lane of a block; reduced once at the end, not in every block.
+  std::array<std::int16_t, kBlock> largest_by_lane{};
   in_blocks(
       count, [&](int first, auto size) __attribute__((always_inline)) {
         for (int k = 0; k < size; ++k) {
           const int i = first + k;
-          const auto sum = static_cast<std::int16_t>(times(near.middle[i], near.own) + pairs_at(i));
+          const auto sum =
+              static_cast<std::int16_t>(multiply_q15(near.middle[i], near.own) + pairs_at(i));
           out[i] = sum;
-          std::int16_t& here = most[static_cast<std::size_t>(k)];
+          std::int16_t& here = largest_by_lane[static_cast<std::size_t>(k)];
           if constexpr (kLargest) here = sum > here ? sum : here;
         }
       });
-  return kLargest ? largest_of(most) : std::int16_t{0};
+  return kLargest ? max_of(largest_by_lane) : std::int16_t{0};
 }
 
 template <bool kLargest>
-[[gnu::always_inline]] inline std::int16_t weigh_count(const Neighbours& near,
-                                                       int pairs,
-                                                       int count,
-                                                       std::int16_t* out) {
+[[gnu::always_inline]] inline std::int16_t convolve_count(const Neighbours& near,
+                                                          int pairs,
+                                                          int count,
+                                                          std::int16_t* out) {
   switch (pairs) {
     case 2:
-      return weigh_pairs<kLargest>(near, count, out, std::make_index_sequence<2>());
+      return convolve_pairs<kLargest>(near, count, out, std::make_index_sequence<2>());
     case 4:
-      return weigh_pairs<kLargest>(near, count, out, std::make_index_sequence<4>());
+      return convolve_pairs<kLargest>(near, count, out, std::make_index_sequence<4>());
     default:
-      return weigh_pairs<kLargest>(near, count, out, std::make_index_sequence<kMostPairs>());
+      return convolve_pairs<kLargest>(near, count, out, std::make_index_sequence<kMaxPairs>());
   }
 }
 
-ALLTACT_WIDE std::int16_t weigh_columns(const Neighbours& near,
-                                        int pairs,
-                                        int count,
-                                        std::int16_t* out) {
-  return weigh_count<true>(near, pairs, count, out);
+ALLTACT_WIDE std::int16_t convolve_columns(const Neighbours& near,
+                                           int pairs,
+                                           int count,
+                                           std::int16_t* out) {
+  return convolve_count<true>(near, pairs, count, out);
 }
-ALLTACT_WIDE std::int16_t weigh_row(const Neighbours& near,
-                                    int pairs,
-                                    int count,
-                                    std::int16_t* out) {
-  return weigh_count<false>(near, pairs, count, out);
+ALLTACT_WIDE std::int16_t convolve_row(const Neighbours& near,
+                                       int pairs,
+                                       int count,
+                                       std::int16_t* out) {
+  return convolve_count<false>(near, pairs, count, out);
 }
 
-/// A kernel's weights, of 2^-15, of the middle and of an even number of distances from it. Outer
-/// ones are whole 2^-9: of whole grey levels the products then lose little, and dark faces, which
-/// have few steps, do not drift by what is rounded away alike in every pixel.
-std::vector<std::int16_t> whole_weights(const Smoothing& smoothing) {
+/// A kernel's weights in units of 2^-15, of the middle and of an even number of distances from it.
+/// Outer ones are multiples of 2^-9: products of integer grey levels then lose little. Otherwise
+/// the rounding, alike in every pixel, would bias dark faces.
+std::vector<std::int16_t> fixed_weights(const Smoothing& smoothing) {
   constexpr double kCoarse = 512;
   constexpr long kFine = 32768 / 512;
   std::vector<std::int16_t> result{0};
@@ -106,30 +108,31 @@ std::vector<std::int16_t> whole_weights(const Smoothing& smoothing) {
   return result;
 }
 
-/// The outer weights are negative: where those pixels are missing, a column's sum may be more than
-/// the brightest pixel, and that of a pair would not fit: above this.
-constexpr std::int16_t kMostOfPair = INT16_MAX / 2;
+/// The outer weights are negative: where those pixels are missing, a column's sum may exceed the
+/// brightest pixel. Above this limit the sum of a pair would overflow.
+constexpr std::int16_t kMaxOfPair = INT16_MAX / 2;
 
 ALLTACT_WIDE void halve(std::int16_t* sums, int count) {
   for (int i = 0; i < count; ++i) sums[i] = static_cast<std::int16_t>((sums[i] + 1) >> 1);
 }
-ALLTACT_WIDE void twice(std::int16_t* smooth, int count) {
+ALLTACT_WIDE void double_back(std::int16_t* smooth, int count) {
   for (int i = 0; i < count; ++i) smooth[i] = static_cast<std::int16_t>(2 * smooth[i]);
 }
 
-/// neighbours(k): the pixels k before and k behind the first of `middle`. Gives what `some` gives.
+/// neighbours(k): the pixels k before and k behind the first of `middle`. Returns the result of
+/// `some`.
 template <class Some, class At>
-std::int16_t weigh(const std::vector<std::int16_t>& weights,
-                   const std::int16_t* middle,
-                   int count,
-                   std::int16_t* out,
-                   Some some,
-                   At neighbours) {
+std::int16_t convolve(const std::vector<std::int16_t>& weights,
+                      const std::int16_t* middle,
+                      int count,
+                      std::int16_t* out,
+                      Some some,
+                      At neighbours) {
   const int radius = static_cast<int>(weights.size()) - 1;
   std::int16_t largest = 0;
-  for (int done = 0; done < radius; done += kMostPairs) {
+  for (int done = 0; done < radius; done += kMaxPairs) {
     Neighbours near{done == 0 ? middle : nullptr, weights.front(), {}, {}, {}};
-    const int pairs = std::min(kMostPairs, radius - done);
+    const int pairs = std::min(kMaxPairs, radius - done);
     for (int k = 0; k < pairs; ++k) {
       const auto i = static_cast<std::size_t>(k);
       std::tie(near.before[i], near.behind[i]) = neighbours(done + k + 1);
@@ -143,7 +146,7 @@ std::int16_t weigh(const std::vector<std::int16_t>& weights,
 }  // namespace
 
 RowSmoother::RowSmoother(const Smoothing& smoothing, int width)
-    : weights_(whole_weights(smoothing)),
+    : weights_(fixed_weights(smoothing)),
       radius_(static_cast<int>(weights_.size()) - 1),
       width_(width),
       step_(width + 2 * radius_),
@@ -153,7 +156,7 @@ RowSmoother::RowSmoother(const Smoothing& smoothing, int width)
       sums_(static_cast<std::size_t>(step_), 0),
       smooth_(static_cast<std::size_t>(width)) {}
 
-std::int16_t* RowSmoother::fresh_row(int number, std::span<const FaceRun> runs) {
+std::int16_t* RowSmoother::begin_row(int number, std::span<const FaceRun> runs) {
   std::vector<FaceRun>& old = filled_[slot(number)];
   std::int16_t* begin = line(number);
   const auto clear = [&](int first, int end) {
@@ -174,20 +177,20 @@ std::int16_t* RowSmoother::fresh_row(int number, std::span<const FaceRun> runs) 
 const std::int16_t* RowSmoother::smoothed(int number, const FaceRun& run) {
   const int from = std::max(run.first - radius_, 0), to = std::min(run.end + radius_, width_);
   std::int16_t* sums = sums_.data() + radius_;
-  // Beyond the picture there is nothing.
+  // Pixels outside of the image count as 0.
   std::fill(sums + run.first - radius_, sums + from, std::int16_t{0});
   std::fill(sums + to, sums + run.end + radius_, std::int16_t{0});
   const std::int16_t largest =
-      weigh(weights_, line(number) + from, to - from, sums + from, weigh_columns, [&](int k) {
+      convolve(weights_, line(number) + from, to - from, sums + from, convolve_columns, [&](int k) {
         return std::pair(line(number - k) + from, line(number + k) + from);
       });
-  const bool fits = largest <= kMostOfPair;
+  const bool fits = largest <= kMaxOfPair;
   if (!fits) halve(sums + from, to - from);
   std::int16_t* smooth = smooth_.data() + run.first;
-  weigh(weights_, sums + run.first, run.size(), smooth, weigh_row, [&](int k) {
+  convolve(weights_, sums + run.first, run.size(), smooth, convolve_row, [&](int k) {
     return std::pair(sums + run.first - k, sums + run.first + k);
   });
-  if (!fits) twice(smooth, run.size());
+  if (!fits) double_back(smooth, run.size());
   return smooth;
 }
 

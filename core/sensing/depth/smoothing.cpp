@@ -6,19 +6,19 @@
 
 namespace alltact {
 
-double Smoothing::noise_part() const {
+double Smoothing::noise_factor() const {
   double squares = weights.front() * weights.front();
   for (std::size_t k = 1; k < weights.size(); ++k) squares += 2.0 * weights[k] * weights[k];
   return squares;  // the root for either axis, and there are two
 }
 
 Smoothing smoothing_of(double smoothing_px) {
-  constexpr double kWider = 2.7;  // than a Gaussian that leaves as much noise
+  constexpr double kWider = 2.7;  // than a Gaussian that leaves the same noise
   constexpr double kReach = 2.2;  // standard deviations
   if (!(smoothing_px > 0.0)) return {};
   const double sd = kWider * smoothing_px;
   const int reach = std::max(2, static_cast<int>(std::ceil(kReach * sd)));
-  // Moments of the Gaussian on whole pixels, for a sum of 1 and the variance wanted.
+  // Moments of the Gaussian on integer pixels, for a sum of 1 and the target variance.
   double moments[3] = {0, 0, 0};
   const auto gauss = [sd](int k) { return std::exp(-0.5 * k * k / (sd * sd)); };
   for (int k = -reach; k <= reach; ++k) {
@@ -36,7 +36,7 @@ Smoothing smoothing_of(double smoothing_px) {
   return smoothing;
 }
 
-Smoothing plain_smoothing_of(double smoothing_px) {
+Smoothing gaussian_smoothing(double smoothing_px) {
   if (!(smoothing_px > 0.0)) return {};
   const int reach = static_cast<int>(std::ceil(2.0 * smoothing_px));
   Smoothing smoothing{{}, 0.0};

@@ -9,19 +9,19 @@
 namespace alltact {
 namespace {
 
-constexpr int kSeedStep = 6;  // of the samples, these may be where following an edge begins
-constexpr int kTight = 7;     // rows searched on each side of where the edge goes on
-// At which what is expected follows what is found, and where a dot seems to be found.
-constexpr float kRate = 0.3F, kDotRate = 0.1F;
+constexpr int kSeedStep = 6;     // every sixth sample is a candidate to begin at
+constexpr int kFollowReach = 7;  // rows searched on each side of the predicted edge
+// Rate at which the expected edge adapts to the measured one, and the rate near a suspected dot.
+constexpr float kUpdateRate = 0.3F, kDotUpdateRate = 0.1F;
 
-/// The straight line through the last few samples of an edge that is being followed.
-class Ahead {
+/// Extrapolates the edge: a straight line through the last few samples.
+class EdgePredictor {
  public:
   void add(double u, double v) {
-    if (points_.size() == kMost) points_.erase(points_.begin());
+    if (points_.size() == kMaxPoints) points_.erase(points_.begin());
     points_.emplace_back(u, v);
   }
-  /// Place and slope at u; `slope` until there are enough points for one.
+  /// Row and slope at u; `slope` is returned until there are 4 points.
   [[nodiscard]] std::pair<double, double> at(double u, double slope) const {
     double n = 0, su = 0, sv = 0, suu = 0, suv = 0;
     for (const auto& [pu, pv] : points_) {
@@ -34,11 +34,11 @@ class Ahead {
   }
 
  private:
-  static constexpr std::size_t kMost = 8;
+  static constexpr std::size_t kMaxPoints = 8;
   std::vector<std::pair<double, double>> points_;
 };
 
-/// A sample where following an edge may begin.
+/// A sample where following may begin.
 struct Seed {
   int sample = 0;
   double v = 0, slope = 0, contrast = 0, outside = 0;
@@ -51,22 +51,23 @@ Edge unseen(std::size_t samples) {
           std::vector<char>(samples, 0)};
 }
 
-/// Where an edge was read, sample by sample, with what lies on both sides of it.
+/// The samples of a followed edge, and the levels on both sides of it.
 struct Followed {
   Edge edge;
-  std::vector<double> outside, contrast;  ///< grey levels, of samples that were seen
-  std::vector<double> slope;              ///< of the edge, where it was looked for
-  std::vector<float> rise;                ///< expected there
+  std::vector<double> outside, contrast;  ///< grey levels, of valid samples
+  std::vector<double> slope;              ///< of the predicted edge
+  std::vector<float> rise;                ///< expected at the predicted edge
 };
 
-/// True when the brightness beside the face is not what it is around.
-bool is_by_dot(double outside, double contrast, double around) {
-  constexpr double kPart = 0.08, kLeast = 2.0;  // of the contrast; grey levels
-  return !(std::abs(outside - around) <= std::max(kLeast, kPart * contrast));
+/// True when the brightness outside the face differs from its surroundings.
+bool is_near_dot(double outside, double contrast, double around) {
+  constexpr double kFraction = 0.08, kMinDifference = 2.0;  // fraction of the contrast; grey levels
+  return !(std::abs(outside - around) <= std::max(kMinDifference, kFraction * contrast));
 }
 
-/// Brightness beside the face between dots, by sample: what surrounding samples have that lie on
-/// the side where most agree, since dots are all brighter or all darker; NaN without surroundings.
+/// Brightness outside the face between dots, by sample. The lower or upper third of the
+/// surroundings, whichever agrees better, since dots are all brighter or all darker. NaN without
+/// surroundings.
 std::vector<double> between_dots(const Followed& followed) {
   constexpr int kReachSamples = 5;
   const auto count = static_cast<int>(followed.outside.size());
@@ -93,20 +94,22 @@ std::vector<double> between_dots(const Followed& followed) {
   return spread_dark <= spread_bright ? dark : bright;
 }
 
-/// A dot near the edge changes the brightness beside the face and with it half of the height: there
-/// the edge is read again with the brightness that its surroundings have beside it.
-void read_beside_dots(const EdgeReader& reader,
+/// Reads the edge near dots again, with the outside level of its surroundings. A dot near the edge
+/// changes the brightness outside the face and thus the half level.
+void reread_near_dots(const EdgeReader& reader,
                       const std::vector<double>& columns,
                       Followed& followed) {
-  constexpr double kDotSdPx = 0.1;  // what a dot's own blur moves
+  constexpr double kDotSdPx = 0.1;  // shift of the edge by the blur of a dot
   Edge& edge = followed.edge;
   const std::vector<double> level = between_dots(followed);
   for (std::size_t k = 0; k < level.size(); ++k) {
-    if (edge.valid[k] && !is_by_dot(followed.outside[k], followed.contrast[k], level[k])) continue;
+    if (edge.valid[k] && !is_near_dot(followed.outside[k], followed.contrast[k], level[k]))
+      continue;
     edge.valid[k] = 0;
     if (!std::isfinite(level[k]) || !reader.reads_levels()) continue;
     const ExpectedEdge expected{static_cast<float>(level[k]), followed.rise[k]};
-    const auto crossing = reader.at(columns[k], edge.v[k], followed.slope[k], kTight, expected);
+    const auto crossing =
+        reader.at(columns[k], edge.v[k], followed.slope[k], kFollowReach, expected);
     if (!crossing) continue;
     edge.v[k] += crossing->offset;
     edge.sd[k] = std::hypot(crossing->sd, kDotSdPx);
@@ -114,8 +117,8 @@ void read_beside_dots(const EdgeReader& reader,
   }
 }
 
-/// A few samples beyond a gap are something else that lies where the edge would go on.
-void leave_strays_out(Edge& edge) {
+/// Invalidates a few samples beyond a gap: another structure in line with the edge.
+void remove_strays(Edge& edge) {
   constexpr std::size_t kGap = 4, kFew = 3;
   const std::size_t count = edge.valid.size();
   for (const bool from_end : {false, true}) {
@@ -133,8 +136,8 @@ void leave_strays_out(Edge& edge) {
   }
 }
 
-/// Follows the edge from a seed to both sides, each time looking only where it goes on. The number
-/// of samples where it was seen.
+/// Follows the edge from a seed to both sides, searching only around its prediction. Returns the
+/// number of samples with an edge.
 int follow(const EdgeReader& reader,
            const Seed& seed,
            const std::vector<double>& columns,
@@ -146,7 +149,7 @@ int follow(const EdgeReader& reader,
   Edge& edge = followed.edge;
   int seen = 0;
   for (const int direction : {-1, 1}) {
-    Ahead ahead;
+    EdgePredictor ahead;
     ahead.add(columns[static_cast<std::size_t>(seed.sample)], seed.v);
     ExpectedEdge expected{static_cast<float>(seed.outside), seed.rise};
     for (int i = direction < 0 ? seed.sample : seed.sample + 1; i >= 0 && i < count;
@@ -156,37 +159,39 @@ int follow(const EdgeReader& reader,
       edge.v[k] = v;
       followed.slope[k] = slope;
       followed.rise[k] = expected.rise;
-      const auto crossing = reader.at(columns[k], v, slope, kTight, {std::nullopt, expected.rise});
-      const bool by_dot =
-          crossing && is_by_dot(crossing->outside, crossing->contrast, *expected.beside);
-      auto ahead_of = crossing;  // what tells where the edge goes on
-      if (!crossing || by_dot) ahead_of = reader.at(columns[k], v, slope, kTight, expected);
-      if (ahead_of && i != seed.sample) ahead.add(columns[k], v + ahead_of->offset);
+      const auto crossing =
+          reader.at(columns[k], v, slope, kFollowReach, {std::nullopt, expected.rise});
+      const bool near_dot =
+          crossing && is_near_dot(crossing->outside, crossing->contrast, *expected.outside);
+      auto prediction = crossing;  // crossing that the prediction is updated with
+      if (!crossing || near_dot)
+        prediction = reader.at(columns[k], v, slope, kFollowReach, expected);
+      if (prediction && i != seed.sample) ahead.add(columns[k], v + prediction->offset);
       if (!crossing) continue;
       edge.v[k] = v + crossing->offset;
       edge.sd[k] = crossing->sd;
       edge.valid[k] = 1;
       followed.outside[k] = crossing->outside, followed.contrast[k] = crossing->contrast;
       ++seen;
-      *expected.beside +=
-          (by_dot ? kDotRate : kRate) * (static_cast<float>(crossing->outside) - *expected.beside);
-      if (!by_dot) expected.rise += kRate * (crossing->rise - expected.rise);
+      *expected.outside += (near_dot ? kDotUpdateRate : kUpdateRate) *
+                           (static_cast<float>(crossing->outside) - *expected.outside);
+      if (!near_dot) expected.rise += kUpdateRate * (crossing->rise - expected.rise);
     }
   }
-  read_beside_dots(reader, columns, followed);
-  leave_strays_out(edge);
+  reread_near_dots(reader, columns, followed);
+  remove_strays(edge);
   found = std::move(edge);
   return seen;
 }
 
-/// True where more than a few samples between the first and the last one were not seen: an edge
-/// that was followed from one dot's border to the next.
+/// True where more than a few samples between the first and the last valid one are invalid. Such an
+/// edge was followed from the border of one dot to the next.
 bool has_gaps(const Edge& edge) {
-  constexpr std::ptrdiff_t kPart = 12;  // one in so many
+  constexpr std::ptrdiff_t kGapDivisor = 12;  // more than one sample in 12 is a gap
   const auto first = std::find(edge.valid.begin(), edge.valid.end(), 1);
   const auto last = std::find(edge.valid.rbegin(), edge.valid.rend(), 1).base();
   if (first >= last) return true;
-  return kPart * std::count(first, last, 0) > last - first;
+  return kGapDivisor * std::count(first, last, 0) > last - first;
 }
 
 }  // namespace
@@ -195,15 +200,15 @@ Edge find_edge(const EdgeReader& reader,
                const RoughEdges& rough,
                const RoughEdges::Path& path,
                const std::vector<double>& columns) {
-  constexpr int kMostTries = 4;
+  constexpr int kMaxTries = 4;
   const auto count = static_cast<int>(columns.size());
   std::vector<Seed> seeds;
   for (int i = kSeedStep / 2; i < count; i += kSeedStep) {
     const double u = columns[static_cast<std::size_t>(i)];
     const auto small = static_cast<std::size_t>(u / rough.block);
-    if (!rough.sure[std::min(small, rough.sure.size() - 1)]) continue;
-    const auto [v, slope] = RoughEdges::place(path, rough.block, u);
-    const auto crossing = reader.at(u, v, slope, EdgeReader::kWide);
+    if (!rough.can_seed[std::min(small, rough.can_seed.size() - 1)]) continue;
+    const auto [v, slope] = RoughEdges::position_at(path, rough.block, u);
+    const auto crossing = reader.at(u, v, slope, EdgeReader::kMaxReach);
     if (crossing)
       seeds.push_back(
           {i, v + crossing->offset, slope, crossing->contrast, crossing->outside, crossing->rise});
@@ -212,13 +217,13 @@ Edge find_edge(const EdgeReader& reader,
     return a.contrast > b.contrast;
   });
   Edge edge = unseen(columns.size());
-  int most = -1;
-  const auto is_done = [&] { return 2 * most >= count && !has_gaps(edge); };
-  for (int tries = 0; tries < kMostTries && !seeds.empty() && !is_done(); ++tries) {
+  int best_seen = -1;
+  const auto is_done = [&] { return 2 * best_seen >= count && !has_gaps(edge); };
+  for (int tries = 0; tries < kMaxTries && !seeds.empty() && !is_done(); ++tries) {
     const Seed seed = seeds.front();
     Edge tried;
     const int seen = follow(reader, seed, columns, tried);
-    if (seen > most) most = seen, edge = std::move(tried);
+    if (seen > best_seen) best_seen = seen, edge = std::move(tried);
     std::erase_if(seeds,
                   [&](const Seed& s) { return 8 * std::abs(s.sample - seed.sample) < count; });
   }

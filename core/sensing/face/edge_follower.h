@@ -1,4 +1,4 @@
-// One edge of the face along the whole picture, followed from where it is plainest.
+// One edge of the face along the full image, followed from its clearest sample.
 #pragma once
 
 #include "core/sensing/face/edge_reader.h"
@@ -9,10 +9,10 @@
 
 namespace alltact {
 
-/// Follows the edge from the sample of most contrast; from the next, some way off, where that leads
-/// along only a part of the picture or leaves gaps, as dots' own borders do. The rough path alone
-/// may leave the face for a side face's outer border where that has more contrast. Dots beside the
-/// edge are kept from drawing it, and strays beyond its ends are left out. path: that edge's of
+/// Follows the edge from the sample of highest contrast. Further seeds are tried where that edge
+/// covers only a part of the image or has gaps, as borders of dots have. The rough path alone may
+/// leave the face for the outer border of a side face where that has more contrast. Dots next to
+/// the edge are corrected for, and strays beyond its ends are removed. path: of this edge, from
 /// `rough`; columns: of the samples (FaceEdges::u).
 [[nodiscard]] Edge find_edge(const EdgeReader& reader,
                              const RoughEdges& rough,

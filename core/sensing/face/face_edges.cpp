@@ -1,6 +1,6 @@
 #include "core/sensing/face/face_edges.h"
 
-#include "core/numerics/picture_noise.h"
+#include "core/numerics/image_noise.h"
 #include "core/sensing/face/edge_follower.h"
 #include "core/sensing/face/edge_reader.h"
 #include "core/sensing/face/rough_edges.h"
@@ -10,8 +10,8 @@
 namespace alltact {
 namespace {
 
-/// Takes back what was read where the face has ended.
-void forget_beyond(const FaceEnds& ends, double half_step, FaceEdges& edges) {
+/// Invalidates samples beyond the ends of the face.
+void invalidate_beyond(const FaceEnds& ends, double half_step, FaceEdges& edges) {
   for (Edge* edge : {&edges.upper, &edges.lower})
     for (std::size_t i = 0; i < edges.u.size(); ++i) {
       const double v = edge->v[i];
@@ -26,13 +26,13 @@ void forget_beyond(const FaceEnds& ends, double half_step, FaceEdges& edges) {
 Result<FaceEdges> FaceEdgeFinder::operator()(const cv::Mat& grey) const {
   CV_Assert(grey.type() == CV_8UC1);
   FaceEdges edges;
-  edges.noise_sd = picture_noise_sd(grey);
+  edges.noise_sd = image_noise_sd(grey);
   const Error lost{
       en::say("the two long edges of the face were not found"),
       en::say("the picture"),
       en::say("light the finger as in its recording, and check that the picture shows the face "
               "from base to tip with the finger's length along the picture's width")};
-  const auto rough = find_roughly(grey, edges.noise_sd);
+  const auto rough = find_rough_edges(grey, edges.noise_sd);
   if (!rough) return lost;
   edges.bright_inside = rough->bright_inside;
 
@@ -44,7 +44,7 @@ Result<FaceEdges> FaceEdgeFinder::operator()(const cv::Mat& grey) const {
   edges.upper = find_edge(upper, *rough, rough->upper, edges.u);
   edges.lower = find_edge(lower, *rough, rough->lower, edges.u);
   edges.ends = find_face_ends(grey, edges, options_.view ? &*options_.view : nullptr);
-  forget_beyond(edges.ends, 0.25 * step, edges);
+  invalidate_beyond(edges.ends, 0.25 * step, edges);
 
   std::size_t both = 0;
   for (std::size_t i = 0; i < edges.u.size(); ++i)

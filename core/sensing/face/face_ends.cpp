@@ -13,22 +13,22 @@ namespace alltact {
 namespace {
 
 constexpr int kStrips = 9;
-constexpr int kMostSteps = 3;  // of one strip, the ones of most contrast
-// The levels are read from kEndNear to kEndFar columns away. In a small picture the base lies near
-// the border: there what is beyond it is level, in at least kLeastBeyond columns of which the first
-// may be the step's own.
-constexpr int kEndNear = 3, kEndFar = 9, kLeastBeyond = 3;
-constexpr int kInside = 20;   // columns searched inwards of the edges' last sample
+constexpr int kMaxSteps = 3;  // of one strip, those of highest contrast
+// The levels are measured from kEndNear to kEndFar columns away. In a small image the base is near
+// the border. There the level beyond it is constant, over at least kMinBeyond columns of which
+// the first may belong to the step.
+constexpr int kEndNear = 3, kEndFar = 9, kMinBeyond = 3;
+constexpr int kInside = 20;   // columns searched inwards of the last sample of the edges
 constexpr int kBeyond = 120;  // and outwards
-constexpr double kMostSlope = 0.7;
+constexpr double kMaxSlope = 0.7;
 constexpr double kOnLinePx = 1.2;
-constexpr int kLeastStrips = 4;
+constexpr int kMinStrips = 4;
 
 double square(double x) {
   return x * x;
 }
 
-/// A straight line through the outermost samples of an edge: v = v0 + slope (u - u0).
+/// Straight line through the outermost samples of an edge: v = v0 + slope (u - u0).
 struct EdgeLine {
   double u0 = 0, v0 = 0, slope = 0;
   [[nodiscard]] double at(double u) const { return v0 + slope * (u - u0); }
@@ -48,30 +48,29 @@ EdgeLine line_through(const std::vector<double>& u,
   return {mean_u, mean_v, suu > 0.0 ? suv / suu : 0.0};
 }
 
-/// The outermost samples, outermost first, of which both edges were seen; few when there is no
-/// stretch of them.
+/// The outermost samples with both edges valid, outermost first. Empty without a stretch of them.
 std::vector<std::size_t> outermost(const FaceEdges& edges, bool at_last) {
-  constexpr std::size_t kSamples = 8, kStretch = 12, kLeast = 5;
+  constexpr std::size_t kSamples = 8, kStretch = 12, kMinSamples = 5;
   const std::size_t count = edges.u.size();
   const auto sample = [&](std::size_t n) { return at_last ? count - 1 - n : n; };
-  for (std::size_t first = 0; first + kLeast <= count; ++first) {
+  for (std::size_t first = 0; first + kMinSamples <= count; ++first) {
     std::vector<std::size_t> seen;
     const std::size_t end = std::min(first + kStretch, count);
     for (std::size_t n = first; n < end && seen.size() < kSamples; ++n)
       if (edges.upper.valid[sample(n)] && edges.lower.valid[sample(n)]) seen.push_back(sample(n));
-    if (seen.size() >= kLeast && seen.front() == sample(first)) return seen;
+    if (seen.size() >= kMinSamples && seen.front() == sample(first)) return seen;
   }
   return {};
 }
 
-/// How a straight line across the face that meets both edges in column u is bent in the picture:
-/// bow of FaceEnd about the middle of both. 0 for a line that the camera cannot have seen.
+/// Bow of FaceEnd, about the middle of both edges, of a straight line across the face that meets
+/// both edges in column u. 0 for a line that the camera cannot image.
 double bow_per_px(const FaceView& view, double u, double upper_v, double lower_v) {
   const double half = 0.5 * (lower_v - upper_v);
   const auto upper = view.camera.unproject({u, upper_v}),
              lower = view.camera.unproject({u, lower_v});
   if (!(half >= 1.0) || !upper || !lower) return 0.0;
-  // Both corners at one z: where the rays are as far apart as the face is wide.
+  // Both corners have the same z: where the rays are as far apart as the face is wide.
   const Eigen::Vector3d begin_mm = lower->origin_mm - upper->origin_mm;
   const Eigen::Vector3d apart = lower->direction - upper->direction;
   const double z_mm = (view.width_mm - begin_mm.y()) / apart.y();
@@ -83,11 +82,11 @@ double bow_per_px(const FaceView& view, double u, double upper_v, double lower_v
 
 /// A step of brightness along a strip.
 struct Step {
-  double u = 0, v = 0;  // u of the straight line that the view bends
+  double u = 0, v = 0;  // u of the straight line before the view bends it
   double contrast = 0;  // grey levels, > 0
 };
 
-/// Mean of a line through values at x = first, first + 1, .. at x = 0, and its slope.
+/// Value at x = 0 and slope of a regression line through values at x = first, first + 1, ..
 struct EndLevel {
   double value = 0, slope = 0;
 };
@@ -101,7 +100,7 @@ EndLevel end_level(const std::vector<float>& values, int centre, int first, int 
   return {(sy - slope * sx) / n, slope};
 }
 
-/// Adds to the sums of those columns whose rows [first, last] hold row v.
+/// Adds a pixel row to the sums of the columns whose rows [first, last] contain row v.
 ALLTACT_WIDE void add_between(const std::uint8_t* __restrict row,
                               int v,
                               const std::int32_t* __restrict first,
@@ -112,7 +111,7 @@ ALLTACT_WIDE void add_between(const std::uint8_t* __restrict row,
     sums[k] += row[k] & -static_cast<std::int32_t>((v >= first[k]) & (v <= last[k]));
 }
 
-/// Reads one end.
+/// Finds one end of the face.
 class EndReader {
  public:
   EndReader(const cv::Mat& grey, const FaceEdges& edges, const FaceView* view, bool at_last)
@@ -131,14 +130,14 @@ class EndReader {
     count_ = std::min(kInside + kEndFar + bow + kBeyond + kEndFar, border + 1);
     if (start_ < 0 || start_ >= grey_.cols || count_ < kInside + kEndFar) return std::nullopt;
     for (int strip = 0; strip < kStrips; ++strip) read_steps(strip);
-    return straightest();
+    return best_line();
   }
 
  private:
   [[nodiscard]] int column(int i) const { return start_ + outwards_ * i; }
 
   void read_steps(int strip) {
-    // Away from the edges: there the blur mixes in what lies beside the face.
+    // Off the edges, where blur mixes in the surroundings of the face.
     const double centre = (strip + 1.0) / (kStrips + 1.0), half = 0.4 / (kStrips + 1.0);
     const auto n = static_cast<std::size_t>(count_);
     std::vector<std::int32_t> first(n), last(n), sums(n, 0);
@@ -165,23 +164,23 @@ class EndReader {
     }
     if (!edges_.bright_inside)
       for (float& value : brightness) value = -value;
-    const double least = std::max(4.0, 8.0 * edges_.noise_sd / std::sqrt(rows));
+    const double min_step = std::max(4.0, 8.0 * edges_.noise_sd / std::sqrt(rows));
     std::vector<Step>& found = steps_[static_cast<std::size_t>(strip)];
     const auto fall = [&](int i) {
       const auto k = static_cast<std::size_t>(i);
       return brightness[k - 1] + brightness[k] - brightness[k + 1] - brightness[k + 2];
     };
-    for (int i = kEndFar; i + kLeastBeyond < count_; ++i) {
+    for (int i = kEndFar; i + kMinBeyond < count_; ++i) {
       if (!(fall(i) > 0.0F) || fall(i) < fall(i - 1) || fall(i) <= fall(i + 1)) continue;
       const auto step = step_at(brightness, i);
-      if (!step || step->contrast < least) continue;
+      if (!step || step->contrast < min_step) continue;
       found.push_back(*step);
       found.back().v = upper_.at(step->u) + centre * (lower_.at(step->u) - upper_.at(step->u));
     }
     std::stable_sort(found.begin(), found.end(), [](const Step& a, const Step& b) {
       return a.contrast > b.contrast;
     });
-    if (found.size() > kMostSteps) found.resize(kMostSteps);
+    if (found.size() > kMaxSteps) found.resize(kMaxSteps);
     for (Step& step : found) step.u -= bow_at(step.u) * square(step.v - middle_at(step.u));
   }
 
@@ -199,7 +198,7 @@ class EndReader {
     return {sum / (far - 1), 0};
   }
 
-  /// Half-way between the levels on both sides, each a line: the face darkens towards its end.
+  /// Crossing of the mean of both sides' levels, each a line: the face darkens towards its end.
   [[nodiscard]] std::optional<Step> step_at(const std::vector<float>& brightness, int i) const {
     const EndLevel inside = end_level(brightness, i, -kEndFar, -kEndNear + 1);
     const EndLevel outside = level_beyond(brightness, i);
@@ -216,35 +215,36 @@ class EndReader {
     return std::nullopt;
   }
 
-  /// The step of a strip on the line; nullptr where there is none.
+  /// The nearest step of a strip on the line; nullptr where there is none.
   [[nodiscard]] const Step* on_line(const std::vector<Step>& steps,
                                     double u0,
                                     double v0,
                                     double slope) const {
     const Step* nearest = nullptr;
-    double least = kOnLinePx;
+    double nearest_px = kOnLinePx;
     for (const Step& step : steps) {
       const double off = std::abs(step.u - u0 - slope * (step.v - v0));
-      if (off < least) least = off, nearest = &step;
+      if (off < nearest_px) nearest_px = off, nearest = &step;
     }
     return nearest;
   }
 
-  [[nodiscard]] std::optional<FaceEnd> straightest() const {
-    double most = 0;
+  [[nodiscard]] std::optional<FaceEnd> best_line() const {
+    double best_score = 0;
     std::vector<const Step*> best;
     for (std::size_t a = 0; a < kStrips; ++a)
       for (std::size_t b = a + 2; b < kStrips; ++b)
         for (const Step& from : steps_[a])
           for (const Step& to : steps_[b]) {
             const double slope = (to.u - from.u) / (to.v - from.v);
-            if (!(std::abs(slope) <= kMostSlope)) continue;
+            if (!(std::abs(slope) <= kMaxSlope)) continue;
             double score = 0;
             std::vector<const Step*> line;
             for (const auto& steps : steps_)
               if (const Step* step = on_line(steps, from.u, from.v, slope))
                 line.push_back(step), score += step->contrast;
-            if (score > most && line.size() >= kLeastStrips) most = score, best = std::move(line);
+            if (score > best_score && line.size() >= kMinStrips)
+              best_score = score, best = std::move(line);
           }
     if (best.empty()) return std::nullopt;
     return line_of(best);
@@ -281,7 +281,7 @@ class EndReader {
 
 FaceEnds find_face_ends(const cv::Mat& grey, const FaceEdges& edges, const FaceView* view) {
   if (view != nullptr && (view->camera.is_linear() || !view->camera.is_perspective()))
-    view = nullptr;  // shows straight lines straight
+    view = nullptr;  // such a camera images straight lines as straight
   return {EndReader(grey, edges, view, false)(), EndReader(grey, edges, view, true)()};
 }
 

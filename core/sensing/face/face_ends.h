@@ -1,4 +1,4 @@
-// Where the view face ends along the finger: at its tip and at its base.
+// Ends of the view face along the finger: at its tip and at its base.
 #pragma once
 
 #include "core/camera/camera.h"
@@ -11,13 +11,13 @@ namespace alltact {
 
 struct FaceEdges;
 
-/// One end of the face, a straight line across it, as the lens shows it:
+/// One end of the face: a straight line across it, as the lens images it:
 /// u = u_px + slope (v - v_px) + bow (v - v_px)^2.
 struct FaceEnd {
-  double u_px = 0, v_px = 0;  ///< a place on it
+  double u_px = 0, v_px = 0;  ///< a point on the line
   double slope = 0;           ///< du/dv; 0 unless the finger twists or sways
-  double bow_per_px = 0;      ///< 0 unless the lens or a window before it bends straight lines
-  double sd_px = 0;           ///< standard deviation of u there
+  double bow_per_px = 0;      ///< 0 unless the lens or a window in front of it bends straight lines
+  double sd_px = 0;           ///< standard deviation of u at that point
 
   [[nodiscard]] double at(double v) const {
     const double off = v - v_px;
@@ -25,23 +25,25 @@ struct FaceEnd {
   }
 };
 
-/// What looks at the face, and how wide this is: how a straight line across it looks.
+/// The camera and the width of the face, which determine the image of a straight line across the
+/// face.
 struct FaceView {
   Camera camera;
   double width_mm;
 };
 
-/// The ends at small and at large u. Absent where the face goes on to the picture's border, and
-/// where no end could be seen.
+/// The ends at small and at large u. Absent where the face extends to the border of the image, and
+/// where no end was found.
 struct FaceEnds {
   std::optional<FaceEnd> first, last;
 };
 
-/// The face ends where its brightness ends: the face between its two edges is read in strips along
-/// the finger, each gives its steps to something darker (brighter, where the face is the darker
-/// one), and the straight line that collects most of them is the end. What presses on the end hides
-/// some strips and shows a border of its own in others, which is no straight line across. With a
-/// view the line is straight on the finger, else in the picture.
+/// Finds the straight lines across the finger where the brightness of the face ends. The face
+/// between its edges is read in strips along the finger. Each strip gives its steps to something
+/// darker (brighter, where the face is the darker side). The line that collects the highest
+/// contrast is the end. An object that presses on the end hides some strips and shows its own
+/// border in others, which is not straight across. With a view the line is straight on the finger,
+/// else in the image.
 [[nodiscard]] FaceEnds find_face_ends(const cv::Mat& grey,
                                       const FaceEdges& edges,
                                       const FaceView* view = nullptr);

@@ -1,4 +1,4 @@
-// A part of the face's length, for what need not look at all of it.
+// A section of the face's length that depth is limited to.
 #pragma once
 
 #include "core/sensing/face/face_shape.h"
@@ -9,7 +9,7 @@
 
 namespace alltact {
 
-/// In mm along the face from its base (FaceShape::length_at). As it comes: all of it.
+/// In mm along the face from its base (FaceShape::length_at). Default: the full face.
 struct FaceRegion {
   double from_mm = 0;
   double to_mm = std::numeric_limits<double>::infinity();
@@ -17,8 +17,8 @@ struct FaceRegion {
   bool operator==(const FaceRegion&) const = default;
 };
 
-/// Columns of the picture that show it; an empty range where the face has none such. Range::all()
-/// for all of the face.
+/// Columns of the image that show the section; an empty range where none does. Range::all() for the
+/// full face.
 [[nodiscard]] cv::Range columns_of(const FaceRegion& region, const FaceShape& shape);
 
 }  // namespace alltact

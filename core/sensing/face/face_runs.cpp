@@ -6,7 +6,7 @@
 namespace alltact {
 namespace {
 
-/// Puts runs that were closed column by column into the order of rows and counts their pixels.
+/// Sorts runs that were closed column by column by rows and counts their pixels.
 FaceRuns by_rows(const std::vector<FaceRun>& closed, int height) {
   FaceRuns result;
   result.row_begin.assign(static_cast<std::size_t>(height) + 1, 0);
@@ -31,7 +31,8 @@ FaceRuns face_runs(const FaceShape& shape,
                    const cv::Size& size,
                    const cv::Range& columns) {
   const int width = std::min(size.width, shape.width_px());
-  std::vector<int> open(static_cast<std::size_t>(size.height), 0);  // where a row's run began
+  // First column of a row's open run
+  std::vector<int> open(static_cast<std::size_t>(size.height), 0);
   std::vector<FaceRun> closed;
   closed.reserve(static_cast<std::size_t>(size.height));
   FaceShape::Rows before{0, -1};
@@ -48,7 +49,7 @@ FaceRuns face_runs(const FaceShape& shape,
     const auto begin = [&](int first, int last) {
       for (int row = first; row <= last; ++row) open[static_cast<std::size_t>(row)] = u;
     };
-    // The rows of one range that the other has not, above it and below it.
+    // Rows of one range that are not in the other, above it and below it.
     const bool is_empty = here.first > here.last, was_empty = before.first > before.last;
     if (is_empty || was_empty) {
       close(before.first, before.last);
@@ -65,9 +66,9 @@ FaceRuns face_runs(const FaceShape& shape,
 }
 
 double mean_brightness(const cv::Mat& grey, const FaceRuns& face) {
-  constexpr int kEvery = 16;
+  constexpr int kRowStride = 16;
   double sum = 0, count = 0;
-  for (int row = kEvery / 2; row < grey.rows; row += kEvery)
+  for (int row = kRowStride / 2; row < grey.rows; row += kRowStride)
     for (const FaceRun& run : face.of_row(row)) {
       const std::uint8_t* values = grey.ptr<std::uint8_t>(row);
       sum += std::accumulate(values + run.first, values + run.end, 0);

@@ -10,19 +10,20 @@
 namespace alltact {
 namespace {
 
-constexpr double kMinimumWidthPx = 8.0;  // below, 1/width is biased by percents
-constexpr double kWidthBiasPx = 0.03;    // of an edge that is not quite a blurred step
+constexpr double kMinimumWidthPx = 8.0;  // below it 1/width is biased by percents
+constexpr double kWidthBiasPx = 0.03;    // of an edge that is not exactly a blurred step
 constexpr int kLensDegrees = 4;
-constexpr double kShortPart = 1.0 / 12;  // of the columns: beyond a jump, such a part is left out
+// Fraction of the columns: a smaller part beyond a jump is omitted
+constexpr double kShortFraction = 1.0 / 12;
 
-/// The column where an end reaches furthest out: at one of the face's corners, or where it turns.
+/// The outermost column of an end: at one of the face's corners, or where it turns.
 double outermost(const FaceEnd& end, double upper_v, double lower_v, int outwards) {
   const double turn =
       end.bow_per_px != 0.0
           ? std::clamp(end.v_px - 0.5 * end.slope / end.bow_per_px, upper_v, lower_v)
           : upper_v;
-  const auto [least, most] = std::minmax({end.at(upper_v), end.at(lower_v), end.at(turn)});
-  return outwards > 0 ? most : least;
+  const auto [lowest, highest] = std::minmax({end.at(upper_v), end.at(lower_v), end.at(turn)});
+  return outwards > 0 ? highest : lowest;
 }
 
 Error no_shape(Message what) {
@@ -45,7 +46,7 @@ Result<FaceShape> FaceShape::fit(const FaceEdges& edges,
     return no_shape(
         en::say("the shape of a Fin Ray needs a perspective camera, not an orthographic one"));
   if (const auto jump = outline_jump(edges)) {
-    if (jump->shorter_part < kShortPart)
+    if (jump->shorter_fraction < kShortFraction)
       return fit(longer_side(edges, *jump), camera, face, degree, z_sd_limit_mm);
     return Error{en::say("no smooth shape fits the outline of the face: it jumps at column {:.0f}",
                          jump->u_px),
@@ -55,7 +56,7 @@ Result<FaceShape> FaceShape::fit(const FaceEdges& edges,
   const CameraParameters& lens = camera.parameters();
   const int width = lens.width_px;
 
-  // What the lens bends needs a few coefficients more.
+  // Lens distortion needs a few more coefficients.
   const int edge_degree = camera.is_linear() ? degree : degree + kLensDegrees;
   const ScaledColumn scale{0.5 * (width - 1.0), 0.5 * (width - 1.0)};
   std::vector<double> along;
@@ -68,9 +69,8 @@ Result<FaceShape> FaceShape::fit(const FaceEdges& edges,
     const Message side = !upper ? en::say("upper") : en::say("lower");
     return no_shape(en::say("the {} edge of the face was seen in too few columns", side));
   }
-  // Nothing is invented beyond the face's ends or, where they were not seen, beyond the columns
-  // where both edges were trusted; up to the picture's own border the last sample's half width
-  // counts as seen.
+  // Columns beyond the face's ends are not extrapolated, nor beyond the trusted edges where no end
+  // was found. At the border of the image the last sample counts up to its half width.
   const double step = edges.u.size() > 1 ? edges.u[1] - edges.u[0] : 1.0;
   const auto column_of = [&](double t) {
     return edges.u[static_cast<std::size_t>(std::lower_bound(along.begin(), along.end(), t) -
@@ -103,14 +103,14 @@ Result<FaceShape> FaceShape::fit(const FaceEdges& edges,
     column.valid = u >= first && u <= last && column.lower_v - column.upper_v >= kMinimumWidthPx;
   }
   shape.scale_ = scale;
-  // Where a dark end is seen but not the edges up to it, these are extrapolated, to anywhere.
+  // Between the trusted edges and a dark end the edges are extrapolated and may be far off.
   const bool is_fitted =
-      camera.is_linear() ? shape.take_over(*upper, *lower)
+      camera.is_linear() ? shape.set_edges(*upper, *lower)
                          : shape.fit_inverse_depth(
                                std::max(first, seen_first), std::min(last, seen_last), edge_degree);
   if (!is_fitted) return no_shape(en::say("no smooth shape fits them"));
 
-  constexpr int kSdStep = 8;  // the error changes slowly along the face
+  constexpr int kSdStep = 8;  // the standard deviation changes slowly along the face
   std::vector<double> width_sd;
   for (int u = kSdStep / 2; u < width + kSdStep; u += kSdStep)
     width_sd.push_back(std::hypot(upper->sd(scale.at(u)), lower->sd(scale.at(u)), kWidthBiasPx));
@@ -123,7 +123,7 @@ Result<FaceShape> FaceShape::fit(const FaceEdges& edges,
     column.valid = z_mm > 0.0 && std::isfinite(z_mm);
     if (!column.valid) continue;
     column.z_mm = z_mm;
-    column.z_sd_mm = camera.seen_from_mm(z_mm) * width_sd_px / (column.lower_v - column.upper_v);
+    column.z_sd_mm = camera.ray_origin_z_mm(z_mm) * width_sd_px / (column.lower_v - column.upper_v);
     column.valid = column.z_sd_mm <= z_sd_limit_mm;
     valid += column.valid;
   }
@@ -135,7 +135,7 @@ Result<FaceShape> FaceShape::fit(const FaceEdges& edges,
 
 double FaceShape::z_of_column(int u) const {
   const auto k = static_cast<std::size_t>(u);
-  if (!across_.empty()) return across_[k].z_mm;  // the same in all of the column
+  if (!across_.empty()) return across_[k].z_mm;  // constant within a column
   const double middle = 0.5 * (columns_[k].upper_v + columns_[k].lower_v);
   const auto ray = camera_.unproject({static_cast<double>(u), middle});
   const double inverse_z = ray ? inverse_z_of(*ray) : 0.0;
@@ -184,9 +184,9 @@ FaceShape FaceShape::plane(const Camera& camera, const Face& face) {
   shape.columns_.assign(static_cast<std::size_t>(camera.size().width), column);
   if (camera.is_perspective()) {
     shape.inverse_z_ = Eigen::VectorXd::Constant(1, 1.0 / face.plane_z_mm);
-    shape.know_across();
+    shape.compute_across();
   }
-  shape.whole_picture_ = true;
+  shape.full_image_ = true;
   shape.finish();
   return shape;
 }
@@ -197,7 +197,7 @@ void FaceShape::finish() {
   const auto last = std::find_if(columns_.rbegin(), columns_.rend(), valid);
   base_at_low_u_ = first->z_mm <= last->z_mm;
 
-  know_lengths();
+  compute_lengths();
   along_z_per_normal_.assign(columns_.size(), 1.0F);
   for (int u = 0; u < width_px(); ++u) {
     const auto k = static_cast<std::size_t>(u);
@@ -211,31 +211,31 @@ void FaceShape::finish() {
   }
 }
 
-std::optional<FaceShape::Seen> FaceShape::seen_at(double u, double v) const {
+std::optional<FaceShape::RayHit> FaceShape::ray_hit_at(double u, double v) const {
   const auto nearest = static_cast<long>(std::lround(u));
   if (nearest < 0 || nearest >= width_px() || !columns_[static_cast<std::size_t>(nearest)].valid)
     return std::nullopt;
   const auto ray = camera_.unproject({u, v});
   if (!ray) return std::nullopt;
   if (!camera_.is_perspective())
-    return Seen{*ray, {face_.plane_z_mm, 1.0, 1.0, Eigen::Vector3d::UnitZ()}};
+    return RayHit{*ray, {face_.plane_z_mm, 1.0, 1.0, Eigen::Vector3d::UnitZ()}};
   const auto found =
       across_of(*ray,
                 u == static_cast<double>(nearest) ? std::optional(static_cast<std::size_t>(nearest))
                                                   : std::nullopt);
   if (!found || !(found->z_mm > 0.0)) return std::nullopt;
-  return Seen{*ray, *found};
+  return RayHit{*ray, *found};
 }
 
 std::optional<FaceShape::Local> FaceShape::at(double u, double v) const {
-  const auto seen = seen_at(u, v);
+  const auto seen = ray_hit_at(u, v);
   if (!seen) return std::nullopt;
   const Across& across = seen->across;
   return Local{seen->ray.point_at(across.z_mm), across.normal, across.normal.z()};
 }
 
 std::optional<FaceShape::PixelArea> FaceShape::pixel_area(double u, double v) const {
-  const auto seen = seen_at(u, v);
+  const auto seen = ray_hit_at(u, v);
   if (!seen) return std::nullopt;
   const CameraParameters& lens = camera_.parameters();
   if (!camera_.is_perspective()) {
@@ -247,8 +247,8 @@ std::optional<FaceShape::PixelArea> FaceShape::pixel_area(double u, double v) co
   return PixelArea{pixel * seen->across.length, pixel * seen->across.along};
 }
 
-// With q = 1/z a function of x and y the plane that touches the face is q_x X + q_y Y + c Z = 1,
-// c = q - x q_x - y q_y: its normal needs no division by a slope and no cosine.
+// With q = 1/z a function of x and y the tangent plane of the face is q_x X + q_y Y + c Z = 1, c =
+// q - x q_x - y q_y: its normal needs no division by a slope and no cosine.
 std::optional<FaceShape::Across> FaceShape::across_from(double x,
                                                         double y,
                                                         const InverseDepth& inverse) {
@@ -262,7 +262,7 @@ std::optional<FaceShape::Across> FaceShape::across_from(double x,
   return Across{1.0 / q, along, length, Eigen::Vector3d(q_x, q_y, along) / length};
 }
 
-// Whole columns of a lens without distortion are known already.
+// Without lens distortion the values of integer columns are cached.
 std::optional<FaceShape::Across> FaceShape::across_of(const Ray& ray,
                                                       std::optional<std::size_t> column) const {
   if (column && !across_.empty()) return across_[*column];

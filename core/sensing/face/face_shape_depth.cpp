@@ -1,4 +1,4 @@
-// How far the face is, told from its edges: 1/z as a curve over the columns.
+// Distance of the face, computed from its edges: 1/z as a curve over the columns.
 #include "core/numerics/chebyshev.h"
 #include "core/numerics/least_squares.h"
 #include "core/numerics/robust_polynomial.h"
@@ -10,14 +10,14 @@
 namespace alltact {
 namespace {
 
-constexpr int kMostWindowSteps = 60;  // each brings z nearer by a factor of 5 or more
+constexpr int kMaxWindowSteps = 60;  // each reduces the error of z by a factor of 5 or more
 
 }  // namespace
 
-// Without distortion a column's rays share their x, and y and 1/z are polynomials of the column of
-// the edges' own degree: their values at as many Chebyshev nodes as they have coefficients tell
-// these exactly.
-bool FaceShape::take_over(const RobustPolynomial& upper, const RobustPolynomial& lower) {
+// Without distortion a column's rays share their x. Then y and 1/z are polynomials of the column
+// with the degree of the edges. Values at as many Chebyshev nodes as coefficients determine them
+// exactly.
+bool FaceShape::set_edges(const RobustPolynomial& upper, const RobustPolynomial& lower) {
   const Eigen::Index n = upper.coefficients.size();
   upper_y_ = lower_y_ = Eigen::VectorXd::Zero(n);
   for (Eigen::Index j = 0; j < n; ++j) {
@@ -34,12 +34,12 @@ bool FaceShape::take_over(const RobustPolynomial& upper, const RobustPolynomial&
     }
   }
   inverse_z_ = (lower_y_ - upper_y_) / face_.width_mm;
-  know_across();
+  compute_across();
   return inverse_z_.allFinite();
 }
 
 bool FaceShape::fit_inverse_depth(double first, double last, int degree) {
-  // The edges are smooth curves now.
+  // Samples the fitted edges at Chebyshev nodes.
   const Eigen::Index n = degree + 1;
   const int samples = 8 * static_cast<int>(n);
   std::vector<Ray> uppers, lowers;
@@ -55,14 +55,14 @@ bool FaceShape::fit_inverse_depth(double first, double last, int degree) {
     uppers.push_back(*a), lowers.push_back(*b);
   }
   if (uppers.size() < static_cast<std::size_t>(2 * n)) return false;
-  // Behind a window where a point seems to be depends on how far it is.
-  const int rounds = camera_.is_central() ? 1 : kMostWindowSteps;
+  // Behind a window the apparent direction of a point depends on its distance.
+  const int rounds = camera_.is_central() ? 1 : kMaxWindowSteps;
   for (int round = 0; round < rounds; ++round) {
     const Eigen::VectorXd before = inverse_z_;
     if (!fit_to_rays(uppers, lowers, n)) return false;
     if (before.size() > 0 && (inverse_z_ - before).norm() < 1e-15) break;
   }
-  know_across();
+  compute_across();
   return inverse_z_.allFinite();
 }
 
@@ -90,12 +90,12 @@ bool FaceShape::fit_to_rays(const std::vector<Ray>& uppers,
   return inverse_z_.allFinite();
 }
 
-// 0 before there is a fit: then the ray is taken where it lies far away.
+// 0 before the first fit: the point of the ray is then assumed to be far away.
 double FaceShape::inverse_z_of(const Ray& ray) const {
   if (inverse_z_.size() == 0) return 0.0;
   double inverse_z = inverse_z_at(ray.direction.head<2>());
   if (camera_.is_central()) return inverse_z;
-  for (int step = 0; step < kMostWindowSteps; ++step) {
+  for (int step = 0; step < kMaxWindowSteps; ++step) {
     const double before = inverse_z;
     inverse_z = inverse_z_at(seen_from(ray, inverse_z));
     if (std::abs(inverse_z - before) <= 1e-15) break;
@@ -103,7 +103,7 @@ double FaceShape::inverse_z_of(const Ray& ray) const {
   return inverse_z;
 }
 
-void FaceShape::know_across() {
+void FaceShape::compute_across() {
   inverse_z_slope_ = chebyshev_derivative(inverse_z_);
   if (twist_) {
     inverse_z_by_y_slope_ = chebyshev_derivative(inverse_z_by_y_);

@@ -1,4 +1,4 @@
-// The face whose cross-sections are turned.
+// Face shapes with turned cross-sections (twist).
 #include "core/numerics/chebyshev.h"
 #include "core/numerics/least_squares.h"
 #include "core/sensing/face/face_shape.h"
@@ -10,17 +10,18 @@
 namespace alltact {
 namespace {
 
-constexpr Eigen::Index kMoreTerms = 2;  // than without twist, of 1/z on the line y = 0
+// Terms in addition to those without twist, of 1/z on the line y = 0
+constexpr Eigen::Index kExtraTerms = 2;
 constexpr Eigen::Index kTermsByY = 7, kTermsByY2 = 4;
-constexpr int kRounds = 4;  // each turns the cross-sections by the curve of the one before
+constexpr int kRounds = 4;  // each turns the cross-sections by the curve of the previous round
 constexpr std::array<double, 5> kAcross{-1.0, -0.5, 0.0, 0.5, 1.0};
 
 }  // namespace
 
-/// Cross-sections from end to end: their middles, and the unit vectors across.
+/// Cross-sections from end to end: their middles, and unit vectors across.
 struct FaceShape::Rulings {
-  std::vector<double> x;      // of the middles' directions, ascending
-  std::vector<double> place;  // that the twist is a polynomial of
+  std::vector<double> x;         // of the directions of the middles, ascending
+  std::vector<double> length_t;  // argument of the twist polynomial, -1 to 1 along the face
   std::vector<Eigen::Vector3d> middle_mm, across;
 };
 
@@ -36,26 +37,27 @@ FaceShape::Rulings FaceShape::rulings_of(const FaceTwist& twist) const {
         static_cast<double>(first) + static_cast<double>(last - first) * i / (kCount - 1);
     const auto seen = middle_within(u);
     if (!seen) return {};
-    // Where it would be seen without the lens's distortion or a window: the curves are over that.
+    // Direction without the lens's distortion or a window: the curves are functions of it.
     const double x = seen->point_mm.x() / seen->point_mm.z(), t = scale_.at(column_of(x));
     const double z = 1.0 / chebyshev_value(inverse_z_, t);
     const double y = 0.5 * (chebyshev_value(upper_y_, t) + chebyshev_value(lower_y_, t));
     rulings.x.push_back(x);
-    rulings.place.push_back(seen->t);
+    rulings.length_t.push_back(seen->t);
     rulings.middle_mm.emplace_back(x * z, y * z, z);
   }
   rulings.across.resize(rulings.x.size());
   for (int round = 0; round < kRounds; ++round) {
     for (std::size_t i = 0; i < rulings.x.size(); ++i) {
       const std::size_t before = i == 0 ? 0 : i - 1, after = std::min(i + 1, rulings.x.size() - 1);
-      const Eigen::Vector3d way = rulings.middle_mm[after] - rulings.middle_mm[before];
-      const double ds = std::hypot(way.x(), way.z());
-      const double cos = way.x() / ds, sin = way.z() / ds, yaw = twist.yaw_per_slope * way.y() / ds;
-      const double tangent = twist.at(rulings.place[i]);
+      const Eigen::Vector3d chord_mm = rulings.middle_mm[after] - rulings.middle_mm[before];
+      const double ds = std::hypot(chord_mm.x(), chord_mm.z());
+      const double cos = chord_mm.x() / ds, sin = chord_mm.z() / ds,
+                   yaw = twist.yaw_per_slope * chord_mm.y() / ds;
+      const double tangent = twist.at(rulings.length_t[i]);
       rulings.across[i] =
           Eigen::Vector3d(-yaw * cos - tangent * sin, 1.0, -yaw * sin + tangent * cos).normalized();
     }
-    // Both ends P = M -+ h e of a cross-section lie on the edges: P_y = P_z edge(P_x / P_z).
+    // Both ends P = M -+ h e of a cross-section are on the edges: P_y = P_z edge(P_x / P_z).
     for (std::size_t i = 0; i < rulings.x.size(); ++i) {
       Eigen::Vector3d& middle = rulings.middle_mm[i];
       const Eigen::Vector3d half = half_mm * rulings.across[i];
@@ -74,7 +76,7 @@ FaceShape::Rulings FaceShape::rulings_of(const FaceTwist& twist) const {
 
 bool FaceShape::fit_to_rulings(const Rulings& rulings) {
   if (rulings.x.empty()) return false;
-  const Eigen::Index terms = inverse_z_.size() + kMoreTerms;
+  const Eigen::Index terms = inverse_z_.size() + kExtraTerms;
   const auto rows = static_cast<Eigen::Index>(rulings.x.size() * kAcross.size());
   Eigen::MatrixXd design(rows, terms + kTermsByY + kTermsByY2);
   Eigen::VectorXd inverse_z(rows);
@@ -97,15 +99,15 @@ bool FaceShape::fit_to_rulings(const Rulings& rulings) {
   return series.allFinite();
 }
 
-void FaceShape::know_columns(const FaceTwist& twist) {
+void FaceShape::compute_columns(const FaceTwist& twist) {
   for (int u = 0; u < width_px(); ++u) {
     FaceColumn& column = columns_[static_cast<std::size_t>(u)];
     if (!column.valid) continue;
     const double z_mm = z_of_column(u);
     column.valid = z_mm > 0.0 && std::isfinite(z_mm);
     if (!column.valid) continue;
-    // What the edges leave open, and how far a turn moves the middle of the column: it is not the
-    // middle of a cross-section.
+    // Combines the uncertainty of the edges with the shift of the column's middle by the twist. The
+    // middle of a column is not that of a cross-section.
     const auto middle = middle_within(u);
     const double off_axis = middle ? middle->point_mm.y() * middle->tangent_x : 0.0;
     const double turned = middle ? off_axis * std::sqrt(twist.variance_at(middle->t)) : 0.0;
@@ -115,12 +117,12 @@ void FaceShape::know_columns(const FaceTwist& twist) {
 }
 
 std::optional<FaceShape> FaceShape::twisted(const FaceTwist& twist) const {
-  if (whole_picture_) return std::nullopt;
+  if (full_image_) return std::nullopt;
   FaceShape shape = *this;
   if (!shape.fit_to_rulings(rulings_of(twist))) return std::nullopt;
   shape.twist_ = twist;
-  shape.know_across();
-  shape.know_columns(twist);
+  shape.compute_across();
+  shape.compute_columns(twist);
   const auto valid = std::count_if(
       shape.columns_.begin(), shape.columns_.end(), [](const FaceColumn& c) { return c.valid; });
   if (valid < 5) return std::nullopt;

@@ -8,15 +8,17 @@
 namespace alltact {
 namespace {
 
-constexpr std::size_t kSide = 4;     // samples that tell where an edge goes on one side...
-constexpr std::size_t kFewest = 2;   // ...and so many where there are no more
-constexpr double kLeastPart = 0.05;  // of the face's width: the two edges' jumps together
-constexpr double kTimesBend = 3.0;   // an edge's jump, against what its slopes differ by
-constexpr double kTimesSd = 8.0;     // and against what its samples scatter
-constexpr double kMostGap = 0.1;     // of the outline: over a wider gap it may bend anyhow
-constexpr double kUndone = 0.5;      // of a jump: one that goes back by more undoes it
+constexpr std::size_t kSideSamples =
+    4;                                  // samples that give the direction of an edge on one side...
+constexpr std::size_t kMinSamples = 2;  // ...and their minimum number
+constexpr double kMinFraction =
+    0.05;                           // fraction of the face's width: the two edges' jumps together
+constexpr double kTimesBend = 3.0;  // an edge's jump, relative to the range of its slopes
+constexpr double kTimesSd = 8.0;    // and relative to the scatter of its samples
+constexpr double kMaxGap = 0.1;     // fraction of the outline: over a wider gap it may bend
+constexpr double kMaxReturn = 0.5;  // fraction of a jump: a larger return cancels it
 
-/// Columns where both edges are trusted.
+/// Columns with both edges valid.
 struct Outline {
   std::vector<double> u, upper_v, lower_v, sd;
 };
@@ -35,7 +37,7 @@ Outline outline_of(const FaceEdges& edges) {
 
 /// Slopes of an edge (rows per column) between neighbours on either side of a gap.
 struct Slopes {
-  double least = std::numeric_limits<double>::infinity(), greatest = -least;
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
 
   void add(const Outline& outline,
            const std::vector<double>& v,
@@ -43,33 +45,33 @@ struct Slopes {
            std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       const double slope = (v[i + 1] - v[i]) / (outline.u[i + 1] - outline.u[i]);
-      least = std::min(least, slope), greatest = std::max(greatest, slope);
+      lowest = std::min(lowest, slope), highest = std::max(highest, slope);
     }
   }
 };
 
-/// By how many rows an edge jumps from sample k to the next; 0 where its slopes or its scatter on
-/// either side explain that.
+/// Rows that an edge jumps by from sample k to the next; 0 where slopes or scatter on either side
+/// explain it.
 double edge_jump(const Outline& outline, const std::vector<double>& v, std::size_t k) {
   Slopes slopes;
-  slopes.add(outline, v, k + 1 - std::min(kSide, k + 1), k);
-  slopes.add(outline, v, k + 1, std::min(k + kSide, v.size() - 1));
+  slopes.add(outline, v, k + 1 - std::min(kSideSamples, k + 1), k);
+  slopes.add(outline, v, k + 1, std::min(k + kSideSamples, v.size() - 1));
   const double columns = outline.u[k + 1] - outline.u[k];
-  const double jump = v[k + 1] - v[k] - 0.5 * (slopes.least + slopes.greatest) * columns;
-  const double explained = kTimesBend * (slopes.greatest - slopes.least) * columns +
+  const double jump = v[k + 1] - v[k] - 0.5 * (slopes.lowest + slopes.highest) * columns;
+  const double explained = kTimesBend * (slopes.highest - slopes.lowest) * columns +
                            kTimesSd * std::max(outline.sd[k], outline.sd[k + 1]);
   return std::abs(jump) > explained ? jump : 0.0;
 }
 
-/// By how many rows the face gets wider from sample k to the next by a jump of both edges; or 0.
+/// Rows that the face widens by from sample k to the next through a jump of both edges; else 0.
 double width_jump(const Outline& outline, std::size_t k) {
   const double gap = outline.u[k + 1] - outline.u[k];
-  if (gap > kMostGap * (outline.u.back() - outline.u.front())) return 0.0;
+  if (gap > kMaxGap * (outline.u.back() - outline.u.front())) return 0.0;
   const double upper = edge_jump(outline, outline.upper_v, k),
                lower = edge_jump(outline, outline.lower_v, k);
   if (!(upper * lower < 0.0)) return 0.0;
   const double width = outline.lower_v[k] - outline.upper_v[k], wider = lower - upper;
-  return std::abs(wider) > kLeastPart * width ? wider : 0.0;
+  return std::abs(wider) > kMinFraction * width ? wider : 0.0;
 }
 
 }  // namespace
@@ -77,15 +79,15 @@ double width_jump(const Outline& outline, std::size_t k) {
 std::optional<OutlineJump> outline_jump(const FaceEdges& edges) {
   const Outline outline = outline_of(edges);
   const std::size_t count = outline.u.size();
-  double most = 0, widest = 0, narrowest = 0;
+  double largest = 0, widest = 0, narrowest = 0;
   std::size_t at = 0;
-  for (std::size_t k = kFewest - 1; k + kFewest < count; ++k) {
+  for (std::size_t k = kMinSamples - 1; k + kMinSamples < count; ++k) {
     const double wider = width_jump(outline, k);
     widest = std::max(widest, wider), narrowest = std::min(narrowest, wider);
-    if (std::abs(wider) > std::abs(most)) most = wider, at = k;
+    if (std::abs(wider) > std::abs(largest)) largest = wider, at = k;
   }
-  const double back = most > 0.0 ? -narrowest : widest;
-  if (most == 0.0 || back > kUndone * std::abs(most)) return std::nullopt;
+  const double back = largest > 0.0 ? -narrowest : widest;
+  if (largest == 0.0 || back > kMaxReturn * std::abs(largest)) return std::nullopt;
   const std::size_t before = at + 1, behind = count - before;
   return OutlineJump{0.5 * (outline.u[at] + outline.u[at + 1]),
                      static_cast<double>(std::min(before, behind)) / static_cast<double>(count),

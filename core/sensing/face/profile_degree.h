@@ -1,10 +1,10 @@
-// The degree of the face's edges along the finger, where nobody chose another.
+// Default degree of the face's edges along the finger.
 #pragma once
 
 namespace alltact {
 
-/// Chebyshev polynomials of FaceShape::fit; the default of --profile-degree, which a static
-/// assertion in pipeline_settings.cpp holds to it.
-inline constexpr int kUsualProfileDegree = 7;
+/// Degree of the Chebyshev polynomials of FaceShape::fit; default of --profile-degree. A static
+/// assertion in pipeline_settings.cpp holds both equal.
+inline constexpr int kDefaultProfileDegree = 7;
 
 }  // namespace alltact

@@ -13,18 +13,18 @@ namespace {
 
 using Path = RoughEdges::Path;
 
-constexpr int kSmallWidth = 120;  // columns of the small picture, about
+constexpr int kSmallWidth = 120;  // approximate columns of the reduced image
 constexpr int kLargestJump = 3;   // rows from one small column to the next
 constexpr float kJumpPenalty = 0.03F;
 
-/// Eight pixels as one number.
+/// Packs eight pixels into one number.
 std::uint64_t eight_pixels(const std::uint8_t* pixels) {
   std::uint64_t word = 0;
   std::memcpy(&word, pixels, sizeof word);
   return word;
 }
 
-/// Adds a row to sums of pairs of neighbouring pixels, four of 16 bits in each word.
+/// Adds a row to sums of pairs of neighbouring pixels, four sums of 16 bits in each word.
 ALLTACT_WIDE void add_pairs(const std::uint8_t* __restrict row,
                             int words,
                             std::uint64_t* __restrict sums) {
@@ -35,12 +35,12 @@ ALLTACT_WIDE void add_pairs(const std::uint8_t* __restrict row,
   }
 }
 
-/// Sums of `block` columns each, where that is a multiple of eight.
+/// Sums over blocks of `block` columns, a multiple of eight.
 class SumsOfEights {
  public:
   SumsOfEights(int width, int block)
       : words_of_block_(block / 8), sums_(static_cast<std::size_t>(width * words_of_block_)) {}
-  /// Beyond this block the four sums of a word, taken together, leave 16 bits.
+  /// Beyond this block the four sums of a word together exceed 16 bits.
   static bool can_sum(int block) { return block % 8 == 0 && block <= 32; }
 
   void clear() { std::fill(sums_.begin(), sums_.end(), 0U); }
@@ -61,14 +61,14 @@ class SumsOfEights {
   std::vector<std::uint64_t> sums_;
 };
 
-/// sums += the row.
+/// Adds a row to the sums.
 ALLTACT_WIDE void add_grey_row(const std::uint8_t* __restrict row,
                                int width,
                                std::uint32_t* __restrict sums) {
   for (int u = 0; u < width; ++u) sums[u] += row[u];
 }
 
-/// The same of any block.
+/// Sums over blocks of any number of columns.
 class SumsOfAny {
  public:
   SumsOfAny(int width, int block) : block_(block), sums_(static_cast<std::size_t>(width * block)) {}
@@ -100,18 +100,18 @@ cv::Mat means_of_blocks(const cv::Mat& grey, int block) {
   return small;
 }
 
-/// Means of whole blocks, a row of the result for each column of blocks: what is left over at the
-/// right and below is left out.
+/// Means of complete blocks. Row c of the result is column c of blocks; incomplete blocks at the
+/// right and bottom are omitted.
 cv::Mat block_columns(const cv::Mat& grey, int block) {
   return SumsOfEights::can_sum(block) ? means_of_blocks<SumsOfEights>(grey, block)
                                       : means_of_blocks<SumsOfAny>(grey, block);
 }
 
-/// Change of brightness downwards across the border below each row, in parts of the column's range:
-/// the face is darker at its tip, and its edges are worth as much there. A column of hardly any
-/// range beside the others' shows no face. Columns are rows of both pictures.
+/// Brightness change downwards across the border below each row, relative to the column's range:
+/// the face is darker at its tip, where its edges count as much. A column with a range far below
+/// that of the others shows no face. Columns are rows of both images.
 cv::Mat downward_contrast(const cv::Mat& small, double noise_sd) {
-  constexpr float kLeastRange = 0.1F;  // of the greatest one
+  constexpr float kMinRange = 0.1F;  // of the largest range
   const int rows = small.cols;
   std::vector<float> ranges;
   for (int c = 0; c < small.rows; ++c) {
@@ -119,13 +119,13 @@ cv::Mat downward_contrast(const cv::Mat& small, double noise_sd) {
     const auto [low, high] = std::minmax_element(column, column + rows);
     ranges.push_back(*high - *low);
   }
-  const float least = std::max(static_cast<float>(4.0 * noise_sd),
-                               kLeastRange * *std::max_element(ranges.begin(), ranges.end()));
+  const float min_range = std::max(static_cast<float>(4.0 * noise_sd),
+                                   kMinRange * *std::max_element(ranges.begin(), ranges.end()));
   cv::Mat contrast(small.rows, rows - 1, CV_32FC1);
   for (int c = 0; c < small.rows; ++c) {
     const float* column = small.ptr<float>(c);
     float* out = contrast.ptr<float>(c);
-    const float range = std::max(ranges[static_cast<std::size_t>(c)], least);
+    const float range = std::max(ranges[static_cast<std::size_t>(c)], min_range);
     for (int r = 0; r + 1 < rows; ++r) {
       const float above = column[r] + column[std::max(r - 1, 0)];
       const float below = column[r + 1] + column[std::min(r + 2, rows - 1)];
@@ -135,8 +135,8 @@ cv::Mat downward_contrast(const cv::Mat& small, double noise_sd) {
   return contrast;
 }
 
-/// The best place to come from, for every row of a column: `before` holds the scores of the column
-/// before with kLargestJump values beyond both ends.
+/// Best predecessor of every row of a column. `before` holds the scores of the previous column,
+/// padded by kLargestJump values at both ends.
 ALLTACT_WIDE void best_jumps(const float* __restrict before,
                              const float* __restrict contrast,
                              float sign,
@@ -160,13 +160,13 @@ ALLTACT_WIDE void best_jumps(const float* __restrict before,
   }
 }
 
-/// The path from the first to the last column that collects the most sign * contrast, jumps
-/// costing.
+/// The path from the first to the last column with the highest sum of sign * contrast, less the
+/// cost of jumps.
 Path best_path(const cv::Mat& contrast, float sign) {
   const int rows = contrast.cols, cols = contrast.rows;
-  constexpr float kNever = -1e9F;
+  constexpr float kUnreachable = -1e9F;
   const auto padded = static_cast<std::size_t>(rows + 2 * kLargestJump);
-  std::vector<float> before(padded, kNever), score(padded, kNever);
+  std::vector<float> before(padded, kUnreachable), score(padded, kUnreachable);
   cv::Mat jumps(cols, rows, CV_32FC1);
   std::fill_n(before.begin() + kLargestJump, rows, 0.0F);
   for (int c = 0; c < cols; ++c) {
@@ -189,9 +189,9 @@ Path best_path(const cv::Mat& contrast, float sign) {
   return path;
 }
 
-/// `contrast` with nothing left but what lies between two paths, the upper first.
+/// `contrast` between two paths, the upper first, and zero elsewhere.
 cv::Mat between(const cv::Mat& contrast, const Path& upper, const Path& lower) {
-  constexpr int kGap = 2;  // rows that an edge reaches to
+  constexpr int kGap = 2;  // rows that an edge extends over
   cv::Mat inner = cv::Mat::zeros(contrast.size(), CV_32FC1);
   for (int c = 0; c < contrast.rows; ++c) {
     const auto k = static_cast<std::size_t>(c);
@@ -204,7 +204,7 @@ cv::Mat between(const cv::Mat& contrast, const Path& upper, const Path& lower) {
 
 /// Columns where the path follows a step of its sign.
 std::vector<char> steps_along(const cv::Mat& contrast, const Path& path, float sign) {
-  constexpr float kStep = 0.1F;  // of the column's range
+  constexpr float kStep = 0.1F;  // fraction of the column's range
   std::vector<char> steps(path.row.size());
   for (std::size_t c = 0; c < steps.size(); ++c)
     steps[c] =
@@ -212,7 +212,7 @@ std::vector<char> steps_along(const cv::Mat& contrast, const Path& path, float s
   return steps;
 }
 
-/// The longest stretch [first, end) of true values, small gaps allowed.
+/// The longest stretch [first, end) of true values; small gaps are allowed.
 std::pair<std::size_t, std::size_t> longest_stretch(const std::vector<char>& values) {
   constexpr std::size_t kGap = 4;
   std::pair<std::size_t, std::size_t> longest{0, 0};
@@ -228,12 +228,12 @@ std::pair<std::size_t, std::size_t> longest_stretch(const std::vector<char>& val
   return longest;
 }
 
-/// Whether `path` runs on where the end of `inner` at `at` points to, for a few columns in the
-/// direction: not necessarily the next ones, since it may have left for the border, or for dots on
+/// True when `path` passes, for a few columns in the direction, where the end of `inner` at `at`
+/// points to. These need not be the next columns: it may have left for the border, or for dots on
 /// the side face, some columns before.
-bool goes_on(const Path& path, const Path& inner, std::size_t at, int direction) {
+bool continues_inner(const Path& path, const Path& inner, std::size_t at, int direction) {
   constexpr float kNear = 1.6F;  // rows
-  constexpr int kBase = 10, kLook = 30, kEnough = 5;
+  constexpr int kBase = 10, kSearch = 30, kMinNear = 5;
   const auto count = static_cast<int>(path.row.size());
   const auto end = static_cast<int>(at);
   const int base = std::clamp(end - direction * kBase, 0, count - 1);
@@ -241,19 +241,20 @@ bool goes_on(const Path& path, const Path& inner, std::size_t at, int direction)
   const float slope =
       (inner.row[at] - inner.row[static_cast<std::size_t>(base)]) / static_cast<float>(end - base);
   int near = 0;
-  for (int c = end + direction; c >= 0 && c < count && std::abs(c - end) <= kLook; c += direction) {
+  for (int c = end + direction; c >= 0 && c < count && std::abs(c - end) <= kSearch;
+       c += direction) {
     const float ahead = inner.row[at] + slope * static_cast<float>(c - end);
     near += std::abs(path.row[static_cast<std::size_t>(c)] - ahead) < kNear;
   }
-  return near >= kEnough;
+  return near >= kMinNear;
 }
 
-/// Side faces that are lit have outer borders, which may have more contrast than the face's own
-/// edges, along the whole finger or part of it. Where a second pair of edges of the same signs runs
-/// between the first, that is the face. What presses on the face shows its steps the other way
-/// round, or, between two contacts, in few columns away from both ends.
-void step_inwards(const cv::Mat& contrast, float sign, RoughEdges& rough) {
-  constexpr double kPartToAnEnd = 0.15, kPartBetween = 0.4;  // of the columns
+/// Replaces a first pair of edges on lit side faces by the face's own edges. Outer borders of lit
+/// side faces may have more contrast, along all or part of the finger. A second pair of edges of
+/// the same signs between the first is the face. An object on the face shows steps of the opposite
+/// sign. Between two contacts the signs agree, but only in few columns away from both ends.
+void select_inner_edges(const cv::Mat& contrast, float sign, RoughEdges& rough) {
+  constexpr double kFractionToEnd = 0.15, kFractionBetween = 0.4;  // of the columns
   const cv::Mat inner = between(contrast, rough.upper, rough.lower);
   const Path upper = best_path(inner, sign), lower = best_path(inner, -sign);
   const auto upper_steps = steps_along(inner, upper, sign);
@@ -265,17 +266,17 @@ void step_inwards(const cv::Mat& contrast, float sign, RoughEdges& rough) {
   constexpr std::size_t kNearEnd = 3;
   const bool to_an_end = first <= kNearEnd || end + kNearEnd >= both.size();
   const double part = static_cast<double>(end - first) / static_cast<double>(both.size());
-  if (part < (to_an_end ? kPartToAnEnd : kPartBetween)) return;
-  // Beyond the stretch the first pair may be the face's own edges already, which the path left
-  // there for the border; then they go on where the inner ones end.
-  const bool before =
-      first > 0 && goes_on(rough.upper, upper, first, -1) && goes_on(rough.lower, lower, first, -1);
-  const bool after = end < both.size() && goes_on(rough.upper, upper, end - 1, 1) &&
-                     goes_on(rough.lower, lower, end - 1, 1);
+  if (part < (to_an_end ? kFractionToEnd : kFractionBetween)) return;
+  // Beyond the stretch the first pair may already be the face's own edges, where the path left them
+  // for the border. Then they continue where the inner ones end.
+  const bool before = first > 0 && continues_inner(rough.upper, upper, first, -1) &&
+                      continues_inner(rough.lower, lower, first, -1);
+  const bool after = end < both.size() && continues_inner(rough.upper, upper, end - 1, 1) &&
+                     continues_inner(rough.lower, lower, end - 1, 1);
   for (std::size_t c = 0; c < both.size(); ++c) {
     const bool inside = c >= first && c < end;
     const bool joined = (before && c < first) || (after && c >= end);
-    rough.sure[c] = (inside && both[c]) || joined;
+    rough.can_seed[c] = (inside && both[c]) || joined;
     if (joined) continue;
     rough.upper.row[c] = upper.row[c];
     rough.lower.row[c] = lower.row[c];
@@ -284,11 +285,11 @@ void step_inwards(const cv::Mat& contrast, float sign, RoughEdges& rough) {
 
 }  // namespace
 
-std::pair<double, double> RoughEdges::place(const Path& path, int block, double u) {
+std::pair<double, double> RoughEdges::position_at(const Path& path, int block, double u) {
   const double column = (u + 0.5) / block - 0.5;
   const int centre = static_cast<int>(std::lround(column));
   const int count = static_cast<int>(path.row.size());
-  // least-squares line through the neighbours
+  // Regression line through the neighbours.
   double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
   for (int c = std::max(0, centre - 3); c <= std::min(count - 1, centre + 3); ++c) {
     const double x = c - column;
@@ -301,7 +302,7 @@ std::pair<double, double> RoughEdges::place(const Path& path, int block, double 
   return {(row + 0.5) * block - 0.5, slope};
 }
 
-std::optional<RoughEdges> find_roughly(const cv::Mat& grey, double noise_sd) {
+std::optional<RoughEdges> find_rough_edges(const cv::Mat& grey, double noise_sd) {
   RoughEdges rough;
   rough.block = std::max(1, grey.cols / kSmallWidth);
   if (grey.cols / rough.block < 8 || grey.rows / rough.block < 8) return std::nullopt;
@@ -317,8 +318,8 @@ std::optional<RoughEdges> find_roughly(const cv::Mat& grey, double noise_sd) {
   } else {
     return std::nullopt;
   }
-  rough.sure.assign(rising.row.size(), 1);
-  step_inwards(contrast, rough.bright_inside ? 1.0F : -1.0F, rough);
+  rough.can_seed.assign(rising.row.size(), 1);
+  select_inner_edges(contrast, rough.bright_inside ? 1.0F : -1.0F, rough);
   return rough;
 }
 

@@ -1,4 +1,4 @@
-// Where the face's two long edges run, roughly: one path through a small picture for each.
+// Rough position of the face's two long edges: a path through a reduced image for each.
 #pragma once
 
 #include <optional>
@@ -10,23 +10,24 @@
 namespace alltact {
 
 struct RoughEdges {
-  /// Rows of the small picture along one edge.
+  /// Rows of the reduced image along one edge.
   struct Path {
-    std::vector<float> row;  // of the border between two rows
+    std::vector<float> row;  // row of the border between two pixels, by column
   };
 
   Path upper, lower;
-  std::vector<char> sure;  // small columns where following may begin
-  int block = 1;           // picture pixels to one small pixel
+  std::vector<char> can_seed;  // by small column: following may begin there
+  int block = 1;               // image pixels a side of one small pixel
   bool bright_inside = true;
 
-  /// The path's place and slope at a column of the picture, px, smoothed over a few small columns.
-  static std::pair<double, double> place(const Path& path, int block, double u);
+  /// Row and slope of the path at column u of the image, px, smoothed over a few small columns.
+  static std::pair<double, double> position_at(const Path& path, int block, double u);
 };
 
-/// By dynamic programming over the columns of the picture made small (8-bit grey; noise_sd in grey
-/// levels). Side faces that are lit, their outer borders and what presses on the face are told from
-/// the face's own edges. nullopt: no pair of edges lies one above the other along the picture.
-[[nodiscard]] std::optional<RoughEdges> find_roughly(const cv::Mat& grey, double noise_sd);
+/// Finds both edges by dynamic programming over the columns of the reduced image (8-bit grey;
+/// noise_sd in grey levels). Distinguishes lit side faces, their outer borders and objects on the
+/// face from the face's own edges. nullopt: no pair of edges lies one above the other along the
+/// image.
+[[nodiscard]] std::optional<RoughEdges> find_rough_edges(const cv::Mat& grey, double noise_sd);
 
 }  // namespace alltact

@@ -3,7 +3,7 @@
 namespace alltact {
 namespace {
 
-// Straight line through two trusted columns some way apart, evaluated at u.
+// Straight line through two trusted columns at a distance, evaluated at u.
 struct Continuation {
   int from = 0, inner = 0;  // outermost trusted column and one further in
 
@@ -46,7 +46,8 @@ SideEdges::SideEdges(const FaceShape& shape) {
     lower[u] = static_cast<float>(columns[u].lower_v);
   }
   if (trusted.empty() || trusted.size() == width) return;
-  // The fit's own end columns are its least certain; a twentieth of the width steadies the slope.
+  // The end columns of the fit are its least certain; a twentieth of the width stabilises the
+  // slope.
   const int reach = std::max(1, static_cast<int>(width) / 20);
   continue_edge(upper, trusted, reach);
   continue_edge(lower, trusted, reach);

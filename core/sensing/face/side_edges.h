@@ -1,4 +1,4 @@
-// Where the side faces begin, for every column: what the search for markers may look at.
+// Borders of the side faces by column: the search area for markers.
 #pragma once
 
 #include "core/sensing/face/face_shape.h"
@@ -9,15 +9,15 @@
 
 namespace alltact {
 
-/// Edges of the view face for every column of the picture. Columns without a trusted face get the
-/// straight continuation of the nearest trusted ones, so that a face that is there but could not be
-/// measured is not taken for a side face.
+/// Edges of the view face for every column of the image. Untrusted columns get the straight
+/// continuation of the nearest trusted ones, so that an unmeasured part of the face is not mistaken
+/// for a side face.
 struct SideEdges {
   std::vector<float> upper, lower;  ///< px, upper <= lower
 
   explicit SideEdges(const FaceShape& shape);
 
-  /// Rows of one side face in column u that lie at least `margin_px` off the view face.
+  /// Rows of one side face in column u at least `margin_px` off the view face.
   struct Rows {
     int first, last;
   };
@@ -27,7 +27,7 @@ struct SideEdges {
       return {0, std::min(height - 1, static_cast<int>(std::floor(upper[column] - margin_px)))};
     return {std::max(0, static_cast<int>(std::ceil(lower[column] + margin_px))), height - 1};
   }
-  /// How far a row lies off the view face on one side, px; negative on the face.
+  /// Distance of a row from the view face on one side, px; negative on the face.
   [[nodiscard]] double off_px(int u, double v, bool upper_side) const {
     const auto column = static_cast<std::size_t>(u);
     return upper_side ? static_cast<double>(upper[column]) - v

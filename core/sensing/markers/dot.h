@@ -1,4 +1,4 @@
-// Markers and dots: the two values that finding and numbering deal in.
+// Markers (numbered) and dots (detected, not yet numbered).
 #pragma once
 
 #include <vector>
@@ -6,26 +6,26 @@
 namespace alltact {
 
 struct Marker {
-  double u = 0, v = 0;  ///< px, oriented picture; an estimate when not seen
+  double u = 0, v = 0;  ///< px, oriented image; an estimate when not seen
   bool seen = false;
   double sd_px = 0;  ///< expected standard deviation of u and of v
 };
 
-/// 2n markers by number.
+/// 2n markers, indexed by number.
 using Markers = std::vector<Marker>;
 
-/// A dot found in the picture, not yet numbered.
+/// A dot detected in the image, not yet numbered.
 struct Dot {
   double u = 0, v = 0;
-  double radius_px = 0;  ///< of the disc of the same area
-  double contrast = 0;   ///< grey levels against the surroundings; sign is the polarity
+  double radius_px = 0;  ///< of the disc with the same area
+  double contrast = 0;   ///< grey levels relative to the surroundings; the sign is the polarity
   double sd_px = 0;
   bool upper = false;   ///< on the side face at small v
   double along_mm = 0;  ///< length of the face from its base to the dot's foot on it
-  double face_px = 0;   ///< width of the face at the dot's distance
-  double off_face = 0;  ///< distance from the face, in parts of its width
+  double face_px = 0;   ///< width of the face at the dot's distance from the camera
+  double off_face = 0;  ///< distance from the face, as a fraction of its width
   double half_u_px = 0, half_v_px = 0;  ///< half extents at half height; 0: not known
-  double score = 1;  ///< how surely it is a dot, 0 to 1; 1 of finders that do not tell
+  double score = 1;                     ///< confidence, 0 to 1; 1 from finders without scores
 };
 
 }  // namespace alltact

@@ -5,7 +5,7 @@
 namespace alltact::dots {
 namespace {
 
-// Pixels of the window outside the grown ellipse and within a box that reaches a little further.
+// Pixels of the window outside the grown ellipse and within a slightly larger box.
 class Ring {
  public:
   Ring(const Window& w, const Ellipse& inner, double grow_x, double grow_y, int stride) {
@@ -27,17 +27,17 @@ class Ring {
     }
   }
 
-  // The values are whole grey levels, of either sign.
+  // The values are integer grey levels of either sign.
   [[nodiscard]] float median() const {
-    constexpr int kMost = static_cast<int>(kMostLevel);
-    std::array<std::int32_t, 2 * kMost + 1> histogram{};
+    constexpr int kMaxGrey = static_cast<int>(kMaxLevel);
+    std::array<std::int32_t, 2 * kMaxGrey + 1> histogram{};
     for (int k = 0; k < count; ++k)
-      ++histogram[static_cast<std::size_t>(kMost +
+      ++histogram[static_cast<std::size_t>(kMaxGrey +
                                            static_cast<int>(value[static_cast<std::size_t>(k)]))];
     int level = 0;
     for (int below = 0; below <= count / 2; ++level)
       below += histogram[static_cast<std::size_t>(level)];
-    return static_cast<float>(level - 1 - kMost);
+    return static_cast<float>(level - 1 - kMaxGrey);
   }
 
   std::array<float, kMaxSide * kMaxSide> value;
@@ -91,7 +91,8 @@ std::optional<Background> plane_around(const Window& w,
     square += value * value;
   }
   if (n < 8) return std::nullopt;
-  // A little ridge on the slopes: a ring cut down to a line by the view face has no second slope.
+  // A small ridge on the slopes: the view face may cut the ring down to a line, which has no second
+  // slope.
   Eigen::Matrix3d a;
   a << n, sx, sy, sx, 1.001 * sxx + 1.0, sxy, sy, sxy, 1.001 * syy + 1.0;
   const Eigen::Vector3d b(s, sxv, syv);

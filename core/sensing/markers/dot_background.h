@@ -1,4 +1,4 @@
-// What surrounds a dot: its level, slope and noise.
+// Background of a dot: level, slope and noise.
 #pragma once
 
 #include "core/sensing/markers/dot_window.h"
@@ -6,21 +6,21 @@
 namespace alltact::dots {
 
 struct Background {
-  double level = 0, slope_x = 0, slope_y = 0;  // at window centre of coordinates (x, y)
+  double level = 0, slope_x = 0, slope_y = 0;  // at the origin of the window's coordinates (x, y)
   double noise = 0;
 
   [[nodiscard]] double at(double x, double y) const { return level + slope_x * x + slope_y * y; }
 };
-/// Level of the surroundings of an ellipse grown in x and y, and their noise, coarsely: enough to
-/// tell whether there is a dot. nullopt: too little is seen of them.
+/// Coarse level and noise around an ellipse grown in x and y: enough to detect a dot. nullopt: too
+/// few pixels are usable.
 std::optional<Background> level_around(const Window& w,
                                        const Ellipse& inner,
                                        double grow_x,
                                        double grow_y);
 
-/// Plane through the pixels around the ellipse that lie within `spread` of their median. Only
-/// pixels of the ring count, so that a second dot or the side face's far edge has no say unless it
-/// fills half of it. nullopt: too little is seen of them.
+/// Plane through the pixels around the ellipse that are within `spread` of their median. Only
+/// pixels of the ring count, so that a second dot or the side face's far edge has no influence
+/// unless it fills half of it. nullopt: too few pixels are usable.
 std::optional<Background> plane_around(const Window& w,
                                        const Ellipse& inner,
                                        double grow,

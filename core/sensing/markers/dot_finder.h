@@ -1,4 +1,4 @@
-// What the ways of finding dots and markers have in common.
+// Interfaces of the methods of finding dots and markers.
 #pragma once
 
 #include "core/finger/finger.h"
@@ -13,31 +13,31 @@
 
 namespace alltact {
 
-/// Dots of one picture, not yet numbered: each with its place in px of the oriented picture, the
-/// standard deviation of u and of v, and a score.
+/// Unnumbered dots of one image: each with its position in px of the oriented image, the standard
+/// deviation of u and of v, and a score.
 struct FoundDots {
   std::vector<Dot> dots;
-  Polarity polarity = Polarity::kBright;  ///< that was told, or, with kAuto, that was found
-  Message problem;                        ///< why none could be looked for; empty: they were
+  Polarity polarity = Polarity::kBright;  ///< as specified or, with kAuto, as detected
+  Message problem;                        ///< reason why no search was possible; empty: it was
 };
 
-/// Finds every plausible dot of a picture, also false ones: numbering them is for MarkerModel or
-/// paper_rows. Remembers nothing between pictures; used by one thread.
+/// Finds every plausible dot of an image, including false ones: MarkerModel or paper_rows numbers
+/// them. Stateless between images; used by one thread.
 class DotFinder {
  public:
   virtual ~DotFinder() = default;
   [[nodiscard]] virtual FoundDots operator()(const cv::Mat& grey, const FaceShape& shape) const = 0;
 };
 
-/// Finds the numbered markers of each frame of a source. May remember the last frame.
+/// Finds the numbered markers of each frame of a source. May use the last frame.
 class MarkerFinder {
  public:
   virtual ~MarkerFinder() = default;
-  /// nullopt with `problem` set, where it is not null, when the markers could not be found.
+  /// nullopt when the markers are not found; `problem` is then set, where it is not null.
   [[nodiscard]] virtual std::optional<Markers> operator()(const cv::Mat& grey,
                                                           const FaceShape& shape,
                                                           Message* problem) = 0;
-  /// Forgets the last frame: the next one is looked at as if it were the first.
+  /// Forgets the last frame: the next one is analysed as if it were the first.
   virtual void forget() = 0;
 };
 

@@ -14,22 +14,22 @@ namespace {
 using namespace dots;
 
 struct Centroid {
-  double x = 0, y = 0, flux = 0, spread = 0;  // spread: sum of squared distances, one axis
+  double x = 0, y = 0, flux = 0, spread = 0;  // spread: sum of squared distances along one axis
 };
 
-// How a dot's own brightness changes across it, in parts of that of its middle. A dot lit from one
-// side has its light's centre on that side; the centre asked for is that of its area.
+// Gradient of a dot's brightness relative to its centre. A dot lit from one side has its centroid
+// of light on that side; the centre of its area is required.
 struct Shading {
-  double slope_x = 0, slope_y = 0;  // about the dot's middle
+  double slope_x = 0, slope_y = 0;  // about the dot's centre
 };
 
-// From the pixels wholly inside; none for dots too small to have any.
+// From pixels inside the dot; zero for dots too small to have any.
 Shading shading_of(const Window& w, const Background& ground, const Ellipse& e) {
   constexpr double kInside = 0.75;
-  constexpr int kLeastPixels = 24;
-  constexpr double kLeastHalfPx = 2.0;  // a thinner dot is all rim
+  constexpr int kMinPixels = 24;
+  constexpr double kMinHalfPx = 2.0;  // a thinner dot consists of its rim
   const double steepest = 0.5 * (e.xx + e.yy) + std::hypot(0.5 * (e.xx - e.yy), e.xy);
-  if (steepest * kLeastHalfPx * kLeastHalfPx > 1.0) return {};
+  if (steepest * kMinHalfPx * kMinHalfPx > 1.0) return {};
   double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0, syy = 0, s = 0, sxv = 0, syv = 0;
   for_rows_inside(w, e, kInside, [&](int y, int first, int last) {
     const double dy = y - e.y;
@@ -42,7 +42,7 @@ Shading shading_of(const Window& w, const Background& ground, const Ellipse& e) 
       s += height, sxv += dx * height, syv += dy * height;
     }
   });
-  if (n < kLeastPixels) return {};
+  if (n < kMinPixels) return {};
   Eigen::Matrix3d a;
   a << n, sx, sy, sx, sxx, sxy, sy, sxy, syy;
   const Eigen::Vector3d p = a.ldlt().solve(Eigen::Vector3d(s, sxv, syv));
@@ -50,7 +50,7 @@ Shading shading_of(const Window& w, const Background& ground, const Ellipse& e) 
   return {p[1] / p[0], p[2] / p[0]};
 }
 
-// Whether the pixel on the other side of the ellipse's centre is usable too.
+// True when the pixel opposite the ellipse's centre is usable too.
 bool opposite_usable(const Window& w, const Ellipse& e, int x, int y) {
   const int mx = static_cast<int>(std::floor(2 * e.x - x + 0.5));
   const int my = static_cast<int>(std::floor(2 * e.y - y + 0.5));
@@ -60,14 +60,15 @@ bool opposite_usable(const Window& w, const Ellipse& e, int x, int y) {
 ALLTACT_WIDE void flatten_row(
     float level, float slope, float shade, float shade_slope, int width, float* values) {
   for (int x = 0; x < width; ++x) {
-    const auto place = static_cast<float>(x);
-    const float wanted = shade + shade_slope * place;
-    const float above = wanted > 0.5F ? wanted : 0.5F;
-    values[x] = (values[x] - (level + slope * place)) / (above < 2.0F ? above : 2.0F);
+    const auto position = static_cast<float>(x);
+    const float target = shade + shade_slope * position;
+    const float above = target > 0.5F ? target : 0.5F;
+    values[x] = (values[x] - (level + slope * position)) / (above < 2.0F ? above : 2.0F);
   }
 }
 
-// Turns the window's values into heights above the ground, evened out by the dot's own shading.
+// Converts the window's values into heights above the background, flattened by the dot's own
+// shading.
 void flatten(const Background& ground, const Shading& shading, const Ellipse& e, Window& w) {
   for (int y = 0; y < w.height; ++y)
     flatten_row(static_cast<float>(ground.at(0, y)),
@@ -78,12 +79,13 @@ void flatten(const Background& ground, const Shading& shading, const Ellipse& e,
                 &w.value[w.index(0, y)]);
 }
 
-// Signed heights inside the grown ellipse: noise that is not cut off at zero does not pull.
+// Centroid of signed heights inside the grown ellipse: noise that is not clipped at zero causes no
+// bias.
 Centroid centroid(const Window& w, const Ellipse& e, double reach) {
   Centroid c;
   double square = 0;
-  // Neither the view face nor the window's border is near enough to matter.
-  const bool lone = w.whole && e.x - reach * e.half_x > 1 && e.y - reach * e.half_y > 1 &&
+  // Neither the view face nor the window's border is near.
+  const bool lone = w.all_usable && e.x - reach * e.half_x > 1 && e.y - reach * e.half_y > 1 &&
                     e.x + reach * e.half_x < w.width - 2 && e.y + reach * e.half_y < w.height - 2;
   for_rows_inside(w, e, reach, [&](int y, int first, int last) {
     const double dy = y - e.y;
@@ -106,14 +108,14 @@ Centroid centroid(const Window& w, const Ellipse& e, double reach) {
   return c;
 }
 
-// The highest 3 x 3 mean near the seed, so that a seed beside the dot still finds it.
+// The highest 3 x 3 mean near the seed, so that a seed next to the dot still finds it.
 std::optional<std::pair<int, int>> summit(const Window& w, const DotSeed& seed) {
   const int cx = static_cast<int>(std::lround(seed.u)) - w.u0;
   const int cy = static_cast<int>(std::lround(seed.v)) - w.v0;
   const int reach_x = std::clamp(static_cast<int>(0.5 * seed.half_u), 1, 6);
   const int reach_y = std::clamp(static_cast<int>(0.5 * seed.half_v), 1, 6);
   float best = -1e30F;
-  std::optional<std::pair<int, int>> place;
+  std::optional<std::pair<int, int>> position;
   for (int y = std::max(1, cy - reach_y); y <= std::min(w.height - 2, cy + reach_y); ++y)
     for (int x = std::max(1, cx - reach_x); x <= std::min(w.width - 2, cx + reach_x); ++x) {
       float sum = 0;
@@ -121,9 +123,9 @@ std::optional<std::pair<int, int>> summit(const Window& w, const DotSeed& seed) 
         for (int dx = -1; dx <= 1; ++dx) sum += w.value[w.index(x + dx, y + dy)];
       if (sum <= best || !w.usable[w.index(x, y)]) continue;
       best = sum;
-      place = {x, y};
+      position = {x, y};
     }
-  return place;
+  return position;
 }
 
 struct Attempt {
@@ -150,7 +152,7 @@ Attempt attempt(const cv::Mat& grey, const SideEdges& edges, const DotSeed& seed
   for (int dy = -1; dy <= 1; ++dy)
     for (int dx = -1; dx <= 1; ++dx) peak += w.value[w.index(x + dx, y + dy)] / 9;
   const double height = peak - first->level;
-  if (height < std::max(seed.least_contrast, 2.0 * first->noise / 3)) return {};
+  if (height < std::max(seed.min_contrast, 2.0 * first->noise / 3)) return {};
   Region region = grow(w, first->level, x, y, 0.5 * height, grey.size());
   if (region.at_border || region.at_face) return {};
   if (region.at_window_edge) return {std::nullopt, true};
@@ -178,7 +180,7 @@ Attempt attempt(const cv::Mat& grey, const SideEdges& edges, const DotSeed& seed
   result.radius_px = std::sqrt(c.flux / mean_height / std::numbers::pi);
   result.half_u_px = dot.half_x;
   result.half_v_px = dot.half_y;
-  // 0.3: rounding to whole grey levels. The plane's own error adds about as much as the pixels'.
+  // 0.3: rounding to integer grey levels. The plane's own error adds about as much as the pixels'.
   const double noise = std::max(0.3, ground->noise);
   result.sd_px = std::sqrt(std::pow(1.2 * noise * std::sqrt(c.spread) / c.flux, 2) + 0.01 * 0.01);
   result.upper = seed.upper;
@@ -188,41 +190,41 @@ Attempt attempt(const cv::Mat& grey, const SideEdges& edges, const DotSeed& seed
 }  // namespace
 
 std::optional<Dot> measure_dot(const cv::Mat& grey, const SideEdges& edges, const DotSeed& seed) {
-  DotSeed look = seed;
-  look.half_u = std::clamp(seed.half_u, 1.0, 24.0);
-  look.half_v = std::clamp(seed.half_v, 1.0, 24.0);
-  const Attempt first = attempt(grey, edges, look, 2.0);
+  DotSeed search_seed = seed;
+  search_seed.half_u = std::clamp(seed.half_u, 1.0, 24.0);
+  search_seed.half_v = std::clamp(seed.half_v, 1.0, 24.0);
+  const Attempt first = attempt(grey, edges, search_seed, 2.0);
   if (first.dot || !first.too_small_window) return first.dot;
-  look.half_u = std::min(28.0, 2 * look.half_u);
-  look.half_v = std::min(28.0, 2 * look.half_v);
-  return attempt(grey, edges, look, 2.0).dot;
+  search_seed.half_u = std::min(28.0, 2 * search_seed.half_u);
+  search_seed.half_v = std::min(28.0, 2 * search_seed.half_v);
+  return attempt(grey, edges, search_seed, 2.0).dot;
 }
 
 namespace {
 
-// Dots of one marker differ from picture to picture with distance and light, but not by more than
-// this; a dot half covered does.
-bool looks_like(const Dot& dot, const Dot& like) {
+// Images of one marker vary with distance and light, but less than this; a half-covered dot varies
+// more.
+bool is_similar(const Dot& dot, const Dot& like) {
   const double size = dot.radius_px / like.radius_px, strength = dot.contrast / like.contrast;
   return size > 0.7 && size < 1.4 && strength > 0.5 && strength < 2.0;
 }
 
-// The highest 3 x 3 mean on the side face within the search, in the polarity of `sign`.
+// The highest 3 x 3 mean on the side face within the search radius, in the polarity of `sign`.
 std::optional<Eigen::Vector2d> search(const cv::Mat& grey,
                                       const SideEdges& edges,
-                                      const Eigen::Vector2d& place,
+                                      const Eigen::Vector2d& position,
                                       double search_px,
                                       bool upper,
                                       int sign) {
-  const int u0 = std::max(1, static_cast<int>(place.x() - search_px));
-  const int u1 = std::min(grey.cols - 2, static_cast<int>(place.x() + search_px + 1));
+  const int u0 = std::max(1, static_cast<int>(position.x() - search_px));
+  const int u1 = std::min(grey.cols - 2, static_cast<int>(position.x() + search_px + 1));
   int best = std::numeric_limits<int>::min();
   std::optional<Eigen::Vector2d> summit;
   for (int u = u0; u <= u1; ++u) {
     const auto rows = edges.rows(u, upper, kFaceMarginPx + 1, grey.rows);
-    const int v0 = std::max({1, rows.first, static_cast<int>(place.y() - search_px)});
+    const int v0 = std::max({1, rows.first, static_cast<int>(position.y() - search_px)});
     const int v1 =
-        std::min({grey.rows - 2, rows.last, static_cast<int>(place.y() + search_px + 1)});
+        std::min({grey.rows - 2, rows.last, static_cast<int>(position.y() + search_px + 1)});
     for (int v = v0; v <= v1; ++v) {
       int sum = 0;
       for (int dv = -1; dv <= 1; ++dv) {
@@ -241,28 +243,28 @@ std::optional<Eigen::Vector2d> search(const cv::Mat& grey,
 
 std::optional<Dot> near_dot(const cv::Mat& grey,
                             const SideEdges& edges,
-                            const Eigen::Vector2d& place,
+                            const Eigen::Vector2d& position,
                             double search_px,
                             const Dot& like) {
-  if (!(place.x() >= 0 && place.x() <= grey.cols - 1 && place.y() >= 0 &&
-        place.y() <= grey.rows - 1))
+  if (!(position.x() >= 0 && position.x() <= grey.cols - 1 && position.y() >= 0 &&
+        position.y() <= grey.rows - 1))
     return std::nullopt;
   DotSeed seed;
-  seed.u = place.x();
-  seed.v = place.y();
-  // A dot seen at a grazing angle is far longer than high.
+  seed.u = position.x();
+  seed.v = position.y();
+  // A dot seen at a grazing angle is far wider than high.
   seed.half_u = like.half_u_px > 0 ? like.half_u_px : like.radius_px;
   seed.half_v = like.half_v_px > 0 ? like.half_v_px : like.radius_px;
-  seed.upper = place.y() < edges.middle(static_cast<int>(std::lround(place.x())));
+  seed.upper = position.y() < edges.middle(static_cast<int>(std::lround(position.x())));
   seed.sign = like.contrast > 0 ? 1 : -1;
-  seed.least_contrast = std::max(3.0, 0.4 * std::abs(like.contrast));
+  seed.min_contrast = std::max(3.0, 0.4 * std::abs(like.contrast));
   const auto accepted = [&](const std::optional<Dot>& dot) {
-    return dot && looks_like(*dot, like) &&
-           std::hypot(dot->u - place.x(), dot->v - place.y()) <= search_px + 1;
+    return dot && is_similar(*dot, like) &&
+           std::hypot(dot->u - position.x(), dot->v - position.y()) <= search_px + 1;
   };
   auto dot = measure_dot(grey, edges, seed);
   if (accepted(dot)) return dot;
-  const auto summit = search(grey, edges, place, search_px, seed.upper, seed.sign > 0 ? 1 : -1);
+  const auto summit = search(grey, edges, position, search_px, seed.upper, seed.sign > 0 ? 1 : -1);
   if (!summit) return std::nullopt;
   seed.u = summit->x();
   seed.v = summit->y();

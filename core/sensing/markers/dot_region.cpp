@@ -7,14 +7,14 @@
 namespace alltact::dots {
 namespace {
 
-constexpr double kMaxAspect = 20.0;  // side faces are seen at a grazing angle
-constexpr double kLeastArea = 4.0;   // px at half height
+constexpr double kMaxAspect = 20.0;  // side faces are imaged at a grazing angle
+constexpr double kMinArea = 4.0;     // pixels at half height
 
-// Fills a region run by run: each run looks for the runs above and below that touch it.
+// Fills a region run by run: each run adds the adjacent runs above and below.
 class RegionFill {
  public:
-  RegionFill(const Window& w, float threshold, int x, int y, const cv::Size& picture)
-      : w_(w), threshold_(threshold), x_(x), y_(y), picture_(picture) {
+  RegionFill(const Window& w, float threshold, int x, int y, const cv::Size& image_size)
+      : w_(w), threshold_(threshold), x_(x), y_(y), image_size_(image_size) {
     std::fill_n(seen_.begin(), w.width * w.height, std::uint8_t{0});
   }
 
@@ -41,8 +41,8 @@ class RegionFill {
     int first = x, last = x;
     while (first > 0 && stands_out(w_.index(first - 1, y))) --first;
     while (last + 1 < w_.width && stands_out(w_.index(last + 1, y))) ++last;
-    look_at(first - 1, y);
-    look_at(last + 1, y);
+    mark_boundary(first - 1, y);
+    mark_boundary(last + 1, y);
     const double dy = y - y_;
     double sum_x = 0, sum_xx = 0;
     for (int column = first; column <= last; ++column) {
@@ -60,52 +60,53 @@ class RegionFill {
     region_.xx += sum_xx;
     region_.xy += sum_x * dy;
     region_.yy += n * dy * dy;
-    for (const int beside : {y - 1, y + 1}) {
-      if (beside < 0 || beside >= w_.height) {
-        look_at(first, beside);
+    for (const int neighbour : {y - 1, y + 1}) {
+      if (neighbour < 0 || neighbour >= w_.height) {
+        mark_boundary(first, neighbour);
         continue;
       }
       bool before = false;
       for (int column = first; column <= last; ++column) {
-        const std::size_t i = w_.index(column, beside);
+        const std::size_t i = w_.index(column, neighbour);
         region_.at_face = region_.at_face || !w_.usable[i];
         const bool here = stands_out(i);
-        if (here && !before) begin(column, beside);
+        if (here && !before) begin(column, neighbour);
         before = here;
       }
     }
   }
 
-  // What bounds the region there.
-  void look_at(int x, int y) {
+  // Records what bounds the region at (x, y).
+  void mark_boundary(int x, int y) {
     if (x >= 0 && y >= 0 && x < w_.width && y < w_.height) {
       region_.at_face = region_.at_face || !w_.usable[w_.index(x, y)];
       return;
     }
     const int u = w_.u0 + x, v = w_.v0 + y;
-    const bool outside = u < 0 || v < 0 || u >= picture_.width || v >= picture_.height;
+    const bool outside = u < 0 || v < 0 || u >= image_size_.width || v >= image_size_.height;
     (outside ? region_.at_border : region_.at_window_edge) = true;
   }
 
   const Window& w_;
   float threshold_;
   int x_, y_;
-  cv::Size picture_;
-  Region region_;  // about (x_, y_), not yet divided by the area
+  cv::Size image_size_;
+  Region region_;  // moments about (x_, y_), not yet divided by the area
   std::array<std::uint8_t, kMaxSide * kMaxSide> seen_;
   std::array<std::uint16_t, kMaxSide * kMaxSide> starts_;
   int count_ = 0;
 };
 }  // namespace
 
-Region grow(const Window& w, double level, int x, int y, double height, const cv::Size& picture) {
-  Region region = RegionFill(w, static_cast<float>(level + height), x, y, picture)();
+Region grow(
+    const Window& w, double level, int x, int y, double height, const cv::Size& image_size) {
+  Region region = RegionFill(w, static_cast<float>(level + height), x, y, image_size)();
   if (region.area == 0) return region;
   const double n = region.area;
   region.sum -= n * level;
   region.x /= n;
   region.y /= n;
-  // 1/12: the spread of a pixel itself.
+  // 1/12: variance of a pixel's extent.
   region.xx = region.xx / n - region.x * region.x + 1.0 / 12;
   region.xy = region.xy / n - region.x * region.y;
   region.yy = region.yy / n - region.y * region.y + 1.0 / 12;
@@ -114,7 +115,7 @@ Region grow(const Window& w, double level, int x, int y, double height, const cv
   return region;
 }
 bool is_compact(const Region& region) {
-  if (region.area < kLeastArea) return false;
+  if (region.area < kMinArea) return false;
   const double det = region.xx * region.yy - region.xy * region.xy;
   const double trace = region.xx + region.yy;
   if (!(det > 0)) return false;

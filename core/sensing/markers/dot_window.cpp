@@ -3,12 +3,12 @@
 namespace alltact::dots {
 namespace {
 
-constexpr double kSpreadPx = 7.0;    // how far from the edge its light reaches
-constexpr double kOwnEdgePx = 0.25;  // beyond the edge no pixel is usable, however well it is known
+constexpr double kSpreadPx = 7.0;    // distance from the edge that its light reaches
+constexpr double kOwnEdgePx = 0.25;  // pixels nearer to the edge are never usable
 constexpr double kBinPx = 0.5;
 constexpr int kBins = 1 + static_cast<int>(kSpreadPx / kBinPx);
 
-/// Brightness of the side face by the distance from the view face's edge.
+/// Brightness of the side face as a function of the distance from the view face's edge.
 class EdgeLight {
  public:
   void add(double off_px, float value) {
@@ -17,33 +17,33 @@ class EdgeLight {
     value_[bin] += static_cast<double>(value);
     ++count_[bin];
   }
-  /// False: some distance was seen too seldom.
+  /// Returns false where a distance has too few samples.
   bool finish() {
     for (int bin = 0; bin < kBins; ++bin) {
       const auto i = static_cast<std::size_t>(bin);
-      if (count_[i] < kLeast) continue;
-      off_[places_] = off_[i] / count_[i];
-      value_[places_++] = value_[i] / count_[i];
+      if (count_[i] < kMinCount) continue;
+      off_[filled_] = off_[i] / count_[i];
+      value_[filled_++] = value_[i] / count_[i];
     }
-    return places_ >= 4 && off_[0] < 1.0 && off_[places_ - 1] > kSpreadPx - 1.0;
+    return filled_ >= 4 && off_[0] < 1.0 && off_[filled_ - 1] > kSpreadPx - 1.0;
   }
-  /// Above the level beyond the edge's reach.
+  /// Brightness above the level beyond the edge's reach.
   [[nodiscard]] double at(double off_px) const {
     std::size_t k = 1;
-    while (k + 1 < places_ && off_[k] < off_px) ++k;
+    while (k + 1 < filled_ && off_[k] < off_px) ++k;
     const double t = std::clamp((off_px - off_[k - 1]) / (off_[k] - off_[k - 1]), -0.5, 1.0);
-    return value_[k - 1] + t * (value_[k] - value_[k - 1]) - value_[places_ - 1];
+    return value_[k - 1] + t * (value_[k] - value_[k - 1]) - value_[filled_ - 1];
   }
-  [[nodiscard]] double level() const { return value_[places_ - 1]; }
+  [[nodiscard]] double level() const { return value_[filled_ - 1]; }
 
  private:
-  static constexpr int kLeast = 3;
+  static constexpr int kMinCount = 3;
   std::array<double, kBins> off_{}, value_{};
   std::array<int, kBins> count_{};
-  std::size_t places_ = 0;
+  std::size_t filled_ = 0;
 };
 
-/// Of the columns beside the seed, as many on either side.
+/// Estimated in the columns next to the seed, the same number on either side.
 std::optional<EdgeLight> edge_light(const cv::Mat& grey,
                                     const SideEdges& edges,
                                     const DotSeed& seed) {
@@ -70,8 +70,8 @@ std::optional<EdgeLight> edge_light(const cv::Mat& grey,
   return light;
 }
 
-/// Takes the edge's light out of the window. The values stay whole grey levels.
-void take_out(const EdgeLight& light, const SideEdges& edges, bool upper, Window& w) {
+/// Subtracts the edge's light from the window. The values remain integer grey levels.
+void subtract_light(const EdgeLight& light, const SideEdges& edges, bool upper, Window& w) {
   for (int x = 0; x < w.width; ++x)
     for (int y = 0; y < w.height; ++y) {
       const double off = edges.off_px(w.u0 + x, w.v0 + y, upper);
@@ -81,7 +81,7 @@ void take_out(const EdgeLight& light, const SideEdges& edges, bool upper, Window
         value = static_cast<float>(std::round(light.level()));
       else
         value = std::clamp(
-            std::round(value - static_cast<float>(light.at(off))), -kMostLevel, kMostLevel);
+            std::round(value - static_cast<float>(light.at(off))), -kMaxLevel, kMaxLevel);
     }
 }
 
@@ -116,16 +116,16 @@ void load(
   double margin_px = kFaceMarginPx;
   if (is_near_face(edges, seed, grey))
     if (const auto light = edge_light(grey, edges, seed)) {
-      take_out(*light, edges, seed.upper, w);
+      subtract_light(*light, edges, seed.upper, w);
       margin_px = kOwnEdgePx;
     }
   std::array<int, kMaxSide> first, last;
-  w.whole = true;
+  w.all_usable = true;
   for (int x = 0; x < w.width; ++x) {
     const auto rows = edges.rows(w.u0 + x, seed.upper, margin_px, grey.rows);
     first[static_cast<std::size_t>(x)] = rows.first - w.v0;
     last[static_cast<std::size_t>(x)] = rows.last - w.v0;
-    w.whole = w.whole && rows.first <= w.v0 && rows.last >= w.v0 + w.height - 1;
+    w.all_usable = w.all_usable && rows.first <= w.v0 && rows.last >= w.v0 + w.height - 1;
   }
   for (int y = 0; y < w.height; ++y) {
     std::uint8_t* usable = &w.usable[w.index(0, y)];

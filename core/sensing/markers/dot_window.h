@@ -1,4 +1,4 @@
-// The part of a picture around one dot, and the ellipse the dot covers in it.
+// Image window around one dot, and the ellipse that the dot covers in it.
 #pragma once
 
 #include "core/sensing/markers/dot_measure.h"
@@ -10,13 +10,13 @@
 
 namespace alltact::dots {
 
-constexpr int kMaxSide = 128;         // of a window, px
-constexpr float kMostLevel = 255.0F;  // values lie between this and its negative
+constexpr int kMaxSide = 128;        // of a window, px
+constexpr float kMaxLevel = 255.0F;  // values are between this and its negative
 
-/// The part of the picture around a seed, polarity turned so that the dot is bright.
+/// Image window around a seed, with the polarity inverted so that the dot is bright.
 struct Window {
   int u0 = 0, v0 = 0, width = 0, height = 0;
-  bool whole = true;  // every pixel is usable
+  bool all_usable = true;  // every pixel is usable
   std::array<float, kMaxSide * kMaxSide> value;
   std::array<std::uint8_t, kMaxSide * kMaxSide> usable;
 
@@ -25,9 +25,9 @@ struct Window {
   }
 };
 
-/// Fills the window around a seed, `scale` times the seed's size to each side. Beside the view face
-/// the light that its edge spreads there, read from the columns on both sides of the seed at the
-/// same distance from the edge, is taken out, so that a dot near the edge stands alone.
+/// Fills the window around a seed, `scale` times the seed's size to each side. Near the view face
+/// the light that its edge spreads is subtracted, so that a dot near the edge is isolated. It is
+/// estimated in the columns on both sides of the seed at the same distance from the edge.
 void load(
     const cv::Mat& grey, const SideEdges& edges, const DotSeed& seed, double scale, Window& w);
 
@@ -37,7 +37,7 @@ struct Ellipse {
 
   double half_x = 1, half_y = 1;  // of the box around it
 
-  // The columns [first, last] of row y whose centres lie inside the ellipse grown in x and y.
+  // The columns [first, last] of row y with centres inside the ellipse grown in x and y.
   struct Columns {
     int first = 0, last = -1;
   };

@@ -12,10 +12,10 @@
 namespace alltact {
 namespace {
 
-constexpr int kMostGapModes = 6;
+constexpr int kMaxGapModes = 6;
 constexpr int kPasses = 12;
 constexpr int kLocalPasses = 4;
-constexpr std::size_t kPlenty = 40;
+constexpr std::size_t kEnoughRows = 40;
 constexpr double kNoisePx = 0.1;
 
 std::vector<Eigen::Index> seen_coordinates(const Eigen::MatrixXd& layouts, Eigen::Index row) {
@@ -26,13 +26,13 @@ std::vector<Eigen::Index> seen_coordinates(const Eigen::MatrixXd& layouts, Eigen
 }
 
 Eigen::MatrixXd rows_of(const Eigen::MatrixXd& layouts, const std::vector<Eigen::Index>& rows) {
-  Eigen::MatrixXd kept(static_cast<Eigen::Index>(rows.size()), layouts.cols());
+  Eigen::MatrixXd selected(static_cast<Eigen::Index>(rows.size()), layouts.cols());
   for (std::size_t i = 0; i < rows.size(); ++i)
-    kept.row(static_cast<Eigen::Index>(i)) = layouts.row(rows[i]);
-  return kept;
+    selected.row(static_cast<Eigen::Index>(i)) = layouts.row(rows[i]);
+  return selected;
 }
 
-/// First guess: where the marker typically is, shifted as far as the row's seen ones are.
+/// Initial value: the mean position of the marker, shifted like the row's seen markers.
 void fill_by_shift(const std::vector<std::vector<Eigen::Index>>& seen, Eigen::MatrixXd& filled) {
   Eigen::VectorXd mean = Eigen::VectorXd::Zero(filled.cols()), count = mean;
   for (std::size_t i = 0; i < seen.size(); ++i)
@@ -55,7 +55,7 @@ void refine(const std::vector<std::vector<Eigen::Index>>& seen, Eigen::MatrixXd&
   const Eigen::VectorXd mean = filled.colwise().mean().transpose();
   const Eigen::MatrixXd centred = filled.rowwise() - mean.transpose();
   const auto eigen = symmetric_eigen(centred.transpose() * centred / static_cast<double>(n - 1));
-  const Eigen::Index modes = std::min<Eigen::Index>({kMostGapModes, n - 1, size});
+  const Eigen::Index modes = std::min<Eigen::Index>({kMaxGapModes, n - 1, size});
   const Eigen::VectorXd values = eigen.eigenvalues().tail(modes).cwiseMax(1e-6);
   const Eigen::MatrixXd basis = eigen.eigenvectors().rightCols(modes);
   for (std::size_t i = 0; i < seen.size(); ++i) {
@@ -67,18 +67,19 @@ void refine(const std::vector<std::vector<Eigen::Index>>& seen, Eigen::MatrixXd&
       a.noalias() += basis.row(k).transpose() * basis.row(k);
       b.noalias() += basis.row(k).transpose() * centred(row, k);
     }
-    const Eigen::VectorXd place = mean + basis * a.ldlt().solve(b);
+    const Eigen::VectorXd layout = mean + basis * a.ldlt().solve(b);
     std::size_t next = 0;
     for (Eigen::Index k = 0; k < size; ++k) {
       if (next < seen[i].size() && seen[i][next] == k)
         ++next;
       else
-        filled(row, k) = place[k];
+        filled(row, k) = layout[k];
     }
   }
 }
 
-/// One set of modes cannot follow the bending; the rows nearest to a row can (local_layout.h).
+/// Fills gaps from the nearest rows, which follow the bending where one set of modes cannot
+/// (local_layout.h).
 void refine_locally(const std::vector<std::vector<Eigen::Index>>& seen, Eigen::MatrixXd& filled) {
   const Eigen::MatrixXd before = filled;
   std::vector<char> without(seen.size(), 0);
@@ -98,7 +99,7 @@ void refine_locally(const std::vector<std::vector<Eigen::Index>>& seen, Eigen::M
     for (std::size_t m = 0; m < markers.size(); ++m)
       if (!markers[m].seen)
         filled.row(row).segment<2>(static_cast<Eigen::Index>(2 * m)) =
-            local.place(static_cast<int>(m)).transpose();
+            local.position(static_cast<int>(m)).transpose();
   }
 }
 
@@ -117,7 +118,7 @@ Eigen::MatrixXd without_gaps(const Eigen::MatrixXd& layouts) {
     for (const Eigen::Index k : coordinates) ++count[k];
     seen.push_back(std::move(coordinates));
   }
-  const bool is_plenty = complete.size() >= kPlenty && 3 * complete.size() >= 2 * usable.size();
+  const bool is_plenty = complete.size() >= kEnoughRows && 3 * complete.size() >= 2 * usable.size();
   if (complete.size() >= 2 && (is_plenty || complete.size() == usable.size()))
     return rows_of(layouts, complete);
   if (usable.size() < 2 || count.minCoeff() == 0) return rows_of(layouts, {});

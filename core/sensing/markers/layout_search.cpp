@@ -18,8 +18,8 @@ ALLTACT_WIDE void add_distances(
   }
 }
 
-/// Those that are seen; all, when none is.
-std::vector<std::size_t> counting(const Markers& markers) {
+/// Numbers of the seen markers; all, when none is seen.
+std::vector<std::size_t> counted_markers(const Markers& markers) {
   std::vector<std::size_t> numbers;
   for (std::size_t m = 0; m < markers.size(); ++m)
     if (markers[m].seen) numbers.push_back(m);
@@ -33,17 +33,17 @@ std::vector<std::size_t> counting(const Markers& markers) {
 LayoutSearch::LayoutSearch(const Eigen::MatrixXd& layouts)
     : frames_(static_cast<std::size_t>(layouts.rows())),
       markers_(static_cast<std::size_t>(layouts.cols()) / 2) {
-  group_round(layouts, static_cast<std::size_t>(std::ceil(std::sqrt(frames_))));
+  group_layouts(layouts, static_cast<std::size_t>(std::ceil(std::sqrt(frames_))));
   const std::size_t columns = 2 * markers_;
-  places_.resize(frames_ * columns);
-  place_of_row_.resize(frames_);
+  coordinates_.resize(frames_ * columns);
+  index_of_row_.resize(frames_);
   for (Group& group : groups_) {
     const std::size_t size = group.end - group.begin;
     group.reach_px.assign(markers_, 0.0F);
     for (std::size_t i = 0; i < size; ++i) {
       const int row = rows_[group.begin + i];
-      place_of_row_[static_cast<std::size_t>(row)] = group.begin + i;
-      float* at = places_.data() + group.begin * columns + i;
+      index_of_row_[static_cast<std::size_t>(row)] = group.begin + i;
+      float* at = coordinates_.data() + group.begin * columns + i;
       for (std::size_t c = 0; c < columns; ++c)
         at[c * size] = static_cast<float>(layouts(row, static_cast<Eigen::Index>(c)));
       for (std::size_t m = 0; m < markers_; ++m)
@@ -54,8 +54,8 @@ LayoutSearch::LayoutSearch(const Eigen::MatrixXd& layouts)
   }
 }
 
-/// Centres are layouts spread evenly over the recording; each layout goes to the nearest.
-void LayoutSearch::group_round(const Eigen::MatrixXd& layouts, std::size_t count) {
+/// Chooses centres evenly over the recording; each layout goes to the nearest.
+void LayoutSearch::group_layouts(const Eigen::MatrixXd& layouts, std::size_t count) {
   std::vector<std::vector<float>> columns(2 * markers_, std::vector<float>(count));
   for (std::size_t g = 0; g < count; ++g)
     for (std::size_t c = 0; c < columns.size(); ++c)
@@ -74,11 +74,11 @@ void LayoutSearch::group_round(const Eigen::MatrixXd& layouts, std::size_t count
                                                static_cast<Eigen::Index>(2 * m + 1))),
                     count,
                     sum.data());
-    const auto least = std::min_element(sum.begin(), sum.end()) - sum.begin();
-    members[static_cast<std::size_t>(least)].push_back(static_cast<int>(row));
+    const auto nearest_group = std::min_element(sum.begin(), sum.end()) - sum.begin();
+    members[static_cast<std::size_t>(nearest_group)].push_back(static_cast<int>(row));
   }
   for (std::size_t g = 0; g < count; ++g) {
-    if (members[g].empty()) continue;  // the same layout as another centre
+    if (members[g].empty()) continue;  // duplicate of another centre
     Group group{rows_.size(), rows_.size() + members[g].size(), {}, {}};
     for (const auto& column : columns) group.centre.push_back(column[g]);
     rows_.insert(rows_.end(), members[g].begin(), members[g].end());
@@ -87,9 +87,9 @@ void LayoutSearch::group_round(const Eigen::MatrixXd& layouts, std::size_t count
 }
 
 std::vector<LayoutSearch::Bound> LayoutSearch::bounds(const Markers& markers) const {
-  const std::vector<std::size_t> numbers = counting(markers);
-  // Sums of floats are off by less than this, of themselves and of the places behind them.
-  constexpr float kSure = 1 - 1e-4F, kRoundingPx = 1e-2F;
+  const std::vector<std::size_t> numbers = counted_markers(markers);
+  // Bounds on the rounding errors of sums of floats and of the stored coordinates.
+  constexpr float kRoundingFactor = 1 - 1e-4F, kRoundingPx = 1e-2F;
   std::vector<Bound> bounds(groups_.size());
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     const Group& group = groups_[g];
@@ -99,27 +99,27 @@ std::vector<LayoutSearch::Bound> LayoutSearch::bounds(const Markers& markers) co
       const float dv = static_cast<float>(markers[m].v) - group.centre[2 * m + 1];
       sum += std::max(0.0F, std::sqrt(du * du + dv * dv) - group.reach_px[m]);
     }
-    bounds[g] = {kSure * sum - kRoundingPx, g};
+    bounds[g] = {kRoundingFactor * sum - kRoundingPx, g};
   }
   std::sort(bounds.begin(), bounds.end(), [](const Bound& a, const Bound& b) {
-    return a.least < b.least;
+    return a.lower_bound < b.lower_bound;
   });
   return bounds;
 }
 
 LayoutSearch::Found LayoutSearch::nearest(const Markers& markers,
                                           const std::vector<char>& without) const {
-  const std::vector<std::size_t> numbers = counting(markers);
+  const std::vector<std::size_t> numbers = counted_markers(markers);
   std::vector<float> sum;
   int best_row = 0;
   float best = std::numeric_limits<float>::infinity();
   for (const Bound& bound : bounds(markers)) {
-    if (bound.least > best) break;
+    if (bound.lower_bound > best) break;
     const Group& group = groups_[bound.group];
     const std::size_t size = group.end - group.begin;
     sum.assign(size, 0.0F);
     for (const std::size_t m : numbers) {
-      const float* u = places_.data() + group.begin * 2 * markers_ + 2 * m * size;
+      const float* u = coordinates_.data() + group.begin * 2 * markers_ + 2 * m * size;
       add_distances(u,
                     u + size,
                     static_cast<float>(markers[m].u),
@@ -141,10 +141,10 @@ LayoutSearch::Found LayoutSearch::nearest(const Markers& markers,
 }
 
 LayoutSearch::Stored LayoutSearch::stored(std::size_t row) const {
-  const std::size_t place = place_of_row_[row];
+  const std::size_t index = index_of_row_[row];
   const auto group =
-      std::find_if(groups_.begin(), groups_.end(), [&](const Group& g) { return place < g.end; });
-  return {places_.data() + group->begin * 2 * markers_ + (place - group->begin),
+      std::find_if(groups_.begin(), groups_.end(), [&](const Group& g) { return index < g.end; });
+  return {coordinates_.data() + group->begin * 2 * markers_ + (index - group->begin),
           group->end - group->begin};
 }
 
@@ -159,11 +159,11 @@ double LayoutSearch::distance_px(const Markers& markers,
   int used = 0;
   for (std::size_t m = 0; m < markers.size(); ++m) {
     if (any_seen && !markers[m].seen) continue;
-    Eigen::Vector2d place = Eigen::Vector2d::Zero();
+    Eigen::Vector2d position = Eigen::Vector2d::Zero();
     for (std::size_t i = 0; i < layouts.size(); ++i)
-      place +=
+      position +=
           weights[static_cast<Eigen::Index>(i)] * Eigen::Vector2d(layouts[i].u(m), layouts[i].v(m));
-    sum += std::hypot(markers[m].u - place.x(), markers[m].v - place.y());
+    sum += std::hypot(markers[m].u - position.x(), markers[m].v - position.y());
     ++used;
   }
   return sum / std::max(1, used);
@@ -185,14 +185,14 @@ double LayoutSearch::median_step_px() const {
 }
 
 std::size_t LayoutSearch::memory_bytes() const {
-  return places_.size() * sizeof(float) + rows_.size() * sizeof(int) +
-         place_of_row_.size() * sizeof(std::size_t) +
+  return coordinates_.size() * sizeof(float) + rows_.size() * sizeof(int) +
+         index_of_row_.size() * sizeof(std::size_t) +
          groups_.size() * (sizeof(Group) + 3 * markers_ * sizeof(float));
 }
 
 double known_distance_px(const LayoutSearch& search) {
-  constexpr double kSteps = 3.0;    // of the recording's own median step
-  constexpr double kFloorPx = 1.5;  // a recording cannot be told apart more finely than this
+  constexpr double kSteps = 3.0;    // times the recording's own median step
+  constexpr double kFloorPx = 1.5;  // a recording does not resolve poses more finely
   return std::max(kFloorPx, kSteps * search.median_step_px());
 }
 

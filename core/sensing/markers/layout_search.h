@@ -1,10 +1,10 @@
-// The recorded layout nearest to the markers: exactly what looking at all of them would find.
+// Exact search for the recorded layout nearest to the markers.
 //
-// Layouts are grouped round about sqrt(n) of them. With a group's centre c and, of each marker, the
-// greatest distance r of its layouts from c, no layout of the group is nearer to q than
+// Layouts are in about sqrt(n) groups. With a group's centre c and, of each marker, the largest
+// distance r of its layouts from c, no layout of the group is nearer to q than
 //   sum over the markers that count of max(0, |q - c| - r)
-// by the triangle inequality, whichever markers count. Groups are looked through from the least of
-// these bounds on until the next one lies beyond what was found.
+// by the triangle inequality, for any choice of markers. Groups are searched in the order of these
+// bounds until the next bound exceeds the best distance.
 #pragma once
 
 #include "core/sensing/markers/markers.h"
@@ -24,9 +24,9 @@ class LayoutSearch {
     int row;
     double distance_px;  ///< mean over the markers that count
   };
-  /// The row with the least mean distance over the markers that are seen (all, when none is). Row 0
-  /// on a tie, and so on upwards. `without` (by row) marks those that take no part, empty: all do;
-  /// with none left the distance is infinite.
+  /// The row with the smallest mean distance over the seen markers (all, when none is seen). The
+  /// lowest row wins a tie. `without` (by row) marks excluded rows; empty: none. Without any row
+  /// left the distance is infinite.
   [[nodiscard]] Found nearest(const Markers& markers, const std::vector<char>& without = {}) const;
 
   /// Mean distance, over the same markers, to the sum of weights[i] times row rows[i].
@@ -34,23 +34,23 @@ class LayoutSearch {
                                    const std::vector<int>& rows,
                                    const Eigen::VectorXd& weights) const;
 
-  /// Median over the rows (at most about 200 of them) of the distance to the nearest other row.
+  /// Median over the rows (about 200 of them at most) of the distance to the nearest other row.
   [[nodiscard]] double median_step_px() const;
 
   [[nodiscard]] std::size_t memory_bytes() const;
 
  private:
-  /// Layouts that lie near each other.
+  /// A group of neighbouring layouts.
   struct Group {
-    std::size_t begin, end;       // in the order of rows_
+    std::size_t begin, end;       // indices into rows_
     std::vector<float> centre;    // u0, v0, u1, ...
-    std::vector<float> reach_px;  // of each marker
+    std::vector<float> reach_px;  // largest distance from the centre, by marker
   };
   struct Bound {
-    float least;  // sum over the markers that count
+    float lower_bound;  // sum over the markers that count
     std::size_t group;
   };
-  /// One layout where it lies among those of its group.
+  /// View of one layout within the storage of its group.
   struct Stored {
     const float* first;
     std::size_t step;
@@ -62,19 +62,19 @@ class LayoutSearch {
     }
   };
   [[nodiscard]] Stored stored(std::size_t row) const;
-  void group_round(const Eigen::MatrixXd& layouts, std::size_t count);
+  void group_layouts(const Eigen::MatrixXd& layouts, std::size_t count);
   [[nodiscard]] std::vector<Bound> bounds(const Markers& markers) const;
 
   std::size_t frames_, markers_;
   std::vector<int> rows_;  // by group, ascending within each
   std::vector<float>
-      places_;  // of a group: u0 of all its layouts, v0 of all, u1 ...: loops run along
-  std::vector<std::size_t> place_of_row_;  // its index in rows_
+      coordinates_;  // by group: u0 of all its layouts, v0 of all, u1 ...: contiguous for loops
+  std::vector<std::size_t> index_of_row_;  // index in rows_, by row
   std::vector<Group> groups_;
 };
 
-/// How far the nearest layout may be of a pose that counts as recorded: three times the median
-/// step, at least 1.5 px, px.
+/// Largest distance of the nearest layout at which a pose counts as recorded, px: three times the
+/// median step, at least 1.5 px.
 [[nodiscard]] double known_distance_px(const LayoutSearch& search);
 
 }  // namespace alltact

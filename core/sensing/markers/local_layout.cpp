@@ -19,13 +19,13 @@ std::vector<int> nearest_rows(const Eigen::MatrixXd& points,
   std::iota(rows.begin(), rows.end(), 0);
   if (!without.empty())
     std::erase_if(rows, [&](int row) { return without[static_cast<std::size_t>(row)] != 0; });
-  const auto kept = std::min(rows.size(), static_cast<std::size_t>(std::max(0, count)));
+  const auto selected = std::min(rows.size(), static_cast<std::size_t>(std::max(0, count)));
   const auto nearer = [&](int a, int b) {
     return square[a] < square[b] || (square[a] == square[b] && a < b);
   };
   std::partial_sort(
-      rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(kept), rows.end(), nearer);
-  rows.resize(kept);
+      rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(selected), rows.end(), nearer);
+  rows.resize(selected);
   return rows;
 }
 
@@ -58,7 +58,7 @@ LocalLayout::LocalLayout(const Eigen::MatrixXd& layouts,
   }
   covariance_ = information.llt().solve(Eigen::MatrixXd::Identity(count, count));
   const Eigen::VectorXd coefficients = covariance_ * pull;
-  place_ = mean + deviations_ * coefficients;
+  position_ = mean + deviations_ * coefficients;
   misfit_ = std::max(0.0, square - pull.dot(coefficients));
 }
 
@@ -74,14 +74,14 @@ LocalLayout::Discrepancy LocalLayout::discrepancy(int marker, const Eigen::Vecto
   // Leaving one observation out of a linear fit divides its residual by (1 - its leverage).
   const Eigen::Matrix2d left =
       Eigen::Matrix2d::Identity() - rows * covariance_ * rows.transpose() / noise;
-  const Eigen::Vector2d residual = seen - place(marker);
-  const Eigen::Vector2d told = left.inverse() * residual;
-  return {told.norm(), std::sqrt(std::max(0.0, residual.dot(told)) / noise)};
+  const Eigen::Vector2d residual = seen - position(marker);
+  const Eigen::Vector2d left_out = left.inverse() * residual;
+  return {left_out.norm(), std::sqrt(std::max(0.0, residual.dot(left_out)) / noise)};
 }
 
 Eigen::MatrixXd LocalLayout::covariance_px2(const Markers& markers) const {
   const Eigen::Index size = deviations_.rows(), count = deviations_.cols();
-  std::vector<Eigen::Index> seen, hidden;  // coordinates
+  std::vector<Eigen::Index> seen, hidden;  // indices of coordinates
   Eigen::VectorXd own = Eigen::VectorXd::Zero(size);
   for (Eigen::Index k = 0; k < size; ++k) {
     const Marker& marker = markers[static_cast<std::size_t>(k / 2)];
@@ -91,13 +91,13 @@ Eigen::MatrixXd LocalLayout::covariance_px2(const Markers& markers) const {
   Eigen::MatrixXd result = own.asDiagonal();
   if (hidden.empty()) return result;
   const double noise = noise_px_ * noise_px_;
-  const double told = seen.empty() ? 0.0 : own.sum() / static_cast<double>(seen.size());
-  const double off_mixture = std::max(0.0, noise - told);
+  const double seen_variance = seen.empty() ? 0.0 : own.sum() / static_cast<double>(seen.size());
+  const double off_mixture = std::max(0.0, noise - seen_variance);
   const Eigen::MatrixXd hidden_rows = deviations_(hidden, Eigen::all);
-  const Eigen::MatrixXd gain =  // of the hidden ones on the seen ones
+  const Eigen::MatrixXd gain =  // response of hidden coordinates to seen ones
       hidden_rows * covariance_ * deviations_(seen, Eigen::all).transpose() / noise;
   const Eigen::VectorXd seen_own = own(seen);
-  // The ridge expects coefficients twice as wide as the neighbours' are.
+  // The ridge prior is twice as wide as the neighbours' spread.
   const Eigen::MatrixXd pulled = hidden_rows * covariance_ * (0.25 * std::sqrt(count));
   const Eigen::MatrixXd shared = gain * seen_own.asDiagonal();
   result(hidden, seen) = shared;

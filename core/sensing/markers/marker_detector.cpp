@@ -7,22 +7,22 @@
 namespace alltact {
 namespace {
 
-constexpr int kSmallWidth = 960;  // of the picture candidates are looked for in, px
+constexpr int kSmallWidth = 960;  // px, of the image that candidates are searched in
 
-// A spot of the small picture, in its pixels.
+// A spot of the reduced image, in its pixels.
 struct Candidate {
   int x, y;
-  int height;  // above what an opening leaves
+  int height;  // above the morphological opening
   double centre_x, centre_y, half_x, half_y;
   bool upper;
 };
 
-// The small picture and where the two side faces are in it.
+// The reduced image and the extent of the two side faces in it.
 struct Small {
   cv::Mat grey;
   int factor = 1;
-  std::vector<int> upper_end;    // last row of the upper side face in each column, -1: none
-  std::vector<int> lower_begin;  // first row of the lower one, height: none
+  std::vector<int> upper_end;    // last row of the upper side face in each column; -1: none
+  std::vector<int> lower_begin;  // first row of the lower side face; height: none
 };
 
 Small shrink(const cv::Mat& grey, const SideEdges& edges) {
@@ -32,7 +32,7 @@ Small shrink(const cv::Mat& grey, const SideEdges& edges) {
   const int f = small.factor;
   if (f == 1)
     small.grey = grey;
-  else  // whole blocks only, so that a small pixel is exactly f x f large ones
+  else  // complete blocks only, so that a small pixel is exactly f x f large ones
     cv::resize(grey(cv::Rect(0, 0, grey.cols / f * f, grey.rows / f * f)),
                small.grey,
                cv::Size(grey.cols / f, grey.rows / f),
@@ -54,15 +54,15 @@ Small shrink(const cv::Mat& grey, const SideEdges& edges) {
   return small;
 }
 
-// What stands above the picture's opening by a rectangle wider than any dot: brightness that
-// changes slowly, steps and the view face itself leave nothing.
+// Difference to the opening by a rectangle wider than any dot. Slow changes of brightness, steps
+// and the view face itself vanish.
 cv::Mat spots(const Small& small, bool bright) {
   cv::Mat turned;
   if (bright)
     turned = small.grey.clone();
   else
     cv::subtract(cv::Scalar(255), small.grey, turned);
-  for (int y = 0; y < turned.rows; ++y) {  // the view face is as bright as can be: never a spot
+  for (int y = 0; y < turned.rows; ++y) {  // the view face at full brightness is never a spot
     std::uint8_t* row = turned.ptr<std::uint8_t>(y);
     const int *upper = small.upper_end.data(), *lower = small.lower_begin.data();
     for (int x = 0; x < turned.cols; ++x)
@@ -77,7 +77,7 @@ cv::Mat spots(const Small& small, bool bright) {
   return turned;
 }
 
-// How far the spot stays above half its height along one direction.
+// Number of pixels in one direction that the spot extends above half its height.
 int walk(const cv::Mat& response, int x, int y, int dx, int dy, int half, int limit) {
   int steps = 0;
   while (steps < limit) {
@@ -103,8 +103,8 @@ bool is_summit(const cv::Mat& r, int x, int y) {
   return true;
 }
 
-// Half the rows of a side face hold no dot, so the median of the response is that of bare skin, and
-// what lies below it tells the noise.
+// Half the rows of a side face hold no dot. So the median of the response is that of bare skin, and
+// the values below it give the noise.
 int threshold_of(const cv::Mat& response, const Small& small) {
   std::array<int, 256> histogram{};
   int total = 0;
@@ -123,11 +123,13 @@ int threshold_of(const cv::Mat& response, const Small& small) {
     return level;
   };
   const int median = level_above(0.5);
-  const double sd = (median - level_above(0.16)) + 0.5;  // 0.5: whole grey levels
+  const double sd = (median - level_above(0.16)) + 0.5;  // 0.5: integer grey levels
   return median + std::max(4, static_cast<int>(4.0 * sd));
 }
 
-std::vector<Candidate> candidates(const cv::Mat& response, const Small& small, std::size_t most) {
+std::vector<Candidate> candidates(const cv::Mat& response,
+                                  const Small& small,
+                                  std::size_t max_count) {
   const int threshold = threshold_of(response, small);
   std::vector<Candidate> found;
   for (int y = 0; y < response.rows; ++y) {
@@ -142,7 +144,7 @@ std::vector<Candidate> candidates(const cv::Mat& response, const Small& small, s
       const int right = walk(response, x, y, 1, 0, half, limit);
       const int up = walk(response, x, y, 0, -1, half, limit);
       const int down = walk(response, x, y, 0, 1, half, limit);
-      // A stripe or a patch, larger than any dot that the opening leaves.
+      // A stripe or a patch larger than any dot.
       if (left + right >= 2 * limit || up + down >= 2 * limit) continue;
       found.push_back({x,
                        y,
@@ -157,7 +159,7 @@ std::vector<Candidate> candidates(const cv::Mat& response, const Small& small, s
   std::stable_sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) {
     return a.height > b.height;
   });
-  if (found.size() > most) found.resize(most);
+  if (found.size() > max_count) found.resize(max_count);
   return found;
 }
 
@@ -170,10 +172,10 @@ bool is_known(const std::vector<Dot>& dots, const Dot& dot) {
 std::vector<Dot> detect(
     const cv::Mat& grey, const SideEdges& edges, const Small& small, bool bright, int per_row) {
   const cv::Mat response = spots(small, bright);
-  const auto most = static_cast<std::size_t>(16 * per_row + 32);
+  const auto max_count = static_cast<std::size_t>(16 * per_row + 32);
   std::vector<Dot> dots;
   const double f = small.factor;
-  for (const Candidate& candidate : candidates(response, small, most)) {
+  for (const Candidate& candidate : candidates(response, small, max_count)) {
     DotSeed seed;
     seed.u = f * candidate.centre_x + 0.5 * (f - 1);
     seed.v = f * candidate.centre_y + 0.5 * (f - 1);
@@ -184,20 +186,20 @@ std::vector<Dot> detect(
     const auto dot = measure_dot(grey, edges, seed);
     if (dot && !is_known(dots, *dot)) dots.push_back(*dot);
   }
-  // Specks far fainter than what the rows must consist of are noise.
+  // Dots far fainter than the expected rows are noise.
   std::vector<double> contrasts;
   for (const Dot& dot : dots) contrasts.push_back(std::abs(dot.contrast));
   std::sort(contrasts.begin(), contrasts.end(), std::greater<>());
   if (contrasts.empty()) return dots;
   const std::size_t typical = std::min(contrasts.size() - 1, static_cast<std::size_t>(per_row));
-  std::erase_if(dots, [least = 0.06 * contrasts[typical]](const Dot& dot) {
-    return std::abs(dot.contrast) < least;
+  std::erase_if(dots, [min_contrast = 0.06 * contrasts[typical]](const Dot& dot) {
+    return std::abs(dot.contrast) < min_contrast;
   });
   return dots;
 }
 
-// How far a set of dots is from two even rows of exactly per_row; a row that is not there costs 1,
-// and dots to spare a little each.
+// Deviation of a set of dots from two even rows of exactly per_row. A missing row costs 1, and each
+// surplus dot a little.
 double unevenness(const std::vector<Dot>& dots, int per_row, bool base_at_low_u) {
   double total = 0;
   for (const bool upper : {true, false}) {
@@ -219,7 +221,7 @@ FoundDots MarkerDetector::operator()(const cv::Mat& grey, const FaceShape& shape
   const auto found = [&](Polarity polarity) {
     FoundDots result{
         detect(grey, edges, small, polarity == Polarity::kBright, rows_.per_row), polarity, {}};
-    place_on_finger(result.dots, shape, edges);
+    locate_on_finger(result.dots, shape, edges);
     return result;
   };
   if (rows_.polarity != Polarity::kAuto) return found(rows_.polarity);

@@ -11,31 +11,33 @@
 namespace alltact {
 namespace {
 
-constexpr int kMostModes = 8;             // a Fin Ray bends, sways and twists; the rest is noise
-constexpr int kCovering = 160;            // layouts that a search for the pose starts from
-constexpr int kStarts = 10;               // of these, how many are followed up
-constexpr double kContradictionPx = 0.5;  // less is harmless whatever it is
-constexpr double kFloorPx = 0.05;         // noise that even a perfect recording has
+// A Fin Ray bends, sways and twists; further modes are noise
+constexpr int kMaxModes = 8;
+constexpr int kCovering = 160;            // layouts that the search for a pose starts from
+constexpr int kStarts = 10;               // number of these that are refined
+constexpr double kContradictionPx = 0.5;  // smaller contradictions are harmless
+constexpr double kFloorPx = 0.05;         // noise of even a perfect recording
 
-Eigen::Vector2d place_of(const Eigen::VectorXd& layout, int marker) {
+Eigen::Vector2d position_of(const Eigen::VectorXd& layout, int marker) {
   return layout.segment<2>(2 * marker);
 }
 
-// Of neighbours in a row; with one dot a row, a part of the distance between the rows.
-double least_spacing(const Eigen::MatrixXd& layouts) {
+// Smallest distance of neighbours in a row; with one dot a row, a quarter of the distance between
+// the rows.
+double smallest_spacing(const Eigen::MatrixXd& layouts) {
   const Eigen::Index per_row = layouts.cols() / 4;
   if (per_row == 1) {
     const Eigen::MatrixXd across = layouts.rightCols(2) - layouts.leftCols(2);
     return std::max(1.0, 0.25 * across.rowwise().norm().minCoeff());
   }
-  double least = std::numeric_limits<double>::infinity();
+  double min_spacing = std::numeric_limits<double>::infinity();
   for (Eigen::Index i = 0; i < layouts.rows(); ++i)
     for (Eigen::Index m = 0; m + 1 < 2 * per_row; ++m) {
       if (m + 1 == per_row) continue;  // from the end of one row to the start of the other
       const auto step = layouts.row(i).segment<2>(2 * m + 2) - layouts.row(i).segment<2>(2 * m);
-      least = std::min(least, step.norm());
+      min_spacing = std::min(min_spacing, step.norm());
     }
-  return std::isfinite(least) ? std::max(least, 1.0) : 1.0;
+  return std::isfinite(min_spacing) ? std::max(min_spacing, 1.0) : 1.0;
 }
 
 int seen_count(const Markers& markers) {
@@ -43,7 +45,7 @@ int seen_count(const Markers& markers) {
       std::count_if(markers.begin(), markers.end(), [](const Marker& m) { return m.seen; }));
 }
 
-Markers taken_from(const std::vector<Dot>& dots, const std::vector<int>& dot_of) {
+Markers markers_from(const std::vector<Dot>& dots, const std::vector<int>& dot_of) {
   Markers markers(dot_of.size());
   for (std::size_t m = 0; m < markers.size(); ++m) {
     if (dot_of[m] < 0) continue;
@@ -53,7 +55,7 @@ Markers taken_from(const std::vector<Dot>& dots, const std::vector<int>& dot_of)
   return markers;
 }
 
-// Takes dots that lie where a marker is estimated; true when there was one.
+// Assigns dots at the estimated positions of hidden markers; true when there was one.
 bool add_unused(const std::vector<Dot>& dots,
                 double gate,
                 const std::vector<char>& missing,
@@ -79,7 +81,7 @@ bool add_unused(const std::vector<Dot>& dots,
 
 }  // namespace
 
-// Numbered dots and the layout that the modes make of them.
+// Numbered dots and the layout of the modes fitted to them.
 struct MarkerModel::Pose {
   std::vector<int> dot_of;  // by marker, -1: none
   Eigen::VectorXd layout;
@@ -114,32 +116,32 @@ Result<MarkerModel> MarkerModel::learn(const Eigen::MatrixXd& layouts,
                  en::say("marker model"),
                  en::say("record the reference again")};
   const Eigen::VectorXd values = eigen.eigenvalues().cwiseMax(0.0);
-  // What the dots that exist can tell, less a little that tells whether they fit.
-  const auto told =
+  // Number of modes that the existing dots determine, less a few that check the fit.
+  const auto determined =
       std::max<Eigen::Index>(std::min(3, 2 * model.present_ - 1), 2 * model.present_ - 4);
-  // Half of all eigenvalues are noise where there are enough layouts to tell; of few markers, those
-  // that cannot be modes.
-  const Eigen::Index quiet = std::min(size / 2, std::max<Eigen::Index>(0, size - 1 - told));
-  const double noise = n > size / 2 ? values[size > 2 * kMostModes ? size / 2 : quiet] : 0.0;
-  const int most = static_cast<int>(std::min<Eigen::Index>({kMostModes, n - 1, told}));
+  // Half of all eigenvalues are noise where there are enough layouts; of few markers, those that
+  // cannot be modes.
+  const Eigen::Index quiet = std::min(size / 2, std::max<Eigen::Index>(0, size - 1 - determined));
+  const double noise = n > size / 2 ? values[size > 2 * kMaxModes ? size / 2 : quiet] : 0.0;
+  const int max_modes = static_cast<int>(std::min<Eigen::Index>({kMaxModes, n - 1, determined}));
   int modes = 1;
-  while (modes < most && values[size - 1 - modes] > 4 * noise + kFloorPx * kFloorPx) ++modes;
+  while (modes < max_modes && values[size - 1 - modes] > 4 * noise + kFloorPx * kFloorPx) ++modes;
   model.basis_.resize(size, modes);
   model.mode_sd_.resize(modes);
   for (int k = 0; k < modes; ++k) {
     model.basis_.col(k) = eigen.eigenvectors().col(size - 1 - k);
     model.mode_sd_[k] = std::sqrt(values[size - 1 - k] + kFloorPx * kFloorPx);
   }
-  model.places_ = centred * model.basis_;
-  model.covering_ = farthest_point_order(model.places_, kCovering);
-  model.spacing_px_ = least_spacing(model.layouts_);
+  model.mode_coordinates_ = centred * model.basis_;
+  model.covering_ = farthest_point_order(model.mode_coordinates_, kCovering);
+  model.spacing_px_ = smallest_spacing(model.layouts_);
   model.learn_noise();
   return model;
 }
 
 void MarkerModel::learn_noise() {
-  // Layouts told from their neighbours, marker by marker: the noise with which the discrepancies
-  // are as large as they should be. In a sparse recording that is mostly the bending between
+  // Estimates layouts from their neighbours, marker by marker, and scales the noise until the
+  // discrepancies have unit variance. In a sparse recording it is mostly the bending between
   // frames.
   const Eigen::Index step = std::max<Eigen::Index>(1, layouts_.rows() / 60);
   noise_px_ = kFloorPx;
@@ -153,13 +155,14 @@ void MarkerModel::learn_noise() {
         markers[static_cast<std::size_t>(m)] = {
             layouts_(i, 2 * m), layouts_(i, 2 * m + 1), true, 0};
       without[static_cast<std::size_t>(i)] = 1;
-      const auto neighbours =
-          nearest_rows(places_, places_.row(i).transpose(), kLocalNeighbours, without);
+      const auto neighbours = nearest_rows(
+          mode_coordinates_, mode_coordinates_.row(i).transpose(), kLocalNeighbours, without);
       without[static_cast<std::size_t>(i)] = 0;
       if (neighbours.size() < 2) continue;
       const LocalLayout local(layouts_, neighbours, markers, noise_px_);
       for (int m = 0; m < marker_count(); ++m) {
-        const double sigmas = local.discrepancy(m, place_of(layouts_.row(i).transpose(), m)).sigmas;
+        const double sigmas =
+            local.discrepancy(m, position_of(layouts_.row(i).transpose(), m)).sigmas;
         square += sigmas * sigmas;
       }
       count += 2 * marker_count();
@@ -172,8 +175,8 @@ void MarkerModel::learn_noise() {
 
 Eigen::VectorXd MarkerModel::fit_modes(const Markers& markers) const {
   const Eigen::Index modes = basis_.cols();
-  // Poses up to three times as far out as the recording's cost little; the noise keeps what no
-  // marker tells at the mean.
+  // Poses up to three times as far out as the recording's cost little; the noise term regularises
+  // undetermined modes to the mean.
   Eigen::MatrixXd a =
       (noise_px_ * noise_px_ / (9 * mode_sd_.array().square())).matrix().asDiagonal();
   Eigen::VectorXd b = Eigen::VectorXd::Zero(modes);
@@ -182,7 +185,7 @@ Eigen::VectorXd MarkerModel::fit_modes(const Markers& markers) const {
     if (!marker.seen) continue;
     const auto rows = basis_.middleRows(2 * m, 2);
     a.noalias() += rows.transpose() * rows;
-    b.noalias() += rows.transpose() * (Eigen::Vector2d(marker.u, marker.v) - place_of(mean_, m));
+    b.noalias() += rows.transpose() * (Eigen::Vector2d(marker.u, marker.v) - position_of(mean_, m));
   }
   return a.ldlt().solve(b);
 }
@@ -230,7 +233,7 @@ MarkerModel::Pose MarkerModel::explain(const std::vector<Dot>& dots, Eigen::Vect
       for (std::size_t d = 0; d < dots.size() && !is_missing(m); ++d) {
         if (dots[d].upper != (2 * m < marker_count())) continue;
         const double distance =
-            (Eigen::Vector2d(dots[d].u, dots[d].v) - place_of(layout, m)).norm();
+            (Eigen::Vector2d(dots[d].u, dots[d].v) - position_of(layout, m)).norm();
         if (distance < gate) pairs.push_back({distance, m, static_cast<int>(d)});
       }
     std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
@@ -256,26 +259,28 @@ MarkerModel::Pose MarkerModel::explain(const std::vector<Dot>& dots, Eigen::Vect
 
 std::optional<Markers> MarkerModel::number(const std::vector<Dot>& dots) const {
   std::optional<Markers> best;
-  double best_worth = 0;
+  double best_score = 0;
   std::vector<std::vector<int>> tried;
   for (const int row : likeliest_layouts(dots)) {
     const Pose pose = explain(dots, layouts_.row(row).transpose());
     if (pose.assigned < minimum_seen()) continue;
     if (std::find(tried.begin(), tried.end(), pose.dot_of) != tried.end()) continue;
     tried.push_back(pose.dot_of);
-    const auto markers = complete(taken_from(dots, pose.dot_of));
+    const auto markers = complete(markers_from(dots, pose.dot_of));
     if (!markers) continue;
-    // A row that slipped by one finds nearly as many dots, but the recorded layouts do not bend so.
+    // A row shifted by one finds nearly as many dots, but the recorded layouts do not bend so.
     const double worth = seen_count(*markers) - residual_px(*markers) / (0.1 * spacing_px_);
-    if (!best || worth > best_worth) best = markers, best_worth = worth;
+    if (!best || worth > best_score) best = markers, best_score = worth;
   }
   if (!best) return std::nullopt;
   return add_unused(dots, std::max(1.0, 5 * noise_px_), missing_, *best) ? complete(*best) : best;
 }
 
 LocalLayout MarkerModel::local_layout(const Markers& markers) const {
-  return {
-      layouts_, nearest_rows(places_, fit_modes(markers), kLocalNeighbours), markers, noise_px_};
+  return {layouts_,
+          nearest_rows(mode_coordinates_, fit_modes(markers), kLocalNeighbours),
+          markers,
+          noise_px_};
 }
 
 std::optional<Markers> MarkerModel::complete(Markers markers) const {
@@ -283,7 +288,7 @@ std::optional<Markers> MarkerModel::complete(Markers markers) const {
   for (std::size_t m = 0; m < markers.size(); ++m)
     markers[m].seen = markers[m].seen && !missing_[m] && std::isfinite(markers[m].u) &&
                       std::isfinite(markers[m].v);
-  const int most_refused = present_ / 3;
+  const int max_refused = present_ / 3;
   for (int refused = 0;; ++refused) {
     if (seen_count(markers) < minimum_seen()) return std::nullopt;
     const LocalLayout local = local_layout(markers);
@@ -294,17 +299,17 @@ std::optional<Markers> MarkerModel::complete(Markers markers) const {
       const auto off = local.discrepancy(static_cast<int>(m), {markers[m].u, markers[m].v});
       if (off.px > kContradictionPx && off.sigmas > worst) worst = off.sigmas, worst_marker = m;
     }
-    // In a pose beyond the recording every marker lies off a little; only one without which the
-    // rest agrees far better contradicts it.
+    // In a pose beyond the recording every marker is slightly off. Only a marker without which the
+    // rest agrees far better is an outlier.
     const double others =
         std::max(1.0, 2.0 * (seen_count(markers) - 1) - static_cast<double>(basis_.cols()));
     const double rest = std::max(1.0, (local.misfit() - worst * worst) / others);
-    if (worst < 6.0 || worst * worst < 8.0 * rest || refused >= most_refused) {
+    if (worst < 6.0 || worst * worst < 8.0 * rest || refused >= max_refused) {
       for (int m = 0; m < marker_count(); ++m) {
         Marker& marker = markers[static_cast<std::size_t>(m)];
         if (marker.seen) continue;
-        const Eigen::Vector2d place = local.place(m);
-        marker = {place.x(), place.y(), false, std::hypot(local.sd_px(m), noise_px_)};
+        const Eigen::Vector2d position = local.position(m);
+        marker = {position.x(), position.y(), false, std::hypot(local.sd_px(m), noise_px_)};
       }
       return markers;
     }
@@ -334,7 +339,7 @@ double MarkerModel::residual_px(const Markers& markers) const {
   for (int m = 0; m < marker_count(); ++m) {
     const Marker& marker = markers[static_cast<std::size_t>(m)];
     if (!marker.seen) continue;
-    square += (Eigen::Vector2d(marker.u, marker.v) - place_of(layout, m)).squaredNorm();
+    square += (Eigen::Vector2d(marker.u, marker.v) - position_of(layout, m)).squaredNorm();
     ++count;
   }
   return count > 0 ? std::sqrt(square / count) : 0.0;

@@ -9,16 +9,17 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::infinity();
 
-// Neighbours in a row look alike once perspective is taken out of their size: log ratios, so that
-// growth and shrinkage cost the same. Light falls off along the row, so contrast counts little.
-double unlikeness(const Dot& a, const Dot& b) {
+// Neighbours in a row are similar after correction for perspective. Log ratios make growth and
+// shrinkage cost the same. Light falls off along the row, so contrast has a low weight.
+double dissimilarity(const Dot& a, const Dot& b) {
   const double size = std::log(b.radius_px * a.face_px / (a.radius_px * b.face_px));
   const double contrast = std::log(std::abs(b.contrast) / std::abs(a.contrast));
   const double off_face = b.off_face - a.off_face;
   return 0.5 * size * size + 0.15 * contrast * contrast + 20.0 * off_face * off_face;
 }
 
-// Neighbouring steps along the finger are alike: (b - a)^2 / (a b), 1/2 where a dot was left out.
+// Cost of unequal neighbouring steps along the finger: (b - a)^2 / (a b), 1/2 where a dot is
+// missing.
 double bend(const Dot& p, const Dot& q, const Dot& r) {
   const double a = q.along_mm - p.along_mm, b = r.along_mm - q.along_mm;
   return a > 0 && b > 0 ? (b - a) * (b - a) / (a * b) : kNone;
@@ -53,11 +54,11 @@ std::optional<DotRow> choose_row(const std::vector<Dot>& dots,
   std::vector<double> cost(size, kNone);
   std::vector<int> before(size, -1);
   for (int j = 1; j < n; ++j)
-    for (int i = 0; i < j; ++i) cost[at(2, i, j)] = unlikeness(dot(i), dot(j));
+    for (int i = 0; i < j; ++i) cost[at(2, i, j)] = dissimilarity(dot(i), dot(j));
   for (int count = 3; count <= per_row; ++count)
     for (int k = 2; k < n; ++k)
       for (int j = 1; j < k; ++j) {
-        const double step = unlikeness(dot(j), dot(k));
+        const double step = dissimilarity(dot(j), dot(k));
         for (int i = 0; i < j; ++i) {
           const double before_cost = cost[at(count - 1, i, j)];
           if (before_cost == kNone) continue;

@@ -4,7 +4,7 @@
 namespace alltact {
 namespace {
 
-constexpr double kMostResidualPx = 3.0;  // beyond, the numbers are not believed
+constexpr double kMaxResidualPx = 3.0;  // above this the numbers are rejected
 
 std::size_t count_of_seen(const Markers& markers) {
   return static_cast<std::size_t>(
@@ -14,21 +14,21 @@ std::size_t count_of_seen(const Markers& markers) {
 }  // namespace
 
 MarkerTracker::MarkerTracker(MarkerRows rows, MarkerModel model)
-    : detector_(rows), model_(std::move(model)), looks_(model_.typical_dots()) {}
+    : detector_(rows), model_(std::move(model)), last_dots_(model_.typical_dots()) {}
 
 std::optional<Markers> MarkerTracker::follow(const cv::Mat& grey, const FaceShape& shape) {
   const SideEdges edges(shape);
   Markers markers = *last_;
-  // Less than half the way to the next marker, so that none is taken for its neighbour.
+  // Less than half the distance to the next marker, so that neighbours are not confused.
   const double search = 0.35 * model_.spacing_px();
   for (std::size_t m = 0; m < markers.size(); ++m) {
     if (model_.is_missing(static_cast<int>(m))) continue;
-    const auto dot = near_dot(grey, edges, {markers[m].u, markers[m].v}, search, looks_[m]);
+    const auto dot = near_dot(grey, edges, {markers[m].u, markers[m].v}, search, last_dots_[m]);
     markers[m].seen = dot.has_value();
     if (!dot) continue;
     markers[m] = {dot->u, dot->v, true, dot->sd_px};
-    looks_[m].half_u_px = dot->half_u_px;
-    looks_[m].half_v_px = dot->half_v_px;
+    last_dots_[m].half_u_px = dot->half_u_px;
+    last_dots_[m].half_v_px = dot->half_v_px;
   }
   for (std::size_t a = 0; a < markers.size(); ++a)
     for (std::size_t b = 0; b < a; ++b)
@@ -38,8 +38,8 @@ std::optional<Markers> MarkerTracker::follow(const cv::Mat& grey, const FaceShap
   const std::size_t found = count_of_seen(markers);
   if (found + 1 < count_of_seen(*last_)) return std::nullopt;
   auto completed = model_.complete(std::move(markers));
-  if (!completed || model_.residual_px(*completed) > kMostResidualPx) return std::nullopt;
-  if (count_of_seen(*completed) + 1 < found) return std::nullopt;  // several contradict the rest
+  if (!completed || model_.residual_px(*completed) > kMaxResidualPx) return std::nullopt;
+  if (count_of_seen(*completed) + 1 < found) return std::nullopt;  // several contradict the others
   return completed;
 }
 
@@ -58,7 +58,7 @@ std::optional<Markers> numbered(const FoundDots& found,
                                 const MarkerModel& model,
                                 Message* problem) {
   auto markers = model.number(found.dots);
-  if (markers && model.residual_px(*markers) > kMostResidualPx) markers.reset();
+  if (markers && model.residual_px(*markers) > kMaxResidualPx) markers.reset();
   if (!markers && problem)
     *problem = en::say(
         "{} dots were found beside the face, but no third of the {} markers among them fits a pose "

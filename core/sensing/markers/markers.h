@@ -1,7 +1,7 @@
-// Engraved dots on the two side faces: finding, numbering, following them.
+// Engraved dots on the two side faces: detection, numbering and tracking.
 //
 // Numbers: 0..n-1 along the upper row (small v) from base to tip, n..2n-1 along the lower row. Dots
-// that a finger does not have (MarkerRows::missing) keep their numbers and are never seen.
+// that a finger lacks (MarkerRows::missing) have numbers too and are never seen.
 #pragma once
 
 #include "core/finger/finger.h"
@@ -23,65 +23,65 @@ namespace alltact {
 class LocalLayout;
 
 /// Finds dots on the side faces (outside the face's edges) by multi-scale blob response, sub-pixel
-/// by the centroid above the local background. Remembers nothing.
+/// by the centroid above the local background. Stateless.
 class MarkerDetector : public DotFinder {
  public:
   explicit MarkerDetector(MarkerRows rows) : rows_(rows) {}
 
-  /// With Polarity::kAuto the polarity that gives the more even rows wins and is reported.
+  /// With Polarity::kAuto the polarity with the more even rows is used and reported.
   [[nodiscard]] FoundDots operator()(const cv::Mat& grey, const FaceShape& shape) const override;
 
  private:
   MarkerRows rows_;
 };
 
-/// What a finger's own recording says of how its markers move together: principal modes of all
-/// complete layouts. Tells the number of each dot, refuses dots that fit no pose, and fills in
-/// hidden markers.
+/// Model of a finger's recorded marker motion: principal modes of all complete layouts. Numbers
+/// dots, rejects dots that fit no pose, and fills in hidden markers.
 class MarkerModel {
  public:
-  /// layouts: one row a frame, 2n markers as (u0, v0, u1, v1, ...), px; NaN where not seen. Those
-  /// of `missing` markers (by number) are where a dot would be, in every row.
-  /// typical_dots: mean radius and contrast of each marker. Where too few layouts show every
-  /// marker, the gaps of those that show at least half are filled from how the seen ones move
-  /// together (core/sensing/markers/layout_gaps.h). Error: fewer than 2 usable layouts.
+  /// layouts: one row a frame, 2n markers as (u0, v0, u1, v1, ...), px; NaN where not seen.
+  /// `missing` markers (by number) have the position of their virtual dot in every row.
+  /// typical_dots: mean radius and contrast of each marker. Where too few layouts are complete,
+  /// gaps of those that show at least half are filled (core/sensing/markers/layout_gaps.h). Error:
+  /// fewer than 2 usable layouts.
   static Result<MarkerModel> learn(const Eigen::MatrixXd& layouts,
                                    const std::vector<Dot>& typical_dots,
                                    const std::vector<int>& missing = {});
 
   [[nodiscard]] int marker_count() const { return static_cast<int>(mean_.size() / 2); }
 
-  /// Numbers dots: starts from the recorded layout that explains most of them, then assigns and
-  /// fits the modes in turn within a shrinking gate. Every marker comes back, seen or estimated.
-  /// nullopt when fewer than `minimum_seen` (a third of those that exist) dots fit any pose.
+  /// Numbers dots: starts from the recorded layout that explains most of them, then alternates
+  /// assignment and fit of the modes within a shrinking gate. Returns every marker, seen or
+  /// estimated. nullopt when fewer than `minimum_seen` (a third of those that exist) dots fit any
+  /// pose.
   [[nodiscard]] std::optional<Markers> number(const std::vector<Dot>& dots) const;
 
-  /// Fills the markers that are not seen from those that are, and turns those that contradict the
-  /// rest (partly covered dots) into estimates. nullopt when too few are seen.
+  /// Estimates unseen markers from the seen ones, and replaces markers that contradict the others
+  /// (partly covered dots) by estimates. nullopt when too few are seen.
   [[nodiscard]] std::optional<Markers> complete(Markers markers) const;
 
-  /// Covariance (4n x 4n) of the coordinates (u0, v0, u1, ...) of completed markers: those seen err
-  /// by their own sd_px, the estimates as LocalLayout::covariance_px2 says, together with the seen
-  /// ones that they were told from. nullopt where no marker is seen or their number is another.
+  /// Covariance (4n x 4n) of the coordinates (u0, v0, u1, ...) of completed markers. Seen ones err
+  /// by their own sd_px, estimates by LocalLayout::covariance_px2, correlated with the seen ones.
+  /// nullopt where no marker is seen or the number of markers differs.
   [[nodiscard]] std::optional<Eigen::MatrixXd> covariance_px2(const Markers& markers) const;
 
   /// Coordinates of a complete layout in the modes, each divided by its standard deviation in the
   /// recording.
   [[nodiscard]] Eigen::VectorXd modes(const Markers& markers) const;
-  /// Root mean square distance in px of the seen markers to the nearest layout the modes can make.
+  /// Root mean square distance in px of the seen markers from the nearest layout of the modes.
   [[nodiscard]] double residual_px(const Markers& markers) const;
 
-  /// No dot has this number.
+  /// True when the finger has no dot with this number.
   [[nodiscard]] bool is_missing(int marker) const {
     return missing_[static_cast<std::size_t>(marker)] != 0;
   }
   [[nodiscard]] int present_count() const { return present_; }
   [[nodiscard]] const std::vector<Dot>& typical_dots() const { return typical_; }
-  /// Standard deviation of each mode in the recording, px: times modes() it is a distance.
+  /// Standard deviation of each mode in the recording, px; times modes() it is a distance.
   [[nodiscard]] const Eigen::VectorXd& mode_sd_px() const { return mode_sd_; }
-  /// How far a seen marker typically lies from what the others tell of it, px.
+  /// Typical distance of a seen marker from its estimate by the others, px.
   [[nodiscard]] double noise_px() const { return noise_px_; }
-  /// Least distance of neighbouring markers of a row in the recording, px.
+  /// Smallest distance of neighbouring markers of a row in the recording, px.
   [[nodiscard]] double spacing_px() const { return spacing_px_; }
 
  private:
@@ -93,27 +93,27 @@ class MarkerModel {
   [[nodiscard]] int minimum_seen() const { return std::max(2, (present_ + 2) / 3); }
   void learn_noise();
 
-  Eigen::MatrixXd layouts_;  // complete ones, a row each
-  Eigen::MatrixXd places_;   // of the layouts in the modes, px, a row each
+  Eigen::MatrixXd layouts_;           // complete ones, a row each
+  Eigen::MatrixXd mode_coordinates_;  // coordinates of the layouts in the modes, px, a row each
   Eigen::VectorXd mean_;
   Eigen::MatrixXd basis_;  // 4n x modes, orthonormal columns
   Eigen::VectorXd mode_sd_;
-  std::vector<int> covering_;  // rows of layouts_ that lie near every other
+  std::vector<int> covering_;  // rows of layouts_ that together are near to every other
   double noise_px_ = 0.1;
-  double spacing_px_ = 10;  // least distance of neighbouring markers in a row
+  double spacing_px_ = 10;  // smallest distance of neighbouring markers in a row
   std::vector<Dot> typical_;
   std::vector<char> missing_;
   int present_ = 0;
 };
 
-/// Numbers the dots of one picture by the model. nullopt with `problem` set, where it is not null,
-/// when they fit no pose of the recording.
+/// Numbers the dots of one image by the model. nullopt when they fit no recorded pose; `problem` is
+/// then set, where it is not null.
 [[nodiscard]] std::optional<Markers> numbered(const FoundDots& found,
                                               const MarkerModel& model,
                                               Message* problem);
 
-/// Follows the markers from frame to frame: looks near where each was, and detects anew only when
-/// that fails. Remembers the last frame.
+/// Tracks the markers from frame to frame: searches near their last positions, and detects anew
+/// only when that fails. Stores the last frame.
 class MarkerTracker : public MarkerFinder {
  public:
   MarkerTracker(MarkerRows rows, MarkerModel model);
@@ -129,7 +129,7 @@ class MarkerTracker : public MarkerFinder {
   MarkerDetector detector_;
   MarkerModel model_;
   std::optional<Markers> last_;
-  std::vector<Dot> looks_;  // of each marker when it was last followed
+  std::vector<Dot> last_dots_;  // each marker when it was last tracked
 };
 
 }  // namespace alltact

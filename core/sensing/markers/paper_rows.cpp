@@ -9,10 +9,11 @@
 namespace alltact {
 namespace {
 
-constexpr double kLeastSdPx = 1.0;     // of a marker that is not seen
-constexpr double kUsualBending = 0.3;  // of a step, where the row is too short to tell
-// Beside a step that is twice its neighbour, which costs 0.48: of a dot one step from where it was,
-// and of a number left out at the base where that is not known.
+constexpr double kMinSdPx = 1.0;  // of an unseen marker
+// Fraction of a step, where the row is too short to estimate it
+constexpr double kTypicalBending = 0.3;
+// Costs of a dot one step from its last position, and of a number skipped at the base without a
+// last position. For comparison: a step of twice its neighbour costs 0.48.
 constexpr double kMovedCost = 0.01, kLeftOutCost = 0.01;
 constexpr double kNoNumbering = std::numeric_limits<double>::infinity();
 
@@ -34,40 +35,40 @@ std::vector<Dot> sorted_row(const std::vector<Dot>& dots,
   return row;
 }
 
-Eigen::Vector2d place(const Dot& dot) {
+Eigen::Vector2d position(const Dot& dot) {
   return {dot.u, dot.v};
 }
 
-/// Numbers of a row's dots, by dynamic programming over neighbours: what is added up are squares of
-/// the logarithms of the steps' ratios, to their neighbours or to what they were before, and, far
-/// smaller, of the ways since.
+/// Numbers of a row's dots, by dynamic programming over neighbours. The cost sums the squared
+/// logarithms of step ratios, to the neighbours' or to the previous steps. The squared
+/// displacements since then have a far lower weight.
 class RowNumbers {
  public:
-  /// before: the row's markers then, nullptr: not known.
+  /// before: the row's previous markers; nullptr: unknown.
   RowNumbers(const std::vector<Dot>& row, int per_row, const Marker* before)
-      : row_(row), before_(before), most_(per_row - static_cast<int>(row.size())) {
+      : row_(row), before_(before), max_skips_(per_row - static_cast<int>(row.size())) {
     for (std::size_t i = 0; i + 1 < row.size(); ++i)
-      steps_px_.push_back(std::max(1e-3, (place(row[i + 1]) - place(row[i])).norm()));
+      steps_px_.push_back(std::max(1e-3, (position(row[i + 1]) - position(row[i])).norm()));
   }
 
   [[nodiscard]] std::vector<int> operator()() const {
     const std::size_t n = row_.size();
-    const std::size_t skips = static_cast<std::size_t>(most_) + 1;
-    if (n == 1) return {lone()};
-    // cost(i, a, b): the least of the dots up to i with a numbers left out before dot i - 1 and b
-    // before dot i.
+    const std::size_t skips = static_cast<std::size_t>(max_skips_) + 1;
+    if (n == 1) return {lone_number()};
+    // cost(i, a, b): the minimum over the dots up to i with a numbers skipped before dot i - 1 and
+    // b before dot i.
     const auto at = [skips](std::size_t i, int a, int b) {
       return (i * skips + static_cast<std::size_t>(a)) * skips + static_cast<std::size_t>(b);
     };
     std::vector<double> cost(n * skips * skips, kNoNumbering);
     std::vector<int> before(cost.size(), -1);
-    for (int a = 0; a <= most_; ++a)
-      for (int b = a; b <= most_; ++b)
+    for (int a = 0; a <= max_skips_; ++a)
+      for (int b = a; b <= max_skips_; ++b)
         cost[at(1, a, b)] = moved(0, a) + moved(1, b) + (before_ ? stretched(1, a, b) : 0.0);
     for (std::size_t i = 2; i < n; ++i)
-      for (int a = 0; a <= most_; ++a)
-        for (int b = a; b <= most_; ++b)
-          for (int c = b; c <= most_; ++c) {
+      for (int a = 0; a <= max_skips_; ++a)
+        for (int b = a; b <= max_skips_; ++b)
+          for (int c = b; c <= max_skips_; ++c) {
             const double uneven = before_ ? stretched(i, b, c) : bend_at(i, a, b, c);
             const double total = cost[at(i - 1, a, b)] + uneven + moved(i, c);
             if (total >= cost[at(i, b, c)]) continue;
@@ -75,8 +76,8 @@ class RowNumbers {
             before[at(i, b, c)] = a;
           }
     int b = 0, c = 0;
-    for (int x = 0; x <= most_; ++x)
-      for (int y = x; y <= most_; ++y)
+    for (int x = 0; x <= max_skips_; ++x)
+      for (int y = x; y <= max_skips_; ++y)
         if (cost[at(n - 1, x, y)] < cost[at(n - 1, b, c)]) b = x, c = y;
     std::vector<int> numbers(n);
     for (std::size_t i = n - 1; i >= 1; --i) {
@@ -94,35 +95,35 @@ class RowNumbers {
     const double first = steps_px_[i - 2] / (1 + b - a), second = steps_px_[i - 1] / (1 + c - b);
     return std::pow(std::log(second / first), 2);
   }
-  /// The step to dot i beside what it was before.
+  /// Cost of the step to dot i relative to its previous length.
   [[nodiscard]] double stretched(std::size_t i, int a, int b) const {
     const Marker& from = before_[i - 1 + static_cast<std::size_t>(a)];
     const Marker& to = before_[i + static_cast<std::size_t>(b)];
     const double was_px = std::max(1e-3, std::hypot(to.u - from.u, to.v - from.v));
     return std::pow(std::log(steps_px_[i - 1] / was_px), 2);
   }
-  /// Of dot i with `skipped` numbers left out before it.
+  /// Cost of the displacement of dot i with `skipped` numbers before it.
   [[nodiscard]] double moved(std::size_t i, int skipped) const {
     if (!before_) return kLeftOutCost * skipped;
     const Marker& was = before_[i + static_cast<std::size_t>(skipped)];
     const double step_px = steps_px_.empty() ? 1.0 : steps_px_[std::min(i, steps_px_.size() - 1)];
     return kMovedCost * std::pow(std::hypot(row_[i].u - was.u, row_[i].v - was.v) / step_px, 2);
   }
-  [[nodiscard]] int lone() const {
+  [[nodiscard]] int lone_number() const {
     int best = 0;
-    for (int number = 1; number <= most_; ++number)
+    for (int number = 1; number <= max_skips_; ++number)
       if (moved(0, number) < moved(0, best)) best = number;
     return best;
   }
 
   const std::vector<Dot>& row_;
   const Marker* before_;
-  int most_;  // numbers left out
+  int max_skips_;  // maximum of skipped numbers
   std::vector<double> steps_px_;
 };
 
-/// How much neighbouring steps of the row differ, root mean square of u and v, px: the second
-/// difference over one number each way, from every seen marker with seen ones on both sides.
+/// Root mean square difference of neighbouring steps of the row in u and v, px. It is the second
+/// difference over one number in each direction, of every seen marker between seen ones.
 double bending_px(const Markers& row, const std::vector<int>& seen) {
   const auto marker = [&](std::size_t i) -> const Marker& {
     return row[static_cast<std::size_t>(seen[i])];
@@ -137,10 +138,10 @@ double bending_px(const Markers& row, const std::vector<int>& seen) {
   }
   if (seen.size() > 2) return std::sqrt(square / (2.0 * static_cast<double>(seen.size() - 2)));
   const Marker &a = marker(0), &b = marker(1);
-  return kUsualBending * std::hypot(b.u - a.u, b.v - a.v) / (seen[1] - seen[0]);
+  return kTypicalBending * std::hypot(b.u - a.u, b.v - a.v) / (seen[1] - seen[0]);
 }
 
-/// Fills a row of which at least two are seen.
+/// Estimates the unseen markers of a row with at least two seen ones.
 void fill_from_neighbours(Markers& row) {
   std::vector<int> seen;
   for (std::size_t i = 0; i < row.size(); ++i)
@@ -160,7 +161,7 @@ void fill_from_neighbours(Markers& row) {
     marker = {from.u + part * (to.u - from.u),
               from.v + part * (to.v - from.v),
               false,
-              std::max(kLeastSdPx, off_px)};
+              std::max(kMinSdPx, off_px)};
   }
 }
 

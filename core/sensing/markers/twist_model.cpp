@@ -11,11 +11,11 @@ namespace alltact {
 namespace {
 
 constexpr Eigen::Index kTerms = FaceTwist::kTerms;
-constexpr std::size_t kLeastPairs = kTerms + 1;
-constexpr double kMostTurn = 0.7;      // of a pair in the picture
-constexpr double kSignificant = 16.3;  // of chi squared with 3 degrees of freedom: 1 in 1000
-constexpr double kSlopeReach = 0.02;   // of the picture's width, to both sides
-constexpr double kLeastSd = 2e-4;      // rad
+constexpr std::size_t kMinPairs = kTerms + 1;
+constexpr double kMaxTurn = 0.7;       // of a pair in the image
+constexpr double kSignificant = 16.3;  // chi squared with 3 degrees of freedom: 1 in 1000
+constexpr double kSlopeReach = 0.02;   // fraction of the image's width, to both sides
+constexpr double kMinSd = 2e-4;        // rad
 
 double median_of(std::vector<double> values) {
   return upper_median(values);
@@ -23,16 +23,16 @@ double median_of(std::vector<double> values) {
 
 }  // namespace
 
-/// A pair as one frame shows it.
+/// A pair in one frame.
 struct TwistModel::Lean {
   std::size_t pair = 0;
-  double turn = 0;                   // of the pair in the picture
-  double sd = 0;                     // of it, from the dots' own
-  double t = 0;                      // place along the face
-  double by_twist = 0;               // turn for a tangent of the twist of 1
-  double by_yaw = 0;                 // and for a yaw of 1
-  double slope = 0;                  // of the middle line that the edges show: dy/ds
-  Eigen::RowVector3d slope_by_term;  // and what each of the twist's terms adds to it
+  double turn = 0;                   // of the pair in the image
+  double sd = 0;                     // of the turn, from the dots' sd
+  double t = 0;                      // position along the face, -1 to 1
+  double by_twist = 0;               // turn per unit tangent of the twist
+  double by_yaw = 0;                 // turn per unit yaw
+  double slope = 0;                  // of the middle line from the edges: dy/ds
+  Eigen::RowVector3d slope_by_term;  // change of the slope by each term of the twist
   [[nodiscard]] Eigen::RowVector3d terms() const { return FaceTwist::terms_at(t); }
 };
 
@@ -46,7 +46,7 @@ std::optional<Eigen::Vector4d> directions_of(const Marker& upper,
   const auto a = shape.direction_of({upper.u, upper.v}), b = shape.direction_of({lower.u, lower.v});
   if (!a || !b) return std::nullopt;
   const Eigen::Vector2d across = *b - *a;
-  if (!(across.y() > 0.0) || std::abs(across.x()) > kMostTurn * across.y()) return std::nullopt;
+  if (!(across.y() > 0.0) || std::abs(across.x()) > kMaxTurn * across.y()) return std::nullopt;
   return Eigen::Vector4d(a->x(), a->y(), b->x(), b->y());
 }
 
@@ -55,8 +55,8 @@ std::optional<Eigen::Vector4d> directions_of(const Marker& upper,
 TwistModel::Leans TwistModel::leans_of(const Markers& markers, const FaceShape& shape) const {
   const double width_mm = shape.face().width_mm, half_mm = 0.5 * width_mm;
   const double reach_px = kSlopeReach * static_cast<double>(shape.width_px());
-  // The middle line lies h^2 twist / z beside the middle of the edges.
-  const auto beside = [&](const FaceShape::Middle& m) -> Eigen::RowVector3d {
+  // Offset of the middle line from the middle of the edges: h^2 twist / z.
+  const auto lateral_offset = [&](const FaceShape::Middle& m) -> Eigen::RowVector3d {
     return half_mm * half_mm * m.tangent_x / m.point_mm.z() * FaceTwist::terms_at(m.t);
   };
   Leans leans;
@@ -73,8 +73,8 @@ TwistModel::Leans TwistModel::leans_of(const Markers& markers, const FaceShape& 
     const auto before = shape.middle_at(foot->u - reach_px);
     const auto after = shape.middle_at(foot->u + reach_px);
     if (!before || !after) continue;
-    const Eigen::Vector3d way = after->point_mm - before->point_mm;
-    const double ds = std::hypot(way.x(), way.z());
+    const Eigen::Vector3d chord_mm = after->point_mm - before->point_mm;
+    const double ds = std::hypot(chord_mm.x(), chord_mm.z());
     if (!(ds > 0.0)) continue;
     const double sin = foot->tangent_z, cos = foot->tangent_x;
     Lean lean;
@@ -85,15 +85,15 @@ TwistModel::Leans TwistModel::leans_of(const Markers& markers, const FaceShape& 
     lean.by_yaw = cos - ray.x() * sin;
     lean.sd =
         std::hypot(upper.sd_px, lower.sd_px) / std::hypot(lower.v - upper.v, lower.u - upper.u);
-    lean.slope = way.y() / ds;
-    lean.slope_by_term = (beside(*after) - beside(*before)) / ds;
+    lean.slope = chord_mm.y() / ds;
+    lean.slope_by_term = (lateral_offset(*after) - lateral_offset(*before)) / ds;
     leans.push_back(lean);
   }
   return leans;
 }
 
 std::optional<FaceTwist> TwistModel::fit(const Leans& leans) const {
-  if (leans.size() < kLeastPairs) return std::nullopt;
+  if (leans.size() < kMinPairs) return std::nullopt;
   const auto n = static_cast<Eigen::Index>(leans.size());
   Eigen::MatrixXd design(n, kTerms);
   Eigen::VectorXd target(n), weights = Eigen::VectorXd::Ones(n);
@@ -101,11 +101,11 @@ std::optional<FaceTwist> TwistModel::fit(const Leans& leans) const {
     const Lean& lean = leans[static_cast<std::size_t>(i)];
     const Pair& pair = pairs_[lean.pair];
     const double yaw = lean.by_yaw * yaw_per_slope_;
-    const double sd = std::hypot(lean.sd, std::max(pair.sd, kLeastSd));
+    const double sd = std::hypot(lean.sd, std::max(pair.sd, kMinSd));
     design.row(i) = (lean.by_twist * lean.terms() + yaw * lean.slope_by_term) / sd;
     target[i] = (lean.turn - lean.by_yaw * pair.offset - yaw * lean.slope) / sd;
   }
-  // Twist grows from nothing: a weak prior of half a radian keeps few pairs from bending it.
+  // A weak prior of half a radian around zero twist stabilises the fit to few pairs.
   constexpr double kPriorRad = 0.5;
   const Eigen::Matrix3d prior = Eigen::Matrix3d::Identity() / (kPriorRad * kPriorRad);
   FaceTwist twist;
@@ -130,7 +130,7 @@ std::optional<FaceTwist> TwistModel::fit(const Leans& leans) const {
 std::optional<FaceTwist> TwistModel::operator()(const Markers& markers,
                                                 const FaceShape& shape) const {
   const Leans leans = leans_of(markers, shape);
-  constexpr double kShorter = 1e-4;  // of the width: as little of z
+  constexpr double kShorter = 1e-4;  // fraction of the width: a smaller change of z is negligible
   const bool sways = std::any_of(leans.begin(), leans.end(), [&](const Lean& lean) {
     const double yaw = yaw_per_slope_ * lean.slope;
     return 0.5 * yaw * yaw > kShorter;
@@ -146,7 +146,7 @@ std::optional<FaceTwist> TwistModel::operator()(const Markers& markers,
 }
 
 std::optional<FaceShape> TwistModel::twisted(const Markers& markers, const FaceShape& shape) const {
-  // The turned shape tells better where along the face the pairs sit and how it slopes there.
+  // The turned shape gives a better position of the pairs along the face and a better slope there.
   const auto first = (*this)(markers, shape);
   const auto turned = first ? shape.twisted(*first) : std::nullopt;
   if (!turned) return std::nullopt;
@@ -169,7 +169,7 @@ std::optional<TwistModel> TwistModel::learn(const std::vector<Pose>& recording) 
   return model;
 }
 
-// Markers of both sides of the face that are each other's nearest along it.
+// Pairs are markers of both sides of the face that are each other's nearest along it.
 void TwistModel::find_pairs(const std::vector<Pose>& recording) {
   if (recording.empty()) return;
   const std::size_t count = recording.front().markers.size();
@@ -208,18 +208,18 @@ bool TwistModel::find_offsets(const std::vector<Leans>& recording) {
     known += offsets[i].size() >= 2;
     pairs_[i].offset = median_of(std::move(offsets[i]));
   }
-  return known >= kLeastPairs;
+  return known >= kMinPairs;
 }
 
-// Of all ways to split what is seen into twist and sway, the one with the least sum of twists (not
-// of their squares, so that frames which only sway decide). Without sway there is nothing to tell
-// it from, and none.
+// Splits the observed leans into twist and sway by the smallest sum of twists. Absolute values, not
+// squares, let frames that only sway decide. Without sway the yaw cannot be determined and is 0.
 void TwistModel::find_yaw(const std::vector<Leans>& recording) {
-  constexpr double kRidge = 2e-3;       // rad: of sway too little to matter
-  constexpr double kLeastTwist = 2e-3;  // rad
+  constexpr double kRidge = 2e-3;     // rad: of negligible sway
+  constexpr double kMinTwist = 2e-3;  // rad
   TwistModel straight = *this, turned = *this;
   straight.yaw_per_slope_ = 0, turned.yaw_per_slope_ = 1;
-  std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> twists;  // with no yaw; more with all
+  // Without yaw; change with full yaw
+  std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> twists;
   for (const Leans& leans : recording) {
     const auto without = straight.fit(leans), with = turned.fit(leans);
     if (without && with)
@@ -229,7 +229,7 @@ void TwistModel::find_yaw(const std::vector<Leans>& recording) {
   for (int round = 0; round < kRounds; ++round) {
     double product = 0, square = 0;
     for (const auto& [twist, change] : twists) {
-      const double weight = 1.0 / std::max(kLeastTwist, (twist + yaw_per_slope_ * change).norm());
+      const double weight = 1.0 / std::max(kMinTwist, (twist + yaw_per_slope_ * change).norm());
       product -= weight * change.dot(twist);
       square += weight * change.squaredNorm();
     }
@@ -245,15 +245,16 @@ void TwistModel::find_sd(const std::vector<Leans>& recording) {
     if (!twist) continue;
     for (const Lean& lean : leans) {
       const double slope = lean.slope + lean.slope_by_term * twist->coefficients;
-      const double told = lean.by_twist * twist->at(lean.t) +
-                          lean.by_yaw * (yaw_per_slope_ * slope + pairs_[lean.pair].offset);
-      residuals[lean.pair].push_back(std::abs(lean.turn - told));
+      const double predicted = lean.by_twist * twist->at(lean.t) +
+                               lean.by_yaw * (yaw_per_slope_ * slope + pairs_[lean.pair].offset);
+      residuals[lean.pair].push_back(std::abs(lean.turn - predicted));
     }
   }
   constexpr double kMadToSd = 1.4826;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     const auto n = static_cast<double>(pairs_.size());
-    const double shared = std::sqrt(n / std::max(1.0, n - kTerms));  // the fit takes its part
+    // Correction for the degrees of freedom of the fit
+    const double shared = std::sqrt(n / std::max(1.0, n - kTerms));
     pairs_[i].sd = kMadToSd * shared * median_of(std::move(residuals[i]));
   }
 }

@@ -1,4 +1,4 @@
-// How the finger twists, told by its two rows of dots.
+// Estimates the twist of the finger from its two rows of dots.
 #pragma once
 
 #include "core/sensing/face/face_shape.h"
@@ -11,20 +11,20 @@
 
 namespace alltact {
 
-/// What a finger's recording says of its pairs of dots, one of each row. A pair is tied to one
-/// cross-section; in a picture it leans by
+/// Model of a finger's recorded pairs of dots, one of each row. A pair is fixed to one
+/// cross-section; in an image it leans by
 ///   turn = -dx / dy = g (tan(twist)) + k (yaw + offset),  g = t . ray, k = n . ray,
-/// ray = (x, y, 1) the pair's direction, t and n along the face's length and normal to it, twist
-/// and yaw the cross-section's turns about the finger's length and about its normal, and offset
-/// what the pair leans by on a straight finger. Where the finger sways its cross-sections may turn
-/// along (yaw = slope of the middle line, as in a beam) or slide past each other (yaw = 0):
-/// `yaw_per_slope` between both is the finger's own.
+/// ray = (x, y, 1) is the pair's direction, t and n are along the face's length and normal to it.
+/// Twist and yaw are the cross-section's rotations about the finger's length and about its normal.
+/// `offset` is the lean on a straight finger. Where the finger sways, cross-sections may turn along
+/// (yaw = slope of the middle line, as in a beam) or slide past each other (yaw = 0).
+/// `yaw_per_slope` between both is a property of the finger.
 ///
-/// No twist is what the middle of the recording shows: half of its frames are twisted one way and
-/// half the other.
+/// Zero twist is the median of the recording: half of its frames are twisted to one side and half
+/// to the other.
 class TwistModel {
  public:
-  /// One frame of the recording: its markers and the shape that its edges alone give.
+  /// One frame of the recording: its markers, and the shape from its edges alone.
   struct Pose {
     Markers markers;
     FaceShape shape;
@@ -33,12 +33,12 @@ class TwistModel {
   /// nullopt: fewer than 3 pairs, or fewer than 2 frames that show them.
   static std::optional<TwistModel> learn(const std::vector<Pose>& recording);
 
-  /// The twist of a frame: nullopt where it cannot be told from none, or too few pairs are seen.
+  /// The twist of a frame; nullopt where it is not significant, or too few pairs are seen.
   [[nodiscard]] std::optional<FaceTwist> operator()(const Markers& markers,
                                                     const FaceShape& shape) const;
 
-  /// The shape that its edges alone gave, turned by the twist that the frame shows; nullopt where
-  /// there is none to be told, or none that fits the edges.
+  /// The shape from the edges alone, turned by the twist of the frame. nullopt where no twist is
+  /// significant, or none fits the edges.
   [[nodiscard]] std::optional<FaceShape> twisted(const Markers& markers,
                                                  const FaceShape& shape) const;
 
@@ -48,7 +48,7 @@ class TwistModel {
   struct Pair {
     std::size_t upper = 0, lower = 0;  // numbers of the markers
     double offset = 0;                 // rad
-    double sd = 0;                     // of a turn: how well a smooth twist explains the recording
+    double sd = 0;                     // of a turn: residual of a smooth twist in the recording
   };
   struct Lean;
   using Leans = std::vector<Lean>;  // of one frame

@@ -12,16 +12,16 @@
 namespace alltact {
 namespace {
 
-constexpr int kLeastColumns = 16;
-constexpr double kMarkerSdMm = 0.05;  // of the skin below a marker, by its distance
+constexpr int kMinColumns = 16;
+constexpr double kMarkerSdMm = 0.05;  // of the skin below a marker, along the finger
 constexpr double kBaseSdMm = 1.0;
 constexpr double kStretchSd = 0.02;  // of the length
 constexpr double kTiltSdMm = 1.0;
 constexpr double kHuber = 2.0;  // sds
 constexpr int kRounds = 6;
-constexpr double kLeastWidthPx = 4.0;  // of a continued face
+constexpr double kMinWidthPx = 4.0;  // of a continued face
 
-/// Entry of an ascending list before a value, and how far it lies towards the next.
+/// Index of the entry before a value in an ascending list, and the fraction towards the next.
 struct Between {
   std::size_t left;
   double part;
@@ -35,7 +35,7 @@ Between find(const std::vector<double>& ascending, double value) {
   return {l, step > 0.0 ? (value - ascending[l]) / step : 0.0};
 }
 
-/// The middle of the face in the x-z plane, and the length there.
+/// The middle of the face in the x-z plane, and the arc length there.
 struct Profile {
   std::vector<Eigen::Vector2d> at_mm;
   std::vector<double> s_mm;
@@ -50,7 +50,7 @@ struct Profile {
     }
   }
 
-  /// The entry nearest to a point: on so smooth a curve it lies beside the nearest of some.
+  /// The entry nearest to a point: coarse search first, since the curve is smooth.
   [[nodiscard]] std::size_t nearest(const Eigen::Vector2d& point_mm) const {
     constexpr std::size_t kEvery = 16;
     const std::size_t rough = nearest_of(point_mm, 0, at_mm.size(), kEvery);
@@ -71,10 +71,10 @@ struct Profile {
                                        std::size_t end,
                                        std::size_t every) const {
     std::size_t best = first;
-    double least = (at_mm[first] - point_mm).squaredNorm();
+    double best_square = (at_mm[first] - point_mm).squaredNorm();
     for (std::size_t i = first + every; i < end; i += every) {
       const double square = (at_mm[i] - point_mm).squaredNorm();
-      if (square < least) least = square, best = i;
+      if (square < best_square) best_square = square, best = i;
     }
     return best;
   }
@@ -102,18 +102,18 @@ ALLTACT_WIDE void rows_of_row(const float* __restrict constant,
   for (int i = 0; i < count; ++i) to_v[i] = constant[i] + v * (slope[i] + v * bow[i]);
 }
 
-void put(double constant, double slope, double bow, std::size_t i, PlacesByColumn& places) {
-  places.constant[i] = static_cast<float>(constant);
-  places.slope[i] = static_cast<float>(slope);
-  places.bow[i] = static_cast<float>(bow);
+void put(double constant, double slope, double bow, std::size_t i, ColumnQuadratics& positions) {
+  positions.constant[i] = static_cast<float>(constant);
+  positions.slope[i] = static_cast<float>(slope);
+  positions.bow[i] = static_cast<float>(bow);
 }
 
 }  // namespace
 
-void PlacesByColumn::finish() {
+void ColumnQuadratics::finish() {
   columns = static_cast<int>(constant.size());
-  for (std::vector<float> PlacesByRow::*of :
-       {&PlacesByRow::constant, &PlacesByRow::slope, &PlacesByRow::bow}) {
+  for (std::vector<float> RowQuadratics::*of :
+       {&RowQuadratics::constant, &RowQuadratics::slope, &RowQuadratics::bow}) {
     std::vector<float>&all = this->*of, &some = nodes.*of;
     some.clear();
     for (std::size_t i = 0; i < all.size(); i += kNodeStep) some.push_back(all[i]);
@@ -125,11 +125,11 @@ void PlacesByColumn::finish() {
 std::optional<FaceChart> chart_of(const FaceShape& shape) {
   const auto& columns = shape.columns();
   const auto usable = [](const FaceColumn& column) {
-    return column.valid && column.lower_v - column.upper_v > kLeastWidthPx;
+    return column.valid && column.lower_v - column.upper_v > kMinWidthPx;
   };
   const auto begin = std::find_if(columns.begin(), columns.end(), usable);
   const auto end = std::find_if(columns.rbegin(), columns.rend(), usable).base();
-  if (end - begin < kLeastColumns) return std::nullopt;
+  if (end - begin < kMinColumns) return std::nullopt;
   FaceChart chart;
   chart.first = static_cast<int>(begin - columns.begin());
   chart.base_at_low_u = shape.base_at_low_u();
@@ -138,15 +138,15 @@ std::optional<FaceChart> chart_of(const FaceShape& shape) {
     const auto u = static_cast<double>(column - columns.begin());
     double upper = column->upper_v, lower = column->lower_v, s_mm = sign * shape.length_at(u);
     if (!usable(*column)) {
-      // Straight over a gap.
+      // Linear over a gap.
       const auto next = std::find_if(column, end, usable);
       const double part = 1.0 / static_cast<double>(next - column + 1);
       upper = chart.upper_v.back() + part * (next->upper_v - chart.upper_v.back());
       lower = chart.lower_v.back() + part * (next->lower_v - chart.lower_v.back());
     }
-    // Ascending in earnest, so that it can be looked up.
-    constexpr double kLeastStepMm = 1e-6;
-    if (!chart.along_mm.empty()) s_mm = std::max(s_mm, chart.along_mm.back() + kLeastStepMm);
+    // Strictly ascending, as the lookup requires.
+    constexpr double kMinStepMm = 1e-6;
+    if (!chart.along_mm.empty()) s_mm = std::max(s_mm, chart.along_mm.back() + kMinStepMm);
     chart.along_mm.push_back(s_mm);
     chart.upper_v.push_back(upper);
     chart.lower_v.push_back(lower);
@@ -181,36 +181,38 @@ std::vector<double> marker_lengths_mm(const FaceChart& chart,
   return lengths;
 }
 
-SkinPlaces skin_places(const FaceChart& rest, const FaceShape& shape, const Markers& markers) {
-  SkinPlaces places;
-  places.marker_mm = marker_lengths_mm(rest, shape, markers);
-  places.base_u = rest.base_at_low_u ? rest.first : rest.end() - 1;
-  places.base_mm = rest.base_at_low_u ? rest.along_mm.front() : rest.along_mm.back();
-  return places;
+SkinPositions skin_positions(const FaceChart& rest,
+                             const FaceShape& shape,
+                             const Markers& markers) {
+  SkinPositions positions;
+  positions.marker_mm = marker_lengths_mm(rest, shape, markers);
+  positions.base_u = rest.base_at_low_u ? rest.first : rest.end() - 1;
+  positions.base_mm = rest.base_at_low_u ? rest.along_mm.front() : rest.along_mm.back();
+  return positions;
 }
 
-void lay_on(const SkinPlaces& places,
-            const FaceShape& shape,
-            const Markers& markers,
-            FaceChart* chart) {
+void register_chart(const SkinPositions& positions,
+                    const FaceShape& shape,
+                    const Markers& markers,
+                    FaceChart* chart) {
   struct Row {
     Eigen::Vector4d by;
     double off, sd;
   };
   std::vector<Row> rows;
   const std::vector<double> lengths = marker_lengths_mm(*chart, shape, markers);
-  for (std::size_t m = 0; m < std::min(lengths.size(), places.marker_mm.size()); ++m) {
-    if (!std::isfinite(lengths[m]) || !std::isfinite(places.marker_mm[m])) continue;
+  for (std::size_t m = 0; m < std::min(lengths.size(), positions.marker_mm.size()); ++m) {
+    if (!std::isfinite(lengths[m]) || !std::isfinite(positions.marker_mm[m])) continue;
     const double along = (lengths[m] - chart->middle_mm) / chart->half_mm;
     const double side = m < lengths.size() / 2 ? -1.0 : 1.0;
     rows.push_back(
-        {{1.0, along, side, along * side}, places.marker_mm[m] - lengths[m], kMarkerSdMm});
+        {{1.0, along, side, along * side}, positions.marker_mm[m] - lengths[m], kMarkerSdMm});
   }
-  // Clamped: the base may lie a column beyond what this frame shows of it.
-  const int base = std::clamp(places.base_u, chart->first, chart->end() - 1);
+  // Clamped: the base may lie a column outside of what this frame shows of it.
+  const int base = std::clamp(positions.base_u, chart->first, chart->end() - 1);
   const double base_mm = chart->along_mm[static_cast<std::size_t>(base - chart->first)];
   rows.push_back({{1.0, (base_mm - chart->middle_mm) / chart->half_mm, 0.0, 0.0},
-                  places.base_mm - base_mm,
+                  positions.base_mm - base_mm,
                   kBaseSdMm});
   Eigen::Vector4d terms = Eigen::Vector4d::Zero();
   for (int round = 0; round < kRounds; ++round) {
@@ -238,8 +240,9 @@ void lay_on(const SkinPlaces& places,
 
 FaceChart widened(const FaceChart& chart, double part) {
   const std::size_t size = chart.along_mm.size();
-  const auto most = static_cast<std::size_t>(part * static_cast<double>(size));
-  const std::size_t over = std::min<std::size_t>(size - 1, 24);  // columns that tell the slope
+  const auto max_columns = static_cast<std::size_t>(part * static_cast<double>(size));
+  // columns from which the slope is estimated
+  const std::size_t over = std::min<std::size_t>(size - 1, 24);
   const auto beyond = [&](const std::vector<double>& values, std::size_t k, bool at_end) {
     const double step =
         (at_end ? values[size - 1] - values[size - 1 - over] : values[0] - values[over]) /
@@ -248,9 +251,9 @@ FaceChart widened(const FaceChart& chart, double part) {
   };
   const auto room = [&](bool at_end) {
     std::size_t columns = 0;
-    while (columns < most &&
+    while (columns < max_columns &&
            beyond(chart.lower_v, columns + 1, at_end) - beyond(chart.upper_v, columns + 1, at_end) >
-               kLeastWidthPx)
+               kMinWidthPx)
       ++columns;
     return columns;
   };
@@ -275,14 +278,14 @@ ChartWarp::ChartWarp(const FaceChart& from, const FaceChart& to)
       inner_first_(from.end()),
       inner_end_(from.end()) {
   const std::size_t size = from.along_mm.size();
-  if (size ==
-      0) {  // a face without a valid column, as a stiff curve may leave it: nothing is shown
-    for (PlacesByColumn* places : {&rows_, &columns_}) places->finish();
+  if (size == 0) {  // a face without a valid column, as a stiff curve may produce: nothing is shown
+    for (ColumnQuadratics* positions : {&rows_, &columns_}) positions->finish();
     return;
   }
   for (auto* values : {&t_at_0_, &t_per_v_, &u0_, &tilt_}) values->resize(size);
-  for (PlacesByColumn* places : {&rows_, &columns_})
-    for (auto* values : {&places->constant, &places->slope, &places->bow}) values->resize(size);
+  for (ColumnQuadratics* positions : {&rows_, &columns_})
+    for (auto* values : {&positions->constant, &positions->slope, &positions->bow})
+      values->resize(size);
   const auto take = [](int u, int* first, int* end) {
     if (*first == *end) *first = u;
     *end = u + 1;
@@ -302,7 +305,7 @@ ChartWarp::ChartWarp(const FaceChart& from, const FaceChart& to)
     t_per_v_[i] = static_cast<float>(t_per_v);
     u0_[i] = static_cast<float>(u0);
     tilt_[i] = static_cast<float>(tilt);
-    most_tilt_ = std::max(most_tilt_, std::abs(tilt_[i]));
+    max_tilt_ = std::max(max_tilt_, std::abs(tilt_[i]));
     // v' = a + b t + c t^2.
     const double a = upper + part * slope - tilt * slope, c = 2.0 * tilt * width_slope;
     const double b = lower - upper + part * width_slope + 2.0 * tilt * slope - tilt * width_slope;
@@ -311,9 +314,9 @@ ChartWarp::ChartWarp(const FaceChart& from, const FaceChart& to)
         t_per_v * t_per_v * c,
         i,
         rows_);
-    // t = r - (c / b) r^2 with r = (v' - a) / b, as long as c is small beside b.
-    constexpr double kLeastPerT = 1.0;
-    const double per_v = 1.0 / std::max(b, kLeastPerT), r_at_0 = -a * per_v, bow = c * per_v;
+    // t = r - (c / b) r^2 with r = (v' - a) / b, as long as c is small against b.
+    constexpr double kMinPerT = 1.0;
+    const double per_v = 1.0 / std::max(b, kMinPerT), r_at_0 = -a * per_v, bow = c * per_v;
     put(u0 + tilt * (2.0 * r_at_0 * (1.0 - bow * r_at_0) - 1.0),
         2.0 * tilt * per_v * (1.0 - 2.0 * bow * r_at_0),
         -2.0 * tilt * bow * per_v * per_v,
@@ -324,10 +327,10 @@ ChartWarp::ChartWarp(const FaceChart& from, const FaceChart& to)
     if (u0 + reach >= to.first && u0 - reach <= last) take(u, &first_, &end_);
     if (u0 - reach >= to.first && u0 + reach <= last) take(u, &inner_first_, &inner_end_);
   }
-  for (PlacesByColumn* places : {&rows_, &columns_}) places->finish();
+  for (ColumnQuadratics* positions : {&rows_, &columns_}) positions->finish();
 }
 
-void ChartWarp::places(int v, int begin, int count, float* to_u, float* to_v) const {
+void ChartWarp::positions(int v, int begin, int count, float* to_u, float* to_v) const {
   const std::ptrdiff_t i = begin - origin_;
   columns_of_row(t_at_0_.data() + i,
                  t_per_v_.data() + i,
@@ -344,10 +347,10 @@ void ChartWarp::places(int v, int begin, int count, float* to_u, float* to_v) co
               to_v);
 }
 
-std::pair<int, int> ChartWarp::columns_into(float least, float most) const {
+std::pair<int, int> ChartWarp::columns_reaching(float min_u, float max_u) const {
   const auto begin = u0_.begin() + (first_ - origin_), end = u0_.begin() + (end_ - origin_);
-  const auto from = std::lower_bound(begin, end, least - most_tilt_);
-  const auto to = std::upper_bound(from, end, most + most_tilt_);
+  const auto from = std::lower_bound(begin, end, min_u - max_tilt_);
+  const auto to = std::upper_bound(from, end, max_u + max_tilt_);
   return {first_ + static_cast<int>(from - begin), first_ + static_cast<int>(to - begin)};
 }
 

@@ -1,7 +1,7 @@
 #include "core/sensing/reference/flat_reference.h"
 
 #include "core/finger/reduced_finger.h"
-#include "core/io/picture.h"
+#include "core/io/image_file.h"
 
 namespace alltact {
 
@@ -12,13 +12,13 @@ Result<cv::Mat> flat_reference(const FingerSnapshot& snapshot) {
                  (snapshot.folder / Finger::kFileName).string(),
                  en::say("give one with the calibration")};
   const auto file = snapshot.folder / finger.reference->image;
-  const auto raw = read_grey_picture(file);
+  const auto raw = read_grey_image(file);
   if (!raw) return raw.error();
-  return picture_for(snapshot,
-                     *raw,
-                     en::say("the untouched picture"),
-                     file.string(),
-                     en::say("give the untouched picture anew"));
+  return image_for(snapshot,
+                   *raw,
+                   en::say("the untouched picture"),
+                   file.string(),
+                   en::say("give the untouched picture anew"));
 }
 
 }  // namespace alltact

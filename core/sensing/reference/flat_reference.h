@@ -1,4 +1,4 @@
-// The untouched picture of a flat sensor.
+// The reference image of a flat sensor.
 #pragma once
 
 #include "core/finger/finger_store.h"
@@ -8,8 +8,8 @@
 
 namespace alltact {
 
-/// The untouched picture that the finger names, as frames of this snapshot are (picture_for).
-/// Errors: it names none; those of reading it; not of the camera's size.
+/// The reference image that the finger names, converted like frames of this snapshot. Errors: it
+/// names none; the file cannot be read; its size is not the camera's.
 [[nodiscard]] Result<cv::Mat> flat_reference(const FingerSnapshot& snapshot);
 
 }  // namespace alltact

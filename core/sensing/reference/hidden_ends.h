@@ -1,4 +1,4 @@
-// What of the face a frame does not show because something lies over its end.
+// Parts of the face that an object over its end hides from a frame.
 #pragma once
 
 #include "core/sensing/reference/face_chart.h"
@@ -8,24 +8,24 @@
 
 namespace alltact {
 
-/// A column in which the face goes on although the frame does not show it.
+/// A column in which the face continues although the frame does not show it.
 struct HiddenColumn {
   int u = 0;
-  double upper_v = 0, lower_v = 0;  ///< edges, continued straight, px
+  double upper_v = 0, lower_v = 0;  ///< edges, extended linearly, px
 };
 
-/// Where recorded faces end.
+/// Arc lengths at which recorded faces end.
 class EndLengths {
  public:
   EndLengths() = default;
-  /// charts: of recorded frames of width_px columns, laid on one another (lay_on). An end at the
-  /// picture's border is none, and an end that fewer than half of the frames show is not known.
+  /// charts: of recorded frames of width_px columns, registered to each other. An end at the image
+  /// border is ignored; an end in fewer than half of the frames is unknown.
   EndLengths(const std::vector<FaceChart>& charts, int width_px);
 
-  /// The columns beyond a frame's chart (laid on the same) up to where the face must end, within
-  /// the picture. Empty where it ends within 0.5 mm of there, or 6 times what the recorded ends
-  /// scatter, and where no end is known.
-  [[nodiscard]] std::vector<HiddenColumn> beyond(const FaceChart& now, int width_px) const;
+  /// Columns after a frame's chart (registered alike) up to where the face must end, within the
+  /// image. Empty where the chart ends within 0.5 mm of it, or within 6 sd of the recorded ends,
+  /// and where the end is unknown.
+  [[nodiscard]] std::vector<HiddenColumn> hidden_columns(const FaceChart& now, int width_px) const;
 
  private:
   struct End {

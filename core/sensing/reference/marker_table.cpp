@@ -1,6 +1,6 @@
 #include "core/sensing/reference/marker_table.h"
 
-#include "core/camera/reduced_picture.h"
+#include "core/camera/reduced_image.h"
 #include "core/io/atomic_file.h"
 #include "core/printable.h"
 
@@ -35,16 +35,16 @@ bool take(std::string_view& text, T& value, bool last) {
 }
 
 bool parse(std::string_view text, Line& line) {
-  constexpr double kMost = 1e6;
+  constexpr double kMaxValue = 1e6;
   return take(text, line.frame, false) && take(text, line.number, false) &&
          take(text, line.u, false) && take(text, line.v, false) && take(text, line.seen, false) &&
          take(text, line.radius, false) && take(text, line.contrast, true) && line.frame >= 0 &&
-         std::abs(line.u) < kMost && std::abs(line.v) < kMost &&
-         (line.seen == 0 || line.seen == 1) && line.radius > 0 && line.radius < kMost &&
-         std::abs(line.contrast) < kMost && line.contrast != 0;
+         std::abs(line.u) < kMaxValue && std::abs(line.v) < kMaxValue &&
+         (line.seen == 0 || line.seen == 1) && line.radius > 0 && line.radius < kMaxValue &&
+         std::abs(line.contrast) < kMaxValue && line.contrast != 0;
 }
 
-// Gives the text's lines one after the other; every line must end with a newline.
+// Splits a text into lines; every line must end with a newline.
 class Lines {
  public:
   explicit Lines(std::string_view text) : rest_(text) {}
@@ -65,7 +65,7 @@ class Lines {
   int number_ = 0;
 };
 
-void set_typical_places(MarkerTable& table) {
+void set_typical_positions(MarkerTable& table) {
   for (std::size_t m = 0; m < table.typical.size(); ++m) {
     const auto k = static_cast<Eigen::Index>(2 * m);
     table.typical[m].u = table.layouts.col(k).mean();
@@ -93,7 +93,7 @@ Result<MarkerTable> MarkerTable::load(const std::filesystem::path& file, int mar
                  file.string(),
                  advice()};
   MarkerTable table;
-  std::vector<double> places;
+  std::vector<double> positions;
   const auto count = static_cast<std::size_t>(marker_count);
   std::size_t inside = 0;  // markers of the current frame read so far
   for (;;) {
@@ -131,15 +131,15 @@ Result<MarkerTable> MarkerTable::load(const std::filesystem::path& file, int mar
       return wrong(en::say("marker {} has another radius or contrast than before", line.number));
     }
     table.seen.back()[inside] = static_cast<char>(line.seen);
-    places.push_back(line.u);
-    places.push_back(line.v);
+    positions.push_back(line.u);
+    positions.push_back(line.v);
     inside = (inside + 1) % count;
   }
   if (table.frames.empty()) return wrong(en::say("the table holds no frame"));
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   table.layouts = Eigen::Map<const Rows>(
-      places.data(), static_cast<Eigen::Index>(table.frames.size()), 2 * marker_count);
-  set_typical_places(table);
+      positions.data(), static_cast<Eigen::Index>(table.frames.size()), 2 * marker_count);
+  set_typical_positions(table);
   return table;
 }
 

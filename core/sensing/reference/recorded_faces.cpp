@@ -1,7 +1,7 @@
 #include "core/sensing/reference/recorded_faces.h"
 
 #include "core/numerics/farthest_points.h"
-#include "core/numerics/parts.h"
+#include "core/numerics/parallel.h"
 #include "core/sensing/face/face_edges.h"
 #include "core/sensing/face/profile_degree.h"
 
@@ -14,113 +14,116 @@
 namespace alltact {
 namespace {
 
-constexpr double kBeyondRest = 0.15;     // of the rest frame's face: how much more others may show
-constexpr std::size_t kMostPoses = 160;  // that the finger's twist is learnt from
-constexpr std::size_t kAtOnce = 16;      // frames that are held and looked at side by side
+constexpr double kBeyondRest = 0.15;    // of the rest frame's face: how much more others may show
+constexpr std::size_t kMaxPoses = 160;  // from which the finger's twist is learnt
+constexpr std::size_t kAtOnce = 16;     // frames that are loaded and analysed at a time
 
-// Faces of a recording within a limit: where it is passed, the frame that covers least goes first.
-class Keeper {
+// Selects faces of a recording within a memory limit: above it, the frame that adds least coverage
+// is dropped first.
+class FaceSelection {
  public:
-  Keeper(const MarkerTable& table, std::size_t limit)
+  FaceSelection(const MarkerTable& table, std::size_t limit)
       : table_(table), limit_(limit), faces_(table.frames.size()) {}
 
-  void add(std::size_t row, FacePicture face) {
+  void add(std::size_t row, FaceImage face) {
     bytes_ += face.bytes();
     faces_[row] = std::move(face);
     if (rank_.empty()) {
-      kept_.push_back(row);
+      retained_.push_back(row);
       if (bytes_ > limit_) rank_frames();
     } else {
       push(row);
     }
-    while (bytes_ > limit_ && last_first_.size() > 2) drop_one();
+    while (bytes_ > limit_ && ranked_.size() > 2) drop_one();
   }
 
   [[nodiscard]] std::vector<std::size_t> rows() const {
-    std::vector<std::size_t> kept;
+    std::vector<std::size_t> retained;
     for (std::size_t row = 0; row < faces_.size(); ++row)
-      if (faces_[row]) kept.push_back(row);
-    return kept;
+      if (faces_[row]) retained.push_back(row);
+    return retained;
   }
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
-  FacePicture take(std::size_t row) { return std::move(*faces_[row]); }
+  FaceImage take(std::size_t row) { return std::move(*faces_[row]); }
 
  private:
-  /// Place of each row in the covering order. The order of all takes the square of their number,
-  /// days for a hundred thousand; more than twice as many as fit by now will not be kept, and all
-  /// behind those go in the order of the recording, the last first.
+  /// Ranks the rows by the covering order. Ordering all rows takes the square of their number, days
+  /// for a hundred thousand. So only twice as many as fit are ordered; all behind those follow the
+  /// order of the recording, and the last is dropped first.
   void rank_frames() {
-    const std::size_t count = std::min(faces_.size(), 2 * kept_.size());
+    const std::size_t count = std::min(faces_.size(), 2 * retained_.size());
     const std::vector<int> order = farthest_point_order(table_.layouts, static_cast<int>(count));
     rank_.resize(faces_.size());
     for (std::size_t row = 0; row < rank_.size(); ++row) rank_[row] = count + row;
     for (std::size_t i = 0; i < order.size(); ++i) rank_[static_cast<std::size_t>(order[i])] = i;
-    for (const std::size_t row : kept_) push(row);
+    for (const std::size_t row : retained_) push(row);
   }
-  void push(std::size_t row) { last_first_.emplace(rank_[row], row); }
-  /// The last of the covering order among those already read.
+  void push(std::size_t row) { ranked_.emplace(rank_[row], row); }
+  /// Drops the last of the covering order among those already read.
   void drop_one() {
-    auto& face = faces_[last_first_.top().second];
-    last_first_.pop();
+    auto& face = faces_[ranked_.top().second];
+    ranked_.pop();
     bytes_ -= face->bytes();
     face.reset();
   }
 
   const MarkerTable& table_;
   std::size_t limit_, bytes_ = 0;
-  std::vector<std::optional<FacePicture>> faces_;
-  std::vector<std::size_t> kept_;  // rows, until they are ranked
-  std::vector<std::size_t> rank_;  // of each row; empty: the limit was never passed
-  std::priority_queue<std::pair<std::size_t, std::size_t>> last_first_;  // rank and row
+  std::vector<std::optional<FaceImage>> faces_;
+  std::vector<std::size_t> retained_;  // rows, until they are ranked
+  std::vector<std::size_t> rank_;      // of each row; empty: the limit was never exceeded
+  std::priority_queue<std::pair<std::size_t, std::size_t>> ranked_;  // rank and row
 };
 
-struct Looked {
+struct AnalysedFace {
   FaceShape shape;
   FaceChart chart;
 };
 
-/// What is made of a recorded face's edges, whether they were found now or kept.
-class FaceLayer {
+/// Analyses a recorded face from its edges, whether these were found now or cached.
+class FaceAnalyser {
  public:
-  FaceLayer(const MarkerTable& table, const Finger& finger, const Camera& camera)
+  FaceAnalyser(const MarkerTable& table, const Finger& finger, const Camera& camera)
       : table_(table), finger_(finger), camera_(camera) {}
 
-  [[nodiscard]] std::optional<Looked> look_at(const FaceEdges& edges) const {
-    auto shape = FaceShape::fit(edges, camera_, finger_.face, kUsualProfileDegree);
+  [[nodiscard]] std::optional<AnalysedFace> analyse(const FaceEdges& edges) const {
+    auto shape = FaceShape::fit(edges, camera_, finger_.face, kDefaultProfileDegree);
     if (!shape) return std::nullopt;
     auto chart = chart_of(*shape);
     if (!chart) return std::nullopt;
-    return Looked{std::move(*shape), std::move(*chart)};
+    return AnalysedFace{std::move(*shape), std::move(*chart)};
   }
-  /// The grid of the first face in a row from the middle of all poses outwards: `face_of` gives a
-  /// row's, nullopt where there is none. Whether one was found; errors: those of `face_of`.
+  /// Sets the grid from the first face, in the order of rows from the middle of all poses outwards.
+  /// `face_of` returns a row's face, nullopt where there is none. Returns whether one was found;
+  /// errors: those of `face_of`.
   template <class FaceOf>
   Result<bool> find_rest(const FaceOf& face_of, RecordedFaces& read) const {
     constexpr std::size_t kTries = 16;
     std::vector<std::size_t> rows = from_the_middle();
     rows.resize(std::min(rows.size(), kTries));
     for (const std::size_t row : rows) {
-      const Result<std::optional<Looked>> looked = face_of(row);
-      if (!looked) return looked.error();
-      if (!*looked) continue;
-      read.grid = face_grid((*looked)->chart, kBeyondRest);
-      read.places = skin_places((*looked)->chart, (*looked)->shape, markers(row));
+      const Result<std::optional<AnalysedFace>> analysed = face_of(row);
+      if (!analysed) return analysed.error();
+      if (!*analysed) continue;
+      read.grid = face_grid((*analysed)->chart, kBeyondRest);
+      read.positions = skin_positions((*analysed)->chart, (*analysed)->shape, markers(row));
       return true;
     }
     return false;
   }
-  /// Lays a row's chart on the rest frame's. False: it shows the finger the other way round.
-  bool lay(const RecordedFaces& read, std::size_t row, Looked& looked) const {
-    if (looked.chart.base_at_low_u != read.grid.chart.base_at_low_u) return false;
-    lay_on(read.places, looked.shape, markers(row), &looked.chart);
+  /// Registers a row's chart to the rest frame's. False: it shows the finger in the opposite
+  /// direction.
+  bool register_face(const RecordedFaces& read, std::size_t row, AnalysedFace& analysed) const {
+    if (analysed.chart.base_at_low_u != read.grid.chart.base_at_low_u) return false;
+    register_chart(read.positions, analysed.shape, markers(row), &analysed.chart);
     return true;
   }
-  void add(std::size_t row, Looked looked, RecordedFaces& read) const {
+  void add(std::size_t row, AnalysedFace analysed, RecordedFaces& read) const {
     read.seen.push_back(static_cast<Eigen::Index>(row));
-    read.edges.push_back(edge_curves(looked.shape));
-    read.charts.push_back(std::move(looked.chart));
-    if (row % (table_.frames.size() / kMostPoses + 1) == 0)
-      read.poses.push_back({markers(row), std::move(looked.shape)});
+    read.edges.push_back(edge_curves(analysed.shape));
+    read.charts.push_back(std::move(analysed.chart));
+    if (row % (table_.frames.size() / kMaxPoses + 1) == 0)
+      read.poses.push_back({markers(row), std::move(analysed.shape)});
   }
 
  private:
@@ -145,34 +148,34 @@ class FaceLayer {
   const Camera& camera_;
 };
 
-/// A recorded frame, and what is kept of it where its face was found.
+/// A recorded frame, and what is retained of it where its face was found.
 struct Row {
   std::size_t number = 0;
   cv::Mat grey;
   FaceEdges edges;
-  std::optional<Looked> looked;
-  FacePicture face;
+  std::optional<AnalysedFace> analysed;
+  FaceImage face;
 };
 
 class Reader {
  public:
-  Reader(const RecordingToRead& frames, const Finger& finger, const Camera& camera)
+  Reader(const RecordingInput& frames, const Finger& finger, const Camera& camera)
       : frames_(frames),
-        layer_(frames.table, finger, camera),
+        analyser_(frames.table, finger, camera),
         finder_({.view = FaceView{camera, finger.face.width_mm}}) {}
 
   Result<RecordedFaces> operator()(std::size_t limit_bytes, const Job& job) const {
     RecordedFaces read;
-    const auto face_of = [&](std::size_t row) -> Result<std::optional<Looked>> {
-      const auto grey = picture(row);
+    const auto face_of = [&](std::size_t row) -> Result<std::optional<AnalysedFace>> {
+      const auto grey = image(row);
       if (!grey) return grey.error();
       const auto edges = finder_(*grey);
-      return edges ? layer_.look_at(*edges) : std::nullopt;
+      return edges ? analyser_.analyse(*edges) : std::nullopt;
     };
-    const auto has_rest = layer_.find_rest(face_of, read);
+    const auto has_rest = analyser_.find_rest(face_of, read);
     if (!has_rest) return has_rest.error();
     if (!*has_rest) return too_few(0);
-    Keeper keeper(frames_.table, limit_bytes);
+    FaceSelection selection(frames_.table, limit_bytes);
     const std::size_t count = frames_.table.frames.size();
     auto next = begin_reading(0, job);
     for (std::size_t first = 0; first < count; first += kAtOnce) {
@@ -180,26 +183,26 @@ class Reader {
                  en::say("reading reference frame {} of {}", first + 1, count));
       auto rows = next.get();
       if (!rows) return rows.error();
-      next = begin_reading(first + kAtOnce, job);  // while these are looked at
-      over_parts(static_cast<int>(rows->size()), all_cores(), [&](int from, int to) {
-        for (int i = from; i < to; ++i) look_at(read, (*rows)[static_cast<std::size_t>(i)]);
+      next = begin_reading(first + kAtOnce, job);  // while these are analysed
+      parallel_for(static_cast<int>(rows->size()), default_threads(), [&](int from, int to) {
+        for (int i = from; i < to; ++i) analyse(read, (*rows)[static_cast<std::size_t>(i)]);
       });
       for (Row& row : *rows) {
-        if (!row.looked) continue;
-        keeper.add(row.number, std::move(row.face));
-        layer_.add(row.number, std::move(*row.looked), read);
-        if (count <= kMostFramesKept) read.found.push_back({row.number, std::move(row.edges)});
+        if (!row.analysed) continue;
+        selection.add(row.number, std::move(row.face));
+        analyser_.add(row.number, std::move(*row.analysed), read);
+        if (count <= kMaxCachedFrames) read.found.push_back({row.number, std::move(row.edges)});
       }
     }
-    read.bytes = keeper.bytes();
-    read.kept = keeper.rows();
-    for (const std::size_t row : read.kept) read.faces.push_back(keeper.take(row));
-    if (read.kept.size() < 2) return too_few(read.kept.size());
+    read.bytes = selection.bytes();
+    read.retained = selection.rows();
+    for (const std::size_t row : read.retained) read.faces.push_back(selection.take(row));
+    if (read.retained.size() < 2) return too_few(read.retained.size());
     return read;
   }
 
  private:
-  /// Up to kAtOnce pictures from `first` on, on a thread of their own where one can be had.
+  /// Reads up to kAtOnce images from `first` on, on a thread of their own where one is available.
   [[nodiscard]] std::future<Result<std::vector<Row>>> begin_reading(std::size_t first,
                                                                     const Job& job) const {
     return std::async([this, first, &job]() -> Result<std::vector<Row>> {
@@ -209,7 +212,7 @@ class Reader {
         if (job.stop_requested())
           return Error{
               en::say("stopped before the reference was read"), frames_.video.string(), ""};
-        auto grey = picture(first + i);
+        auto grey = image(first + i);
         if (!grey) return grey.error();
         rows[i].number = first + i;
         rows[i].grey = std::move(*grey);
@@ -227,7 +230,7 @@ class Reader {
                          found,
                          frames_.table.frames.size()));
   }
-  [[nodiscard]] Result<cv::Mat> picture(std::size_t row) const {
+  [[nodiscard]] Result<cv::Mat> image(std::size_t row) const {
     const auto number = static_cast<std::size_t>(frames_.table.frames[row]);
     if (number >= frames_.count)
       return wrong(en::say("the marker table names frame {} but the recording ends after {} frames",
@@ -237,82 +240,84 @@ class Reader {
     if (!grey) return wrong(grey.error().what);
     return grey;
   }
-  /// A row's face laid on the grid; without `looked` where none is found.
-  void look_at(const RecordedFaces& read, Row& row) const {
+  /// Warps a row's face to the grid; no `analysed` face where none is found.
+  void analyse(const RecordedFaces& read, Row& row) const {
     auto edges = finder_(row.grey);
     if (!edges) return;
     row.edges = std::move(*edges);
-    row.looked = layer_.look_at(row.edges);
-    if (row.looked && !layer_.lay(read, row.number, *row.looked)) row.looked.reset();
-    if (row.looked) row.face = keep_face(row.grey, row.looked->chart, read.grid);
+    row.analysed = analyser_.analyse(row.edges);
+    if (row.analysed && !analyser_.register_face(read, row.number, *row.analysed))
+      row.analysed.reset();
+    if (row.analysed) row.face = warp_face(row.grey, row.analysed->chart, read.grid);
   }
 
-  const RecordingToRead& frames_;
-  FaceLayer layer_;
+  const RecordingInput& frames_;
+  FaceAnalyser analyser_;
   FaceEdgeFinder finder_;
 };
 
-/// Rows of a table, each once and in their order.
+/// True for rows of a table, each once and in ascending order.
 template <class Rows, class RowOf>
-bool are_rows(const Rows& rows, const RowOf& row_of, std::size_t count) {
+bool are_ascending(const Rows& rows, const RowOf& row_of, std::size_t count) {
   for (std::size_t i = 0; i < rows.size(); ++i)
     if (row_of(rows[i]) >= count || (i > 0 && row_of(rows[i - 1]) >= row_of(rows[i]))) return false;
   return true;
 }
 
-bool are_on(const FaceGrid& grid, const KeptFaces& kept) {
-  return kept.error.relative_sd.size() ==
+bool are_on_grid(const FaceGrid& grid, const FaceCache& cache) {
+  return cache.error.relative_sd.size() ==
              cv::Size(grid.size.width / kErrorCellPx, grid.size.height / kErrorCellPx) &&
-         std::all_of(kept.faces.begin(), kept.faces.end(), [&](const FacePicture& face) {
+         std::all_of(cache.faces.begin(), cache.faces.end(), [&](const FaceImage& face) {
            return 0 <= face.first && face.end <= grid.size.width &&
                   face.grey.size() == grid.runs.pixels();
          });
 }
 
-std::optional<RecordedFaces> lay_again(KeptFaces kept,
-                                       const MarkerTable& table,
-                                       const Finger& finger,
-                                       const Camera& camera) {
+std::optional<RecordedFaces> restore_faces(FaceCache cache,
+                                           const MarkerTable& table,
+                                           const Finger& finger,
+                                           const Camera& camera) {
   const std::size_t count = table.frames.size();
   const auto row_of_found = [](const FoundFace& face) { return face.row; };
-  if (!are_rows(kept.found, row_of_found, count) || !are_rows(kept.kept, std::identity(), count) ||
-      kept.kept.size() != kept.faces.size() || kept.kept.size() < 2)
+  if (!are_ascending(cache.found, row_of_found, count) ||
+      !are_ascending(cache.retained, std::identity(), count) ||
+      cache.retained.size() != cache.faces.size() || cache.retained.size() < 2)
     return std::nullopt;
-  const FaceLayer layer(table, finger, camera);
-  const auto face_of = [&](std::size_t row) -> Result<std::optional<Looked>> {
-    const auto face = std::ranges::lower_bound(kept.found, row, {}, row_of_found);
-    if (face == kept.found.end() || face->row != row) return std::optional<Looked>();
-    return layer.look_at(face->edges);
+  const FaceAnalyser analyser(table, finger, camera);
+  const auto face_of = [&](std::size_t row) -> Result<std::optional<AnalysedFace>> {
+    const auto face = std::ranges::lower_bound(cache.found, row, {}, row_of_found);
+    if (face == cache.found.end() || face->row != row) return std::optional<AnalysedFace>();
+    return analyser.analyse(face->edges);
   };
   RecordedFaces read;
-  if (const auto has_rest = layer.find_rest(face_of, read); !has_rest || !*has_rest)
+  if (const auto has_rest = analyser.find_rest(face_of, read); !has_rest || !*has_rest)
     return std::nullopt;
-  if (!are_on(read.grid, kept)) return std::nullopt;
-  for (std::size_t first = 0; first < kept.found.size(); first += kAtOnce) {
-    std::array<std::optional<Looked>, kAtOnce> looked;
-    const std::size_t block = std::min(kAtOnce, kept.found.size() - first);
-    over_parts(static_cast<int>(block), all_cores(), [&](int from, int to) {
+  if (!are_on_grid(read.grid, cache)) return std::nullopt;
+  for (std::size_t first = 0; first < cache.found.size(); first += kAtOnce) {
+    std::array<std::optional<AnalysedFace>, kAtOnce> analysed;
+    const std::size_t block = std::min(kAtOnce, cache.found.size() - first);
+    parallel_for(static_cast<int>(block), default_threads(), [&](int from, int to) {
       for (int i = from; i < to; ++i) {
-        const FoundFace& face = kept.found[first + static_cast<std::size_t>(i)];
-        auto& one = looked[static_cast<std::size_t>(i)];
-        one = layer.look_at(face.edges);
-        if (one && !layer.lay(read, face.row, *one)) one.reset();
+        const FoundFace& face = cache.found[first + static_cast<std::size_t>(i)];
+        auto& one = analysed[static_cast<std::size_t>(i)];
+        one = analyser.analyse(face.edges);
+        if (one && !analyser.register_face(read, face.row, *one)) one.reset();
       }
     });
     for (std::size_t i = 0; i < block; ++i) {
-      if (!looked[i]) return std::nullopt;
-      layer.add(kept.found[first + i].row, std::move(*looked[i]), read);
+      if (!analysed[i]) return std::nullopt;
+      analyser.add(cache.found[first + i].row, std::move(*analysed[i]), read);
     }
   }
-  read.kept = std::move(kept.kept);
-  read.faces = std::move(kept.faces);
-  for (const FacePicture& face : read.faces) read.bytes += face.bytes();
+  read.retained = std::move(cache.retained);
+  read.faces = std::move(cache.faces);
+  for (const FaceImage& face : read.faces) read.bytes += face.bytes();
   return read;
 }
 
 }  // namespace
 
-Result<RecordedFaces> read_recorded_faces(const RecordingToRead& frames,
+Result<RecordedFaces> read_recorded_faces(const RecordingInput& frames,
                                           const Finger& finger,
                                           const Camera& camera,
                                           std::size_t limit_bytes,
@@ -326,14 +331,14 @@ Result<RecordedFaces> read_recorded_faces(const RecordingToRead& frames,
   }
 }
 
-std::optional<RecordedFaces> recorded_faces_again(KeptFaces kept,
-                                                  const MarkerTable& table,
-                                                  const Finger& finger,
-                                                  const Camera& camera) {
+std::optional<RecordedFaces> recorded_faces_from_cache(FaceCache cache,
+                                                       const MarkerTable& table,
+                                                       const Finger& finger,
+                                                       const Camera& camera) {
   try {
-    return lay_again(std::move(kept), table, finger, camera);
+    return restore_faces(std::move(cache), table, finger, camera);
   } catch (const std::exception&) {
-    return std::nullopt;  // what is wrong with the recording is said when it is read itself
+    return std::nullopt;  // problems of the recording are reported when it is read itself
   }
 }
 

@@ -3,7 +3,7 @@
 #include "core/grey_range.h"
 #include "core/numerics/dispatch.h"
 #include "core/numerics/median.h"
-#include "core/numerics/parts.h"
+#include "core/numerics/parallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,16 +18,16 @@ namespace {
 constexpr int kCell = kErrorCellPx;
 constexpr int kTerms = 6;
 constexpr int kEvery = 2;  // cells are enough for the light
-constexpr float kLeastLevel = kTooDarkBelow;
-constexpr int kLeastFrames = 12;            // to tell drift from pose
-constexpr int kMostStudied = 48;            // frames computed from their neighbours
+constexpr float kMinLevel = kTooDarkBelow;
+constexpr int kMinFrames = 12;              // to separate drift from pose
+constexpr int kMaxStudied = 48;             // frames computed from their neighbours
 constexpr double kMedianOfSquare = 0.4549;  // of a normal distribution
-constexpr double kStays = 0.5;  // part of the variance that does not fall with the reach
+constexpr double kConstantPart = 0.5;  // part of the variance that does not fall with the reach
 
-/// Faces side by side: this is done while a recording is read, before anything live is measured.
+/// Processes faces in parallel; runs while a recording is read, before any live measurement.
 template <class Work>
-void over_all(int count, const Work& work) {
-  over_parts(count, all_cores(), [&](int from, int to) {
+void for_all(int count, const Work& work) {
+  parallel_for(count, default_threads(), [&](int from, int to) {
     for (int i = from; i < to; ++i) work(static_cast<std::size_t>(i));
   });
 }
@@ -40,8 +40,8 @@ Terms basis_at(const cv::Size& size, double u, double v) {
   return (Terms() << 1.0, s, t, s * s, s * t, t * t).finished();
 }
 
-/// Means over cells of the grid, 0 where not all of a cell shows the face.
-cv::Mat cells_of(const FaceGrid& grid, const FacePicture& face) {
+/// Means over cells of the grid, 0 where a cell shows the face in part only.
+cv::Mat cells_of(const FaceGrid& grid, const FaceImage& face) {
   const cv::Size size(grid.size.width / kCell, grid.size.height / kCell);
   cv::Mat sum(size, CV_32SC1, cv::Scalar(0)), count = sum.clone();
   for (const FaceRun& run : grid.runs.runs) {
@@ -62,20 +62,20 @@ cv::Mat cells_of(const FaceGrid& grid, const FacePicture& face) {
   for (int y = 0; y < size.height; ++y)
     for (int x = 0; x < size.width; ++x) {
       const auto level = static_cast<float>(sum.at<int>(y, x));
-      if (count.at<int>(y, x) == kPixels && level > kLeastLevel * kPixels)
+      if (count.at<int>(y, x) == kPixels && level > kMinLevel * kPixels)
         mean.at<float>(y, x) = level / kPixels;
     }
   return mean;
 }
 
-std::vector<cv::Mat> cells_of(const FaceGrid& grid, const std::vector<FacePicture>& faces) {
+std::vector<cv::Mat> cells_of(const FaceGrid& grid, const std::vector<FaceImage>& faces) {
   std::vector<cv::Mat> cells(faces.size());
-  over_all(static_cast<int>(faces.size()),
-           [&](std::size_t i) { cells[i] = cells_of(grid, faces[i]); });
+  for_all(static_cast<int>(faces.size()),
+          [&](std::size_t i) { cells[i] = cells_of(grid, faces[i]); });
   return cells;
 }
 
-/// c so that (1 + basis c) own is like `other`, over cells that both have; robust.
+/// c so that (1 + basis c) own approximates `other`, over cells that both have; robust.
 Terms light_between(const cv::Mat& own, const cv::Mat& other) {
   Terms terms = Terms::Zero();
   for (int round = 0; round < 3; ++round) {
@@ -113,7 +113,8 @@ cv::Mat mean_cells(const std::vector<cv::Mat>& cells) {
   return mean;
 }
 
-/// Constant, linear and square terms of the leading modes, as many as the frames can tell.
+/// Constant, linear and square terms of the leading modes, as many as the number of frames
+/// supports.
 Eigen::MatrixXd pose_terms(const Eigen::MatrixXd& modes) {
   const Eigen::Index frames = modes.rows();
   Eigen::Index used = std::min<Eigen::Index>(modes.cols(), 4);
@@ -132,21 +133,21 @@ Eigen::MatrixXd pose_terms(const Eigen::MatrixXd& modes) {
   return terms;
 }
 
-/// One row's pixels times a + b u + c u^2; clipped ones stay clipped.
+/// Multiplies one row's pixels by a + b u + c u^2; clipped ones stay clipped.
 ALLTACT_WIDE void multiply_row(
     std::uint8_t* grey, int count, int first, float a, float b, float c) {
   for (int i = 0; i < count; ++i) {
     const auto u = static_cast<float>(first + i);
     const auto level = static_cast<float>(grey[i]);
     const float bright = (a + u * (b + u * c)) * level + 0.5F;
-    const float most = kClippedFrom - 1;
-    const float within = bright < 0.0F ? 0.0F : bright < most ? bright : most;
+    const float limit = kClippedFrom - 1;
+    const float within = bright < 0.0F ? 0.0F : bright < limit ? bright : limit;
     grey[i] = static_cast<std::uint8_t>(
         static_cast<std::int32_t>(level >= static_cast<float>(kClippedFrom) ? level : within));
   }
 }
 
-void multiply(const FaceGrid& grid, const Terms& light, FacePicture& face) {
+void multiply(const FaceGrid& grid, const Terms& light, FaceImage& face) {
   for (const FaceRun& run : grid.runs.runs) {
     // basis_at() of the row, in powers of the column.
     const double per_px = 2.0 / grid.size.width, from = per_px * 0.5 - 1.0,
@@ -162,8 +163,8 @@ void multiply(const FaceGrid& grid, const Terms& light, FacePicture& face) {
   }
 }
 
-/// Relative difference of a frame and what its neighbours make of it, without a change of light;
-/// NaN where either has nothing.
+/// Relative difference between a frame and its prediction from neighbours, without a change of
+/// light; NaN where either has no value.
 cv::Mat residual_of(const cv::Mat& own, const cv::Mat& computed) {
   const Terms light = light_between(own, computed);
   cv::Mat residual(own.size(), CV_32FC1, cv::Scalar(NAN));
@@ -177,8 +178,8 @@ cv::Mat residual_of(const cv::Mat& own, const cv::Mat& computed) {
   return residual;
 }
 
-/// Noise of cells' means in grey levels, squared: from neighbours that differ, most of which show
-/// even skin.
+/// Noise of cells' means in grey levels, squared: from differences of adjacent cells, most of which
+/// show even skin.
 double noise_square(const cv::Mat& residual, const cv::Mat& level) {
   std::vector<double> squares;
   for (int y = 0; y < residual.rows; ++y)
@@ -202,22 +203,22 @@ cv::Mat computed_from(const std::vector<cv::Mat>& cells, const Neighbours& neigh
   return sum;
 }
 
-/// What a cell was off by in the studied frames, squared, and what noise makes of that; NaN where a
-/// frame did not show it.
-struct Studied {
+/// Squared errors of the cells in the studied frames, and their noise; NaN where a frame did not
+/// show a cell.
+struct Residuals {
   std::vector<cv::Mat> square, noise;
-  explicit Studied(std::size_t count) : square(count), noise(count) {}
+  explicit Residuals(std::size_t count) : square(count), noise(count) {}
   void set(std::size_t k, const cv::Mat& residual, const cv::Mat& level) {
     square[k] = residual.mul(residual);
     noise[k] = noise_square(residual, level) / level.mul(level);
   }
 };
 
-/// Sums over the studied frames, noise taken off. Frames in which something pressed there, and was
-/// not noticed, tell nothing of untouched skin: they are far from what most frames show.
+/// Sums over the studied frames, noise subtracted. Frames with an unnoticed contact at a cell are
+/// outliers there and excluded.
 struct Sums {
   cv::Mat square, count;
-  explicit Sums(const Studied& studied)
+  explicit Sums(const Residuals& studied)
       : square(studied.square.front().size(), CV_32FC1, cv::Scalar(0)), count(square.clone()) {
     constexpr double kFar = 4.0;  // standard deviations
     std::vector<float> squares;
@@ -226,11 +227,11 @@ struct Sums {
         squares.clear();
         for (const cv::Mat& one : studied.square)
           if (const float off2 = one.at<float>(y, x); std::isfinite(off2)) squares.push_back(off2);
-        const auto most =
+        const auto limit =
             kFar * kFar / kMedianOfSquare * static_cast<double>(upper_median(squares));
         for (std::size_t k = 0; k < studied.square.size(); ++k) {
           const float off2 = studied.square[k].at<float>(y, x);
-          if (!(static_cast<double>(off2) <= most)) continue;
+          if (!(static_cast<double>(off2) <= limit)) continue;
           square.at<float>(y, x) += off2 - studied.noise[k].at<float>(y, x);
           count.at<float>(y, x) += 1.0F;
         }
@@ -243,7 +244,7 @@ struct Sums {
 double ReferenceError::factor(double reach) const {
   if (!(typical_reach_px2 > 0.0)) return 1.0;
   const double further = reach / typical_reach_px2;
-  return std::sqrt(kStays + (1.0 - kStays) * further * further);
+  return std::sqrt(kConstantPart + (1.0 - kConstantPart) * further * further);
 }
 
 double reach_px2(const Eigen::MatrixXd& points,
@@ -256,35 +257,35 @@ double reach_px2(const Eigen::MatrixXd& points,
   return spread + missed * std::sqrt(spread / std::max(1.0, magnitude));
 }
 
-void take_out_drift(const FaceGrid& grid,
-                    const Eigen::MatrixXd& modes,
-                    std::vector<FacePicture>& faces) {
-  if (static_cast<int>(faces.size()) < kLeastFrames) return;
+void remove_drift(const FaceGrid& grid,
+                  const Eigen::MatrixXd& modes,
+                  std::vector<FaceImage>& faces) {
+  if (static_cast<int>(faces.size()) < kMinFrames) return;
   const auto count = static_cast<int>(faces.size());
   const std::vector<cv::Mat> cells = cells_of(grid, faces);
   const cv::Mat mean = mean_cells(cells);
   Eigen::MatrixXd light(count, kTerms);
-  over_all(count, [&](std::size_t i) {
+  for_all(count, [&](std::size_t i) {
     light.row(static_cast<Eigen::Index>(i)) = light_between(cells[i], mean).transpose();
   });
   const Eigen::MatrixXd terms = pose_terms(modes);
   const Eigen::MatrixXd by_pose = terms * terms.colPivHouseholderQr().solve(light);
   const Eigen::MatrixXd drift = light - by_pose;
-  constexpr double kNothing = 5e-4;
-  over_all(count, [&](std::size_t i) {
+  constexpr double kNegligible = 5e-4;
+  for_all(count, [&](std::size_t i) {
     const Terms off = drift.row(static_cast<Eigen::Index>(i)).transpose();
-    if (off.cwiseAbs().maxCoeff() > kNothing) multiply(grid, off, faces[i]);
+    if (off.cwiseAbs().maxCoeff() > kNegligible) multiply(grid, off, faces[i]);
   });
 }
 
 ReferenceError reference_error(const FaceGrid& grid,
-                               const std::vector<FacePicture>& faces,
+                               const std::vector<FaceImage>& faces,
                                const std::function<Neighbours(int)>& neighbours_of) {
   const std::vector<cv::Mat> cells = cells_of(grid, faces);
-  const std::size_t studied = std::min(faces.size(), std::size_t{kMostStudied});
-  Studied frames(studied);
+  const std::size_t studied = std::min(faces.size(), std::size_t{kMaxStudied});
+  Residuals frames(studied);
   std::vector<double> reaches(studied);
-  over_all(static_cast<int>(studied), [&](std::size_t k) {
+  for_all(static_cast<int>(studied), [&](std::size_t k) {
     const std::size_t i = k * faces.size() / studied;
     const Neighbours neighbours = neighbours_of(static_cast<int>(i));
     const cv::Mat computed = computed_from(cells, neighbours);
@@ -293,13 +294,13 @@ ReferenceError reference_error(const FaceGrid& grid,
   });
   ReferenceError error;
   error.typical_reach_px2 = upper_median(reaches);
-  // Averaged over a cell and those around it: few frames tell of each.
+  // Averaged over a cell and its neighbours, because each has few frames.
   const Sums sums(frames);
   cv::Mat square, number;
   cv::boxFilter(sums.square, square, CV_32F, {3, 3}, {-1, -1}, false, cv::BORDER_ISOLATED);
   cv::boxFilter(sums.count, number, CV_32F, {3, 3}, {-1, -1}, false, cv::BORDER_ISOLATED);
   cv::sqrt(cv::max(square / cv::max(number, 1.0), 0.0), error.relative_sd);
-  // Where no frame could be studied the worst is to be expected.
+  // Cells without a studied frame take the greatest error.
   double worst = 0;
   cv::minMaxLoc(error.relative_sd, nullptr, &worst);
   error.relative_sd.setTo(worst, number < 1.0);

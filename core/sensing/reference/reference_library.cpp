@@ -4,8 +4,8 @@
 #include "core/io/cache_folder.h"
 #include "core/recording/video_file.h"
 #include "core/sensing/markers/layout_search.h"
+#include "core/sensing/reference/face_cache.h"
 #include "core/sensing/reference/flat_reference.h"
-#include "core/sensing/reference/kept_faces.h"
 #include "core/sensing/reference/reference_error.h"
 #include "core/sensing/reference/reference_weights.h"
 #include "core/shared_values.h"
@@ -18,14 +18,15 @@
 namespace alltact {
 namespace {
 
-constexpr double kLeastWeight = 2e-3;  // below, a frame says nothing but narrows what is valid
+// below, a frame contributes nothing but narrows the valid columns
+constexpr double kMinWeight = 2e-3;
 
 Error wrong(Message what, const std::filesystem::path& file) {
   return {std::move(what), file.string(), en::say("make the reference anew from the recording")};
 }
 
-/// Where a recording's faces are kept from one run to the next, and what they are made from.
-struct KeptUnder {
+/// Cache folder of a recording's faces, and the key of all their inputs.
+struct CacheKey {
   std::filesystem::path folder;
   std::string made_from;
 };
@@ -33,43 +34,43 @@ struct KeptUnder {
 }  // namespace
 
 struct ReferenceLibrary::Content {
-  Content() = default;  // without faces: of a single picture
-  /// Of faces whose light and error are known or still to be studied.
+  Content() = default;  // without faces: of a single image
+  /// For faces whose drift and error are known or still to be estimated.
   Content(MarkerModel learnt,
           RecordedFaces&& read,
           const MarkerTable& table,
           const Finger& finger,
           const Camera& camera);
-  /// Of faces that an earlier run kept; null: there are none.
-  static std::shared_ptr<Content> of_kept(const KeptUnder& under,
-                                          MarkerModel learnt,
-                                          const MarkerTable& table,
-                                          const FingerSnapshot& snapshot);
-  /// Takes the drift of the light out of the faces, and tells how far off references are.
-  void study();
-  /// Keeps the studied faces for the next run; where that cannot be, it reads the recording again.
-  void keep(const KeptUnder& under,
-            std::vector<FoundFace> found,
-            const std::vector<std::size_t>& kept);
-  /// The recorded frames nearest to a place in the modes, and their weights there.
-  [[nodiscard]] Neighbours neighbours(const Eigen::VectorXd& place,
+  /// Loads the faces that an earlier run saved; null: there are none.
+  static std::shared_ptr<Content> from_cache(const CacheKey& key,
+                                             MarkerModel learnt,
+                                             const MarkerTable& table,
+                                             const FingerSnapshot& snapshot);
+  /// Removes the drift of the light from the faces, and estimates the error of references.
+  void analyse_faces();
+  /// Saves the analysed faces for the next run; on failure that run reads the recording again.
+  void save_cache(const CacheKey& key,
+                  std::vector<FoundFace> found,
+                  const std::vector<std::size_t>& retained);
+  /// The recorded frames nearest to a pose in the modes, and their weights there.
+  [[nodiscard]] Neighbours neighbours(const Eigen::VectorXd& pose,
                                       const std::vector<char>& without,
                                       int count = kPoseNeighbours) const;
   [[nodiscard]] FaceMix mix_of(const Neighbours& neighbours) const;
-  /// The frame in the middle of all poses, and how far markers are from it.
+  /// The frame in the middle of all poses, and the distance of the markers from it.
   [[nodiscard]] Nearest rest(const Markers& markers) const;
-  /// Frames that do not show some of the skin that a frame (its warp) shows beyond the columns
-  /// `shown` of the grid; empty where there is none such, or too few frames show it.
-  [[nodiscard]] std::vector<char> hiding(const ChartWarp& warp,
-                                         std::pair<int, int> shown,
-                                         const std::vector<char>& without,
-                                         int neighbours) const;
+  /// Marks frames that do not show all of the skin which a frame (its warp) shows outside of the
+  /// columns `shown` of the grid. Empty where there is no such skin, or too few frames show it.
+  [[nodiscard]] std::vector<char> incomplete_frames(const ChartWarp& warp,
+                                                    std::pair<int, int> shown,
+                                                    const std::vector<char>& without,
+                                                    int neighbours) const;
 
   cv::Size size;
   std::vector<int> frames;  // numbers in the video
   FaceGrid grid;
-  SkinPlaces places;
-  std::vector<FacePicture> faces;  // on the grid
+  SkinPositions positions;
+  std::vector<FaceImage> faces;  // on the grid
   std::size_t bytes = 0;
   std::optional<MarkerModel> model;
   std::optional<TwistModel> twist;
@@ -79,25 +80,25 @@ struct ReferenceLibrary::Content {
   Eigen::VectorXd mode_sd;
   EndLengths ends;
   ReferenceError error;
-  double known_px = std::numeric_limits<double>::infinity();
-  ReferencePicture single;  // empty for a recording
+  double max_known_px = std::numeric_limits<double>::infinity();
+  ReferenceImage single;  // empty for a recording
 };
 
-Neighbours ReferenceLibrary::Content::neighbours(const Eigen::VectorXd& place,
+Neighbours ReferenceLibrary::Content::neighbours(const Eigen::VectorXd& pose,
                                                  const std::vector<char>& without,
                                                  int count) const {
-  const PoseNeighbours near = pose_neighbours(modes, place, model->marker_count(), without, count);
+  const PoseNeighbours near = pose_neighbours(modes, pose, model->marker_count(), without, count);
   const Eigen::VectorXd& w = near.weights;
   Neighbours found;
-  found.reach_px2 = reach_px2(near.points, place, w);
-  double kept = 0;
+  found.reach_px2 = reach_px2(near.points, pose, w);
+  double weight_sum = 0;
   for (Eigen::Index i = 0; i < w.size(); ++i)
-    if (std::abs(w[i]) >= kLeastWeight) kept += w[i];
+    if (std::abs(w[i]) >= kMinWeight) weight_sum += w[i];
   std::vector<double> weights;
   for (Eigen::Index i = 0; i < w.size(); ++i) {
-    if (std::abs(w[i]) < kLeastWeight) continue;
+    if (std::abs(w[i]) < kMinWeight) continue;
     found.rows.push_back(near.rows[static_cast<std::size_t>(i)]);
-    weights.push_back(w[i] / kept);
+    weights.push_back(w[i] / weight_sum);
   }
   found.weights =
       Eigen::Map<const Eigen::VectorXd>(weights.data(), static_cast<Eigen::Index>(weights.size()));
@@ -123,24 +124,24 @@ ReferenceLibrary::Nearest ReferenceLibrary::Content::rest(const Markers& markers
   return {static_cast<int>(index), search->nearest(markers, without).distance_px};
 }
 
-std::vector<char> ReferenceLibrary::Content::hiding(const ChartWarp& warp,
-                                                    std::pair<int, int> shown,
-                                                    const std::vector<char>& without,
-                                                    int neighbours) const {
+std::vector<char> ReferenceLibrary::Content::incomplete_frames(const ChartWarp& warp,
+                                                               std::pair<int, int> shown,
+                                                               const std::vector<char>& without,
+                                                               int neighbours) const {
   if (warp.first() >= warp.end()) return {};
   const auto column = [&](float u) { return static_cast<int>(u) - grid.origin.x; };
   int first = std::max(0, column(warp.reach(warp.first()).first));
   int end = std::min(grid.size.width, column(warp.reach(warp.end() - 1).second) + 2);
   if (first >= shown.first && end <= shown.second) return {};
-  // As much of that as enough frames show.
+  // Limited to the columns that enough frames show.
   std::vector<int> firsts, ends;
   for (std::size_t i = 0; i < faces.size(); ++i) {
     if (!without.empty() && without[i]) continue;
     firsts.push_back(faces[i].first);
     ends.push_back(faces[i].end);
   }
-  const auto wanted = static_cast<std::size_t>(neighbours);
-  const std::size_t enough = 2 * wanted;
+  const auto required = static_cast<std::size_t>(neighbours);
+  const std::size_t enough = 2 * required;
   if (firsts.size() < enough) return {};
   const auto nth = static_cast<std::ptrdiff_t>(enough);
   std::nth_element(firsts.begin(), firsts.begin() + nth - 1, firsts.end());
@@ -153,13 +154,13 @@ std::vector<char> ReferenceLibrary::Content::hiding(const ChartWarp& warp,
     hidden[i] = faces[i].first > first || faces[i].end < end || (!without.empty() && without[i]);
     left += !hidden[i];
   }
-  return left >= wanted ? hidden : std::vector<char>();
+  return left >= required ? hidden : std::vector<char>();
 }
 
 namespace {
 
-/// How far off a pose may be, in squares, that is told by estimates of the markers, px^2.
-double squares_of_sds(const Markers& markers) {
+/// Variance of a pose from estimates of the markers, px^2.
+double marker_variance(const Markers& markers) {
   double square = 0;
   for (const Marker& marker : markers) square += 2.0 * marker.sd_px * marker.sd_px;
   return square;
@@ -178,19 +179,19 @@ Eigen::MatrixXd seen_layouts(const MarkerTable& table, const std::vector<int>& m
   return layouts;
 }
 
-/// All that a library of these files depends on, as text; nullopt where that cannot be told.
+/// Key of all inputs of a library, as text; nullopt where a file's state is unavailable.
 std::optional<std::string> made_from(const std::filesystem::path& video,
                                      const std::filesystem::path& table,
                                      const FingerSnapshot& snapshot,
                                      std::size_t memory_limit_bytes) {
   const Finger& finger = snapshot.finger;
-  Finger told;  // without what is measured with the library
-  told.name = "-";
-  told.camera = finger.camera;
-  told.face = finger.face;
-  told.markers = finger.markers;
-  told.reference = finger.reference;
-  const auto yaml = told.to_yaml();
+  Finger key_finger;  // without the results of the library
+  key_finger.name = "-";
+  key_finger.camera = finger.camera;
+  key_finger.face = finger.face;
+  key_finger.markers = finger.markers;
+  key_finger.reference = finger.reference;
+  const auto yaml = key_finger.to_yaml();
   if (!yaml) return std::nullopt;
   std::string key = fmt::format("{} {} {}", memory_limit_bytes, snapshot.reduced_by, *yaml);
   for (const std::filesystem::path& file : {video, table}) {
@@ -221,7 +222,7 @@ Result<ReferenceLibrary> ReferenceLibrary::load(const FingerSnapshot& snapshot,
   const auto video_file = finger_folder / finger.reference->video;
   const auto table_file = finger_folder / finger.reference->markers;
   const auto key = made_from(video_file, table_file, snapshot, memory_limit_bytes);
-  const auto read_it = [&]() -> Result<std::shared_ptr<const Content>> {
+  const auto read_content = [&]() -> Result<std::shared_ptr<const Content>> {
     const auto table = MarkerTable::load(table_file, finger.marker_count());
     if (!table) return table.error();
     return read(video_file,
@@ -233,27 +234,27 @@ Result<ReferenceLibrary> ReferenceLibrary::load(const FingerSnapshot& snapshot,
   };
   static SharedValues<Content> shared;
   const Error stopped{en::say("stopped before the reference was read"), video_file, ""};
-  auto content = key ? shared.get(*key, job, stopped, read_it) : read_it();
+  auto content = key ? shared.get(*key, job, stopped, read_content) : read_content();
   if (!content) return content.error();
   return ReferenceLibrary(std::move(*content));
 }
 
 namespace {
 
-/// nullopt: what the faces are made from cannot be told, or there is no cache.
-std::optional<KeptUnder> kept_under(const std::optional<std::string>& made_from) {
+/// nullopt: the inputs have no key, or there is no cache.
+std::optional<CacheKey> cache_key(const std::optional<std::string>& made_from) {
   static const std::string code =
       checksum_of_code(reinterpret_cast<const void*>(&read_recorded_faces));
   auto folder = cache_folder("faces");
   if (!made_from || !folder) return std::nullopt;
-  return KeptUnder{std::move(*folder), code + " " + *made_from};
+  return CacheKey{std::move(*folder), code + " " + *made_from};
 }
 
 Result<MarkerModel> learn_model(const MarkerTable& table,
                                 const Finger& finger,
                                 const std::filesystem::path& video_file) {
   std::vector<int> missing;
-  if (!finger.reference || !finger.reference->places) missing = finger.markers.missing;
+  if (!finger.reference || !finger.reference->positions) missing = finger.markers.missing;
   auto model = MarkerModel::learn(seen_layouts(table, missing), table.typical, missing);
   if (!model) return Error{model.error().what, video_file.string(), model.error().advice};
   return model;
@@ -268,15 +269,15 @@ ReferenceLibrary::Content::Content(MarkerModel learnt,
                                    const Camera& camera)
     : size(camera.size()),
       grid(std::move(read.grid)),
-      places(std::move(read.places)),
+      positions(std::move(read.positions)),
       faces(std::move(read.faces)),
       bytes(read.bytes),
       model(std::move(learnt)),
       mode_sd(model->mode_sd_px()),
       ends(read.charts, camera.size().width) {
-  const Eigen::MatrixXd layouts = table.layouts(read.kept, Eigen::all);
-  for (const std::size_t row : read.kept) frames.push_back(table.frames[row]);
-  const bool has_dots = !finger.reference || !finger.reference->places;
+  const Eigen::MatrixXd layouts = table.layouts(read.retained, Eigen::all);
+  for (const std::size_t row : read.retained) frames.push_back(table.frames[row]);
+  const bool has_dots = !finger.reference || !finger.reference->positions;
   if (has_dots) {
     twist = TwistModel::learn(read.poses);
     shape_poses = ShapePoses::learn(read.edges, table.layouts(read.seen, Eigen::all));
@@ -286,11 +287,11 @@ ReferenceLibrary::Content::Content(MarkerModel learnt,
   for (Eigen::Index i = 0; i < layouts.rows(); ++i)
     modes.row(i) = model->modes(markers_of(layouts, i, all_seen)).cwiseProduct(mode_sd).transpose();
   search.emplace(layouts);
-  known_px = known_distance_px(*search);
+  max_known_px = known_distance_px(*search);
 }
 
-void ReferenceLibrary::Content::study() {
-  take_out_drift(grid, modes, faces);
+void ReferenceLibrary::Content::analyse_faces() {
+  remove_drift(grid, modes, faces);
   error = reference_error(grid, faces, [&](int i) {
     std::vector<char> without(faces.size(), 0);
     without[static_cast<std::size_t>(i)] = 1;
@@ -298,15 +299,16 @@ void ReferenceLibrary::Content::study() {
   });
 }
 
-std::shared_ptr<ReferenceLibrary::Content> ReferenceLibrary::Content::of_kept(
-    const KeptUnder& under,
+std::shared_ptr<ReferenceLibrary::Content> ReferenceLibrary::Content::from_cache(
+    const CacheKey& key,
     MarkerModel learnt,
     const MarkerTable& table,
     const FingerSnapshot& snapshot) {
-  auto kept = take_kept_faces(under.folder, under.made_from);
-  if (!kept) return nullptr;
-  ReferenceError error = kept->error;
-  auto faces = recorded_faces_again(std::move(*kept), table, snapshot.finger, snapshot.camera);
+  auto cached = load_faces(key.folder, key.made_from);
+  if (!cached) return nullptr;
+  ReferenceError error = cached->error;
+  auto faces =
+      recorded_faces_from_cache(std::move(*cached), table, snapshot.finger, snapshot.camera);
   if (!faces) return nullptr;
   auto content = std::make_shared<Content>(
       std::move(learnt), std::move(*faces), table, snapshot.finger, snapshot.camera);
@@ -314,13 +316,13 @@ std::shared_ptr<ReferenceLibrary::Content> ReferenceLibrary::Content::of_kept(
   return content;
 }
 
-void ReferenceLibrary::Content::keep(const KeptUnder& under,
-                                     std::vector<FoundFace> found,
-                                     const std::vector<std::size_t>& kept) {
+void ReferenceLibrary::Content::save_cache(const CacheKey& key,
+                                           std::vector<FoundFace> found,
+                                           const std::vector<std::size_t>& retained) {
   if (found.empty()) return;
-  KeptFaces keeping{std::move(found), kept, std::move(faces), error};
-  static_cast<void>(keep_faces(under.folder, under.made_from, keeping));
-  faces = std::move(keeping.faces);
+  FaceCache cache{std::move(found), retained, std::move(faces), error};
+  static_cast<void>(save_faces(key.folder, key.made_from, cache));
+  faces = std::move(cache.faces);
 }
 
 Result<std::shared_ptr<const ReferenceLibrary::Content>> ReferenceLibrary::read(
@@ -333,16 +335,16 @@ Result<std::shared_ptr<const ReferenceLibrary::Content>> ReferenceLibrary::read(
   const Finger& finger = snapshot.finger;
   auto model = learn_model(table, finger, video_file);
   if (!model) return model.error();
-  const auto under = kept_under(made_from);
-  if (under)
-    if (auto content = Content::of_kept(*under, *model, table, snapshot))
+  const auto key = cache_key(made_from);
+  if (key)
+    if (auto content = Content::from_cache(*key, *model, table, snapshot))
       return std::shared_ptr<const Content>(std::move(content));
   auto video = VideoFile::open(video_file, job);
   if (!video) return wrong(en::say("the reference recording is missing or no video"), video_file);
   const auto frame = [&](std::size_t number) -> Result<cv::Mat> {
     const auto read = video->frame(number);
     if (!read) return read.error();
-    return picture_for(snapshot, (*read)->grey, en::say("the recording's picture"), "", "");
+    return image_for(snapshot, (*read)->grey, en::say("the recording's picture"), "", "");
   };
   auto faces = read_recorded_faces({frame, video->frame_count(), video_file, table},
                                    finger,
@@ -351,15 +353,15 @@ Result<std::shared_ptr<const ReferenceLibrary::Content>> ReferenceLibrary::read(
                                    job);
   if (!faces) return faces.error();
   auto found = std::move(faces->found);
-  const auto kept = faces->kept;
+  const auto retained = faces->retained;
   auto content = std::make_shared<Content>(
       std::move(*model), std::move(*faces), table, finger, snapshot.camera);
-  content->study();
-  if (under) content->keep(*under, std::move(found), kept);
+  content->analyse_faces();
+  if (key) content->save_cache(*key, std::move(found), retained);
   return std::shared_ptr<const Content>(std::move(content));
 }
 
-Result<ReferenceLibrary> ReferenceLibrary::from_frames(const FrameOfRecording& frame,
+Result<ReferenceLibrary> ReferenceLibrary::from_frames(const RecordingFrameReader& frame,
                                                        std::size_t frame_count,
                                                        const std::filesystem::path& video_file,
                                                        const MarkerTable& table,
@@ -374,7 +376,7 @@ Result<ReferenceLibrary> ReferenceLibrary::from_frames(const FrameOfRecording& f
   if (!faces) return faces.error();
   auto content =
       std::make_shared<Content>(std::move(*model), std::move(*faces), table, finger, camera);
-  content->study();
+  content->analyse_faces();
   return ReferenceLibrary(std::move(content));
 }
 
@@ -387,7 +389,7 @@ Result<ReferenceLibrary> ReferenceLibrary::single(const cv::Mat& grey) {
   content->size = grey.size();
   cv::Mat levels;
   grey.convertTo(levels, CV_32F);
-  content->single = ReferencePicture(levels);
+  content->single = ReferenceImage(levels);
   content->bytes = content->single.memory_bytes();
   return ReferenceLibrary(std::move(content));
 }
@@ -442,7 +444,7 @@ Reference ReferenceLibrary::reference_for(const Markers& markers,
   Reference reference;
   const Content& content = *content_;
   if (!content.search) {
-    reference.picture = content.single;
+    reference.image = content.single;
     reference.frame = 0;
     return reference;
   }
@@ -451,37 +453,38 @@ Reference ReferenceLibrary::reference_for(const Markers& markers,
   const Nearest found = is_single ? content.rest(markers) : nearest(markers, without);
   reference.frame = content.frames[static_cast<std::size_t>(found.index)];
   reference.distance_px = found.distance_px;
-  reference.known_pose = found.distance_px <= content.known_px;
+  reference.known_pose = found.distance_px <= content.max_known_px;
   reference.by_shape =
       std::none_of(markers.begin(), markers.end(), [](const Marker& m) { return m.seen; });
   auto now = chart_of(shape);
   if (now && now->base_at_low_u == content.grid.chart.base_at_low_u)
-    lay_on(content.places, shape, markers, &*now);
+    register_chart(content.positions, shape, markers, &*now);
   else
     now = FaceChart{};
   if (is_single) now = content.grid.chart;
-  if (!now->along_mm.empty()) reference.hidden = content.ends.beyond(*now, content.size.width);
+  if (!now->along_mm.empty())
+    reference.hidden = content.ends.hidden_columns(*now, content.size.width);
   ChartWarp warp(*now, content.grid.chart);
   std::vector<FaceMix> mixes{{{&content.faces[static_cast<std::size_t>(found.index)]}, {1.0F}}};
   if (method == ReferenceMethod::kLocal) {
-    const Eigen::VectorXd place = content.model->modes(markers).cwiseProduct(content.mode_sd);
-    const Neighbours near = content.neighbours(place, without, neighbours);
-    const double unsure_px2 = reference.by_shape ? squares_of_sds(markers) : 0.0;
+    const Eigen::VectorXd pose = content.model->modes(markers).cwiseProduct(content.mode_sd);
+    const Neighbours near = content.neighbours(pose, without, neighbours);
+    const double marker_variance_px2 = reference.by_shape ? marker_variance(markers) : 0.0;
     mixes = {content.mix_of(near)};
     reference.error_factor = reference.outer_error_factor =
-        content.error.factor(near.reach_px2 + unsure_px2);
-    const auto hiding =
-        content.hiding(warp, mixes.front().shown(content.grid), without, neighbours);
-    if (!hiding.empty()) {
-      const Neighbours further = content.neighbours(place, hiding, neighbours);
+        content.error.factor(near.reach_px2 + marker_variance_px2);
+    const auto incomplete_frames =
+        content.incomplete_frames(warp, mixes.front().shown(content.grid), without, neighbours);
+    if (!incomplete_frames.empty()) {
+      const Neighbours further = content.neighbours(pose, incomplete_frames, neighbours);
       mixes.push_back(content.mix_of(further));
-      reference.outer_error_factor = content.error.factor(further.reach_px2 + unsure_px2);
+      reference.outer_error_factor = content.error.factor(further.reach_px2 + marker_variance_px2);
     }
   }
   double square = 0;
   for (const float w : mixes.front().weights) square += static_cast<double>(w) * w;
   reference.noise_gain = std::sqrt(square);
-  reference.picture = ReferencePicture(content.grid, mixes, std::move(warp), content.size);
+  reference.image = ReferenceImage(content.grid, mixes, std::move(warp), content.size);
   return reference;
 }
 

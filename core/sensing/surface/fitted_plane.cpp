@@ -9,14 +9,14 @@
 namespace alltact {
 namespace {
 
-constexpr std::size_t kLeastPoints = 10;
+constexpr std::size_t kMinPoints = 10;
 
 struct Slopes {
   Eigen::Vector2d slope;       ///< dz/dx, dz/dy
   Eigen::Matrix2d covariance;  ///< from the noise
 };
 
-/// z = a + b x + c y: the noise is along z.
+/// Fits z = a + b x + c y: the noise is along z.
 std::optional<Slopes> slopes_of(const SurfacePatch& patch, bool is_moved) {
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (const SurfacePoint& point : patch.points) middle += point.point_mm();
@@ -31,7 +31,7 @@ std::optional<Slopes> slopes_of(const SurfacePatch& patch, bool is_moved) {
     normal += weight * row * row.transpose();
     right += weight * row * z;
   }
-  // In millimetres a patch is neither a thousandth nor a thousand wide.
+  // A patch is neither a thousandth nor a thousand mm wide, so that the system is well scaled.
   const Eigen::LDLT<Eigen::Matrix3d> solver(normal);
   if (solver.info() != Eigen::Success || !(solver.rcond() > 1e-12)) return std::nullopt;
   const Eigen::Vector3d found = solver.solve(right);
@@ -49,7 +49,7 @@ Result<FittedPlane> fit_plane(const SurfacePatch& patch) {
   const Error none{en::say("no plane goes through so few measured pixels, or through one line"),
                    "",
                    en::say("a larger piece, or one that is measured")};
-  if (patch.points.size() < kLeastPoints) return none;
+  if (patch.points.size() < kMinPoints) return none;
   if (std::any_of(patch.points.begin(), patch.points.end(), [](const SurfacePoint& point) {
         return point.is_limit;
       }))
@@ -74,14 +74,15 @@ MeasuredValue angle_deg(const FittedPlane& a, const FittedPlane& b) {
     return std::atan2(p.cross(q).norm(), p.dot(q)) * 180 / std::numbers::pi;
   };
   const double between = angle(a.normal, b.normal);
-  // Towards each other the normals turn by their noise in the plane of both; where that is not
-  // told, by the greater of what they turn by.
+  // The angle changes by the noise of both normals in their common plane. Parallel normals define
+  // no plane: there the larger bound, both traces, is used.
   const Eigen::Vector3d axis = a.normal.cross(b.normal);
   double variance = 0;
   if (axis.norm() > 1e-9) {
     const Eigen::Vector3d unit = axis.normalized();
-    const Eigen::Vector3d way_a = unit.cross(a.normal), way_b = unit.cross(b.normal);
-    variance = way_a.dot(a.covariance * way_a) + way_b.dot(b.covariance * way_b);
+    const Eigen::Vector3d direction_a = unit.cross(a.normal), direction_b = unit.cross(b.normal);
+    variance =
+        direction_a.dot(a.covariance * direction_a) + direction_b.dot(b.covariance * direction_b);
   } else {
     variance = a.covariance.trace() + b.covariance.trace();
   }

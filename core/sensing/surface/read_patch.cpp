@@ -8,11 +8,11 @@
 namespace alltact {
 namespace {
 
-constexpr double kMostPoints = 1500;
+constexpr double kMaxPoints = 1500;
 
 /// nullopt off the face.
 std::optional<SurfacePoint> point_at(
-    const FrameResult& result, const Face& face, int u, int v, const DepthCauses& causes) {
+    const FrameResult& result, const Face& face, int u, int v, const DepthErrorTerms& causes) {
   const auto local = result.shape->at(u, v);
   const auto area = result.shape->pixel_area(u, v);
   if (!local || !area) return std::nullopt;
@@ -23,7 +23,7 @@ std::optional<SurfacePoint> point_at(
   point.common_mm = std::hypot(causes.mapping, causes.reference, causes.light);
   point.is_limit = is_at_limit(result.depth->flags.at<std::uint8_t>(v, u));
   point.on_face_mm2 = area->on_face_mm2;
-  point.flat_mm2 = area->flat_mm2;
+  point.projected_mm2 = area->projected_mm2;
   return point;
 }
 
@@ -41,10 +41,10 @@ SurfacePatch patch_in(const FrameResult& result,
   SurfacePatch patch;
   if (!is_measured(result)) return patch;
   const cv::Rect inside = box & cv::Rect({}, result.depth->depth_mm.size());
-  const int step = std::max(1, static_cast<int>(std::ceil(std::sqrt(inside.area() / kMostPoints))));
+  const int step = std::max(1, static_cast<int>(std::ceil(std::sqrt(inside.area() / kMaxPoints))));
   const double pixels = static_cast<double>(step) * step;
   patch.noise_pixels = std::max(1.0, noise_pixels_of_area(smoothing_px) / pixels);
-  DepthError error(*result.depth, *result.reference, *result.shape, mapping);
+  DepthErrorModel error(*result.depth, *result.reference, *result.shape, mapping);
   for (int v = inside.y; v < inside.y + inside.height; v += step)
     for (int u = inside.x; u < inside.x + inside.width; u += step) {
       const auto depth_mm = static_cast<double>(result.depth->depth_mm.at<float>(v, u));
@@ -52,7 +52,7 @@ SurfacePatch patch_in(const FrameResult& result,
       auto point = point_at(result, face, u, v, error.of_depth(u, v, depth_mm));
       if (!point) continue;
       point->on_face_mm2 *= pixels;
-      point->flat_mm2 *= pixels;
+      point->projected_mm2 *= pixels;
       patch.points.push_back(*point);
     }
   return patch;
@@ -67,15 +67,15 @@ SurfaceLine line_between(const FrameResult& result,
   SurfaceLine line;
   if (!is_measured(result)) return line;
   line.patch.noise_pixels = noise_pixels_of_row(smoothing_px);
-  const cv::Rect picture({}, result.depth->depth_mm.size());
-  const cv::Point2d way = to - from;
-  const int steps = static_cast<int>(std::ceil(std::max(std::abs(way.x), std::abs(way.y))));
-  DepthError error(*result.depth, *result.reference, *result.shape, mapping);
+  const cv::Rect image({}, result.depth->depth_mm.size());
+  const cv::Point2d delta = to - from;
+  const int steps = static_cast<int>(std::ceil(std::max(std::abs(delta.x), std::abs(delta.y))));
+  DepthErrorModel error(*result.depth, *result.reference, *result.shape, mapping);
   double along_mm = 0;
   for (int i = 0; i <= steps; ++i) {
-    const cv::Point2d at = from + way * (static_cast<double>(i) / std::max(steps, 1));
+    const cv::Point2d at = from + delta * (static_cast<double>(i) / std::max(steps, 1));
     const int u = static_cast<int>(std::lround(at.x)), v = static_cast<int>(std::lround(at.y));
-    if (!picture.contains({u, v})) continue;
+    if (!image.contains({u, v})) continue;
     const auto depth_mm = static_cast<double>(result.depth->depth_mm.at<float>(v, u));
     if (!std::isfinite(depth_mm)) continue;
     const auto point = point_at(result, face, u, v, error.of_depth(u, v, depth_mm));

@@ -1,4 +1,4 @@
-// Pieces of the contact face out of a measured frame.
+// Extracts patches of the contact face from a measured frame.
 #pragma once
 
 #include "core/finger/mapping.h"
@@ -11,17 +11,17 @@
 
 namespace alltact {
 
-/// The pixels of `box` that have a depth; of a large box every second, third ... one each way, so
-/// that there are at most about 1500. `smoothing_px`: what the frame was measured with. Empty where
-/// the frame has no depth.
+/// The pixels of `box` that have a depth. A large box is sampled at every second, third, ... pixel
+/// in both directions, so that about 1500 remain. `smoothing_px`: setting of the measurement. Empty
+/// where the frame has no depth.
 [[nodiscard]] SurfacePatch patch_in(const FrameResult& result,
                                     const Face& face,
                                     const Mapping& mapping,
                                     double smoothing_px,
                                     const cv::Rect& box);
 
-/// The pixels that a straight line in the picture goes over, each once, and how far along the
-/// untouched face they lie from the first one.
+/// The pixels on a straight line in the image, each once, and their distance from the first one
+/// along the untouched face.
 struct SurfaceLine {
   SurfacePatch patch;
   std::vector<double> along_mm;

@@ -10,10 +10,10 @@
 namespace alltact {
 namespace {
 
-constexpr std::size_t kLeastOfBall = 30, kLeastOfRoughness = 30, kLeastOfPlane = 10,
-                      kLeastOfStep = 12;
-constexpr std::size_t kCoarsePlaces = 64;
-constexpr double kLeastNoiseMm = 1e-6;  // weights stay finite where a pixel claims none
+constexpr std::size_t kMinBallPoints = 30, kMinRoughnessPoints = 30, kMinPlanePoints = 10,
+                      kMinStepPoints = 12;
+constexpr std::size_t kCoarseSteps = 64;
+constexpr double kMinNoiseMm = 1e-6;  // finite weights for pixels without noise
 
 Error too_few(std::size_t have, std::size_t need) {
   return {en::say("{} measured pixels where {} are needed", have, need),
@@ -27,7 +27,7 @@ Error at_a_limit() {
           en::say("a piece that is pressed in less deep")};
 }
 
-/// All depths moved by what is common to them.
+/// The patch with all depths shifted by their common standard deviation.
 SurfacePatch moved(const SurfacePatch& patch) {
   SurfacePatch other = patch;
   for (SurfacePoint& point : other.points) point.depth_mm += point.common_mm;
@@ -39,9 +39,9 @@ struct Sphere {
   double radius_mm = 0, radius_sd_mm = 0, residual_mm = 0;
 };
 
-/// A sphere near enough to begin with: |p|^2 is linear in centre and R^2 - |c|^2.
-std::optional<Eigen::Vector4d> sphere_to_begin_with(const std::vector<const SurfacePoint*>& points,
-                                                    const Eigen::Vector3d& middle) {
+/// Initial sphere from a linear fit: |p|^2 is linear in centre and R^2 - |c|^2.
+std::optional<Eigen::Vector4d> initial_sphere(const std::vector<const SurfacePoint*>& points,
+                                              const Eigen::Vector3d& middle) {
   Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
   Eigen::Vector4d right = Eigen::Vector4d::Zero();
   for (const SurfacePoint* point : points) {
@@ -58,15 +58,14 @@ std::optional<Eigen::Vector4d> sphere_to_begin_with(const std::vector<const Surf
   return Eigen::Vector4d(found[0], found[1], found[2], std::sqrt(squared));
 }
 
-/// Gauss-Newton on the distances from the sphere, each weighted by what its noise along z does to
-/// it.
+/// Gauss-Newton on the distances from the sphere, each weighted by the effect of its noise along z.
 std::optional<Sphere> fit_sphere(const std::vector<const SurfacePoint*>& points,
                                  double noise_pixels) {
   constexpr int kRounds = 60;
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (const SurfacePoint* point : points) middle += point->point_mm();
   middle /= static_cast<double>(points.size());
-  const auto begin = sphere_to_begin_with(points, middle);
+  const auto begin = initial_sphere(points, middle);
   if (!begin) return std::nullopt;
   Eigen::Vector4d now = *begin;
   Eigen::Matrix4d normal;
@@ -79,11 +78,11 @@ std::optional<Sphere> fit_sphere(const std::vector<const SurfacePoint*>& points,
       const Eigen::Vector3d from = point->point_mm() - middle - now.head<3>();
       const double distance = from.norm();
       if (!(distance > 0)) return std::nullopt;
-      const Eigen::Vector3d way = from / distance;
+      const Eigen::Vector3d direction = from / distance;
       const double off = distance - now[3];
       const double sd =
-          std::max(point->noise_mm, kLeastNoiseMm) * std::max(std::abs(way.z()), 0.05);
-      const Eigen::Vector4d row(-way.x(), -way.y(), -way.z(), -1);
+          std::max(point->noise_mm, kMinNoiseMm) * std::max(std::abs(direction.z()), 0.05);
+      const Eigen::Vector4d row(-direction.x(), -direction.y(), -direction.z(), -1);
       normal += row * row.transpose() / (sd * sd);
       right += row * off / (sd * sd);
       squares += off * off;
@@ -102,7 +101,7 @@ std::optional<Sphere> fit_sphere(const std::vector<const SurfacePoint*>& points,
                 std::sqrt(squares / static_cast<double>(points.size()))};
 }
 
-/// Which points to begin with: at least half as deep as the deepest.
+/// Initial choice of points: half the largest depth or more.
 std::vector<std::size_t> deep_half(const SurfacePatch& patch) {
   double deepest = 0;
   for (const SurfacePoint& point : patch.points) deepest = std::max(deepest, point.depth_mm);
@@ -113,7 +112,8 @@ std::vector<std::size_t> deep_half(const SurfacePatch& patch) {
   return chosen;
 }
 
-/// The same by the ball instead of by single depths, whose noise would choose what fits it.
+/// The same choice by the depth of the ball. Noise of single depths would choose the points that
+/// fit it.
 std::vector<std::size_t> deep_half_of(const Sphere& ball, const SurfacePatch& patch) {
   std::vector<double> depth_mm(patch.points.size(), 0);
   double deepest = 0;
@@ -137,7 +137,7 @@ std::vector<const SurfacePoint*> points_of(const SurfacePatch& patch,
   return points;
 }
 
-/// A straight line through one side of a step, by least squares.
+/// Regression line through one side of a step.
 struct Side {
   std::vector<double> along_mm, depth_mm;
   double noise_square = 0;  // sum
@@ -147,7 +147,7 @@ struct Side {
   void add(double along, const SurfacePoint& point) {
     along_mm.push_back(along);
     depth_mm.push_back(point.depth_mm);
-    noise_square += std::pow(std::max(point.noise_mm, kLeastNoiseMm), 2);
+    noise_square += std::pow(std::max(point.noise_mm, kMinNoiseMm), 2);
     has_limit |= point.is_limit;
   }
   [[nodiscard]] double length_mm() const {
@@ -170,14 +170,14 @@ struct Side {
   }
 };
 
-/// Why both sides of a step are not two parallel planes, if so.
+/// The reason why both sides of a step are not two parallel planes; nullopt if they are.
 std::optional<Error> no_planes(const SurfacePatch& line,
                                const std::vector<double>& along_mm,
                                double at_mm,
                                double gap_mm,
                                double height_mm) {
-  constexpr double kLeastLength = 0.1;  // of the line
-  constexpr double kMostNoise = 1.5, kMostOfStep = 0.05;
+  constexpr double kMinLength = 0.1;  // of the line
+  constexpr double kMaxNoiseRatio = 1.5, kMaxOfStep = 0.05;
   constexpr double kSlopeSds = 4, kTiltOfStep = 0.1;
   Side before, after;
   for (std::size_t i = 0; i < along_mm.size(); ++i)
@@ -185,25 +185,25 @@ std::optional<Error> no_planes(const SurfacePatch& line,
       (along_mm[i] < at_mm ? before : after).add(along_mm[i] - at_mm, line.points[i]);
   const double length_mm = along_mm.back() - along_mm.front();
   for (Side* side : {&before, &after}) {
-    if (side->along_mm.size() < kLeastOfStep / 3 || side->length_mm() < kLeastLength * length_mm)
+    if (side->along_mm.size() < kMinStepPoints / 3 || side->length_mm() < kMinLength * length_mm)
       return Error{en::say("one side of the step is too short to be a plane"),
                    "",
                    en::say("a line that reaches further over both sides")};
     if (side->has_limit) return at_a_limit();
     side->fit(line.noise_pixels);
-    // A mean square of so many independent values spreads by sqrt(2 / n) of itself.
+    // A mean square of n independent values has a relative spread of sqrt(2 / n).
     const double spread = 1 + 2 * std::sqrt(2 / side->independent);
-    const double most_mm = std::max(kMostNoise * side->noise_mm * std::sqrt(spread),
-                                    kMostOfStep * std::abs(height_mm));
-    if (side->misfit_mm > most_mm)
+    const double max_mm = std::max(kMaxNoiseRatio * side->noise_mm * std::sqrt(spread),
+                                   kMaxOfStep * std::abs(height_mm));
+    if (side->misfit_mm > max_mm)
       return Error{en::say("one side of the step is not plane"),
                    "",
                    en::say("a line over two planes, with the step between them")};
   }
   const double tilt = std::abs(before.slope - after.slope);
-  const double most_tilt = std::max(kSlopeSds * std::hypot(before.slope_sd, after.slope_sd),
-                                    kTiltOfStep * std::abs(height_mm) / (0.5 * length_mm));
-  if (tilt > most_tilt)
+  const double max_tilt = std::max(kSlopeSds * std::hypot(before.slope_sd, after.slope_sd),
+                                   kTiltOfStep * std::abs(height_mm) / (0.5 * length_mm));
+  if (tilt > max_tilt)
     return Error{en::say("both sides of the step are not parallel"),
                  "",
                  en::say("a line over two parallel planes, with the step between them")};
@@ -229,7 +229,7 @@ Result<FittedBall> fit_ball(const SurfacePatch& patch) {
   constexpr int kChoices = 4;
   for (int choice = 0; choice < kChoices; ++choice) {
     const auto points = points_of(patch, cap);
-    if (points.size() < kLeastOfBall) return too_few(points.size(), kLeastOfBall);
+    if (points.size() < kMinBallPoints) return too_few(points.size(), kMinBallPoints);
     ball = fit_sphere(points, patch.noise_pixels);
     if (!ball) return none;
     cap = deep_half_of(*ball, patch);
@@ -244,43 +244,43 @@ Result<FittedBall> fit_ball(const SurfacePatch& patch) {
 
 Result<PressedSurface> pressed_part(const SurfacePatch& patch, double threshold_mm) {
   double area = 0, volume = 0, flat = 0;
-  double noise_of_volume = 0, common_of_volume = 0, least = 0, most = 0;
-  bool is_least = false;
+  double noise_of_volume = 0, common_of_volume = 0, min_area = 0, max_area = 0;
+  bool is_lower_bound = false;
   for (const SurfacePoint& point : patch.points) {
     const double sd = std::hypot(point.noise_mm, point.common_mm);
-    if (point.depth_mm - sd > threshold_mm) least += point.on_face_mm2;
-    if (point.depth_mm + sd > threshold_mm) most += point.on_face_mm2;
+    if (point.depth_mm - sd > threshold_mm) min_area += point.on_face_mm2;
+    if (point.depth_mm + sd > threshold_mm) max_area += point.on_face_mm2;
     if (!(point.depth_mm > threshold_mm)) continue;
-    is_least |= point.is_limit;
+    is_lower_bound |= point.is_limit;
     area += point.on_face_mm2;
-    flat += point.flat_mm2;
-    volume += point.flat_mm2 * point.depth_mm;
-    noise_of_volume += std::pow(point.flat_mm2 * point.noise_mm, 2);
-    common_of_volume += point.flat_mm2 * point.common_mm;
+    flat += point.projected_mm2;
+    volume += point.projected_mm2 * point.depth_mm;
+    noise_of_volume += std::pow(point.projected_mm2 * point.noise_mm, 2);
+    common_of_volume += point.projected_mm2 * point.common_mm;
   }
   if (!(area > 0))
     return Error{en::say("nothing here is deeper than {} mm", threshold_mm),
                  "",
                  en::say("a piece where something presses")};
   PressedSurface part;
-  part.area_mm2 = {area, (most - least) / 2};
+  part.area_mm2 = {area, (max_area - min_area) / 2};
   part.volume_mm3 = {volume,
                      std::hypot(std::sqrt(noise_of_volume * patch.noise_pixels), common_of_volume)};
   part.mean_mm = {volume / flat, part.volume_mm3.sd / flat};
-  part.is_least = is_least;
+  part.is_lower_bound = is_lower_bound;
   return part;
 }
 
 Result<Roughness> roughness(const SurfacePatch& patch) {
   const std::size_t n = patch.points.size();
-  if (n < kLeastOfRoughness) return too_few(n, kLeastOfRoughness);
+  if (n < kMinRoughnessPoints) return too_few(n, kMinRoughnessPoints);
   if (std::any_of(patch.points.begin(), patch.points.end(), [](const SurfacePoint& point) {
         return point.is_limit;
       }))
     return at_a_limit();
   const auto plane = fit_plane(patch);
   if (!plane) return plane.error();
-  // Heights along the patch's own normal, over two directions in it.
+  // Heights along the patch's own normal, as a function of two directions in the plane.
   const Eigen::Vector3d across = plane->normal.unitOrthogonal();
   const Eigen::Vector3d along = plane->normal.cross(across);
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
@@ -310,7 +310,7 @@ Result<Roughness> roughness(const SurfacePatch& patch) {
   Roughness rough;
   rough.noise_mm = std::sqrt(noise_squares / pixels);
   rough.sz_mm = rest.maxCoeff() - rest.minCoeff();
-  // The variance of a mean square over so many independent pixels, through the root.
+  // Standard deviation of a mean square over the independent pixels, propagated through the root.
   const double independent = std::max(pixels / patch.noise_pixels, 2.0);
   const double sd_of_squares = squares * std::sqrt(2 / independent);
   const double true_squares = std::max(0.0, squares - rough.noise_mm * rough.noise_mm);
@@ -323,12 +323,12 @@ Result<Roughness> roughness(const SurfacePatch& patch) {
 
 Result<StepHeight> step_height(const SurfacePatch& line, const std::vector<double>& along_mm) {
   const std::size_t n = line.points.size();
-  if (n < kLeastOfStep) return too_few(n, kLeastOfStep);
+  if (n < kMinStepPoints) return too_few(n, kMinStepPoints);
   const double begin = along_mm.front(), length = along_mm.back() - begin;
   struct Fit {
     double height, sd, misfit;
   };
-  // Least squares of offset, slope and step, without what is nearer to the step than `gap`.
+  // Regression of offset, slope and step, without points nearer to the step than `gap_mm`.
   const auto fit_at = [&](double at, double gap_mm, bool is_moved) -> std::optional<Fit> {
     Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
     Eigen::Vector3d right = Eigen::Vector3d::Zero();
@@ -340,13 +340,13 @@ Result<StepHeight> step_height(const SurfacePatch& line, const std::vector<doubl
       ++(from < 0 ? before : after);
       const SurfacePoint& point = line.points[i];
       const double depth = point.depth_mm + (is_moved ? point.common_mm : 0);
-      const double weight = 1 / std::pow(std::max(point.noise_mm, kLeastNoiseMm), 2);
+      const double weight = 1 / std::pow(std::max(point.noise_mm, kMinNoiseMm), 2);
       const Eigen::Vector3d row(1, from / length, from < 0 ? 0 : 1);
       normal += weight * row * row.transpose();
       right += weight * row * depth;
       squares += weight * depth * depth;
     }
-    if (before < kLeastOfStep / 3 || after < kLeastOfStep / 3) return std::nullopt;
+    if (before < kMinStepPoints / 3 || after < kMinStepPoints / 3) return std::nullopt;
     const Eigen::LDLT<Eigen::Matrix3d> solver(normal);
     if (solver.info() != Eigen::Success || !(solver.rcond() > 1e-13)) return std::nullopt;
     const Eigen::Vector3d found = solver.solve(right);
@@ -357,16 +357,16 @@ Result<StepHeight> step_height(const SurfacePatch& line, const std::vector<doubl
   std::optional<Fit> best;
   double best_at = 0;
   std::size_t best_i = 1;
-  // A coarse search, then every place near the best of it.
-  const std::size_t coarse = std::max<std::size_t>(1, n / kCoarsePlaces);
-  const auto look_at = [&](std::size_t i) {
+  // A coarse search, then all positions near its best one.
+  const std::size_t coarse = std::max<std::size_t>(1, n / kCoarseSteps);
+  const auto try_at = [&](std::size_t i) {
     const double at = (along_mm[i - 1] + along_mm[i]) / 2;
     const auto fit = fit_at(at, 0, false);
     if (fit && (!best || fit->misfit < best->misfit)) best = fit, best_at = at, best_i = i;
   };
-  for (std::size_t i = 1; i < n; i += coarse) look_at(i);
+  for (std::size_t i = 1; i < n; i += coarse) try_at(i);
   const std::size_t first = best_i > coarse ? best_i - coarse : 1;
-  for (std::size_t i = first; i < std::min(n, best_i + coarse); ++i) look_at(i);
+  for (std::size_t i = first; i < std::min(n, best_i + coarse); ++i) try_at(i);
   const double gap_mm = 0.05 * length;
   if (best) best = fit_at(best_at, gap_mm, false);
   const auto if_moved = best ? fit_at(best_at, gap_mm, true) : std::nullopt;

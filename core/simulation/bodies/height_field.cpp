@@ -7,7 +7,7 @@ namespace alltact {
 
 namespace {
 
-constexpr double kLeastUpright = 0.08;
+constexpr double kMinUpright = 0.08;
 constexpr int kHalvings = 44;
 constexpr int kSupportSteps = 256;
 
@@ -19,9 +19,9 @@ class PosedHeightField final : public PosedBody {
         up_(object_from_camera_.linear().col(2)),
         finest_mm_(body.finest_mm()) {}
 
-  // Along the line over (x, y), by the height above the object's lowest plane.
+  // Searches along the line over (x, y), by the height above the object's lowest plane.
   double lowest_z_mm(double x_mm, double y_mm, double below_mm) const override {
-    if (up_.z() < kLeastUpright) return HeightField::kNothing_mm;
+    if (up_.z() < kMinUpright) return HeightField::kNothing_mm;
     const Eigen::Vector3d top = object_from_camera_ * Eigen::Vector3d(x_mm, y_mm, below_mm);
     const double highest = top.z();
     if (!(highest > 0)) return HeightField::kNothing_mm;
@@ -69,18 +69,19 @@ std::unique_ptr<const PosedBody> HeightField::posed(
   return std::make_unique<PosedHeightField>(*this, camera_from_object);
 }
 
-double HeightField::least_along_mm(const Eigen::Vector3d& direction) const {
+double HeightField::min_along_mm(const Eigen::Vector3d& direction) const {
   if (direction.head<2>().norm() < 1e-12) return 0;
   const Eigen::Vector2d half = half_size_mm();
-  double least = kNothing_mm;
+  double min_value = kNothing_mm;
   for (int i = 0; i <= kSupportSteps; ++i)
     for (int k = 0; k <= kSupportSteps; ++k) {
       const double x = half.x() * (2.0 * i / kSupportSteps - 1);
       const double y = half.y() * (2.0 * k / kSupportSteps - 1);
       const double gap = gap_mm(x, y);
-      if (std::isfinite(gap)) least = std::min(least, direction.dot(Eigen::Vector3d(x, y, gap)));
+      if (std::isfinite(gap))
+        min_value = std::min(min_value, direction.dot(Eigen::Vector3d(x, y, gap)));
     }
-  return std::isfinite(least) ? least : 0;
+  return std::isfinite(min_value) ? min_value : 0;
 }
 
 }  // namespace alltact

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kOnEdge = 1e-9;  // of a triangle's size: points on an edge belong to both sides
 
-// Triangles by the cells of the x-y plane over which they lie.
+// Triangles indexed by the cells of the x-y plane that they cover.
 class PosedMesh final : public PosedBody {
  public:
   PosedMesh(const TriangleMesh& mesh, const Eigen::Isometry3d& camera_from_object)
@@ -53,7 +53,7 @@ class PosedMesh final : public PosedBody {
         visit(static_cast<std::size_t>(row * side_ + column));
   }
 
-  // Counted first, so that all lists lie in one.
+  // The entries are counted first, so that all lists share one array.
   void fill_cells() {
     starts_.assign(static_cast<std::size_t>(side_ * side_) + 1, 0);
     for (const auto& triangle : triangles_)
@@ -70,7 +70,7 @@ class PosedMesh final : public PosedBody {
     return points_[static_cast<std::size_t>(number)];
   }
 
-  // Infinity beside the triangle, and over one that is seen edge on.
+  // Returns infinity outside the triangle and for a triangle viewed edge on.
   [[nodiscard]] double z_over(const std::array<int, 3>& triangle, const Eigen::Vector2d& at) const {
     const Eigen::Vector3d& a = point(triangle[0]);
     const Eigen::Vector3d b = point(triangle[1]) - a, c = point(triangle[2]) - a;
@@ -79,8 +79,9 @@ class PosedMesh final : public PosedBody {
     if (std::abs(area) < 1e-14) return std::numeric_limits<double>::infinity();
     const double of_b = (p.x() * c.y() - p.y() * c.x()) / area;
     const double of_c = (b.x() * p.y() - b.y() * p.x()) / area;
-    const bool beside = of_b < -kOnEdge || of_c < -kOnEdge || of_b + of_c > 1 + kOnEdge;
-    return beside ? std::numeric_limits<double>::infinity() : a.z() + of_b * b.z() + of_c * c.z();
+    const bool is_outside = of_b < -kOnEdge || of_c < -kOnEdge || of_b + of_c > 1 + kOnEdge;
+    return is_outside ? std::numeric_limits<double>::infinity()
+                      : a.z() + of_b * b.z() + of_c * c.z();
   }
 
   const std::vector<std::array<int, 3>>& triangles_;
@@ -109,10 +110,10 @@ std::unique_ptr<const PosedBody> MeshBody::posed(
   return std::make_unique<PosedMesh>(mesh_, camera_from_object);
 }
 
-double MeshBody::least_along_mm(const Eigen::Vector3d& direction) const {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Eigen::Vector3d& p : mesh_.points) least = std::min(least, direction.dot(p));
-  return least;
+double MeshBody::min_along_mm(const Eigen::Vector3d& direction) const {
+  double min_value = std::numeric_limits<double>::infinity();
+  for (const Eigen::Vector3d& p : mesh_.points) min_value = std::min(min_value, direction.dot(p));
+  return min_value;
 }
 
 }  // namespace alltact

@@ -1,6 +1,6 @@
-// The clear body between lamps, face and camera absorbs: the light of each lamp falls by
-// exp(-per_mm (r_l + r_c)), r_l the way from the lamp to the face and r_c that on to the camera
-// (Beer, Lambert). Room light stays.
+// The clear body between lamps, face and camera absorbs. The light of each lamp falls by
+// exp(-per_mm (r_l + r_c)), r_l the path length from the lamp to the face and r_c that on to the
+// camera (Beer, Lambert). Room light is unchanged.
 #include "core/simulation/effect.h"
 
 namespace alltact {
@@ -13,15 +13,15 @@ class Absorption final : public GeometryEffect {
 
   Message sentence() const override { return en::say("The silicone absorbs light on its way"); }
 
-  Status fits(const SceneFacts& scene) const override {
-    if (!scene.names("leds"))
+  Status validate(const SceneFacts& scene) const override {
+    if (!scene.has_effect("leds"))
       return Error{en::say("there is no lamp whose light could be absorbed"),
                    "",
                    en::say("name the effect leds too")};
     return {};
   }
 
-  void place(const FrameContext&, FrameGeometry& geometry) const override {
+  void apply(const FrameContext&, FrameGeometry& geometry) const override {
     geometry.illumination.absorb_per_mm = per_mm_;
   }
 

@@ -1,5 +1,5 @@
-// Room light that gets into the finger and falls on its faces from everywhere: what they reflect is
-// light * (level + sum over the lamps), `level` in grey levels of a perfectly white surface.
+// Room light enters the finger and falls on its faces from all directions. They reflect light *
+// (level + sum over the lamps), `level` in grey levels of a perfectly white surface.
 #include "core/simulation/effect.h"
 
 namespace alltact {
@@ -12,15 +12,15 @@ class Ambient final : public GeometryEffect {
 
   Message sentence() const override { return en::say("Light of the room falls on the faces"); }
 
-  Status fits(const SceneFacts& scene) const override {
-    if (!scene.names("leds"))
+  Status validate(const SceneFacts& scene) const override {
+    if (!scene.has_effect("leds"))
       return Error{en::say("room light comes on top of that of the lamps"),
                    "",
                    en::say("name the effect leds too")};
     return {};
   }
 
-  void place(const FrameContext& frame, FrameGeometry& geometry) const override {
+  void apply(const FrameContext& frame, FrameGeometry& geometry) const override {
     geometry.illumination.room_level += frame(level_);
   }
 

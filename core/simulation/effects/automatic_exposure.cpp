@@ -1,6 +1,6 @@
-// The camera's exposure is not locked: I = G I with G = (target / mean(I))^share, between `least`
-// and `greatest`. A control that has settled brings the picture's mean to `target` grey levels
-// (share 1) or part of the way there. Frame by frame on its own, from that frame's light.
+// Exposure that is not locked: I = G I with G = (target / mean(I))^share, limited to the given
+// range. A settled control brings the image's mean to `target` grey levels (share 1), or a fraction
+// of that correction. Each frame is controlled on its own, from its own light.
 #include "core/simulation/effect.h"
 
 namespace alltact {
@@ -12,9 +12,9 @@ class AutomaticExposure final : public SensorEffect {
   explicit AutomaticExposure(YamlSection& p)
       : target_(p.number("target", {1, 255})),
         share_(p.number_or("share", 1, strength_up_to(1))),
-        least_(p.number_or("least", 0.1, {1e-3, 1})),
-        greatest_(p.number_or("greatest", 10, {1, 1000})) {
-    if (least_ == 1 && greatest_ == 1)
+        min_gain_(p.number_or("least", 0.1, {1e-3, 1})),
+        max_gain_(p.number_or("greatest", 10, {1, 1000})) {
+    if (min_gain_ == 1 && max_gain_ == 1)
       p.refuse("greatest", en::say("the exposure could not change"), en::say("more than 1"));
   }
 
@@ -22,10 +22,12 @@ class AutomaticExposure final : public SensorEffect {
     return en::say("The camera exposes by itself, by how bright the picture is");
   }
 
-  bool needs_picture() const override { return true; }
-  void picture(const FrameContext&, const FrameGeometry&, cv::Mat_<float>& grey) const override {
+  bool needs_full_image() const override { return true; }
+  void process_image(const FrameContext&,
+                     const FrameGeometry&,
+                     cv::Mat_<float>& grey) const override {
     const double mean = std::max(1e-6, cv::mean(grey)[0]);
-    const double gain = std::clamp(std::pow(target_ / mean, share_), least_, greatest_);
+    const double gain = std::clamp(std::pow(target_ / mean, share_), min_gain_, max_gain_);
     for (int v = 0; v < grey.rows; ++v) {
       float* value = grey[v];
       for (int u = 0; u < grey.cols; ++u) value[u] *= static_cast<float>(gain);
@@ -33,7 +35,7 @@ class AutomaticExposure final : public SensorEffect {
   }
 
  private:
-  double target_, share_, least_, greatest_;
+  double target_, share_, min_gain_, max_gain_;
 };
 
 }  // namespace

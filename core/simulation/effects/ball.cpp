@@ -1,6 +1,6 @@
-// A ball is pressed into the face until its deepest point has gone `depth_mm` along z.
+// A ball presses into the face until its deepest point lies `depth_mm` along z.
 #include "core/simulation/effect.h"
-#include "core/simulation/give.h"
+#include "core/simulation/tip_deflection.h"
 
 namespace alltact {
 
@@ -13,29 +13,29 @@ class Ball final : public GeometryEffect {
         depth_(Varying::read(p, "depth_mm", strength_up_to(20))),
         s_(Varying::read(p, "s_mm", {-1000, 1000})),
         y_(Varying::read(p, "y_mm", {-1000, 1000})),
-        give_(p) {}
+        tip_deflection_(p) {}
 
   Message sentence() const override { return en::say("A ball is pressed into the face"); }
-  bool may_be_several() const override { return true; }
+  bool is_repeatable() const override { return true; }
   std::optional<PressKind> presses() const override { return PressKind::kBall; }
 
-  Status fits(const SceneFacts& scene) const override {
-    if (const Status status = press_fits(scene, depth_, s_, y_); !status) return status;
-    if (depth_.greatest() >= radius_.least())
+  Status validate(const SceneFacts& scene) const override {
+    if (const Status status = check_press(scene, depth_, s_, y_); !status) return status;
+    if (depth_.max_value() >= radius_.min_value())
       return Error{en::say("the ball would sink in beyond its middle"),
                    "",
                    en::say("depth_mm below radius_mm")};
-    return give_.fits(scene);
+    return tip_deflection_.validate(scene);
   }
 
   void shape(const FrameContext& frame, FaceCurve& curve) const override {
-    give_.shape(frame, s_, curve);
+    tip_deflection_.shape(frame, s_, curve);
   }
 
-  void place(const FrameContext& frame, FrameGeometry& geometry) const override {
+  void apply(const FrameContext& frame, FrameGeometry& geometry) const override {
     BallPress press =
-        make_ball_press(geometry.press_place(frame(s_), frame(y_), frame(depth_)), frame(radius_));
-    ContactTruth truth = contact_truth(press.place);
+        make_ball_press(geometry.press_pose(frame(s_), frame(y_), frame(depth_)), frame(radius_));
+    ContactTruth truth = contact_truth(press.pose);
     truth.camera_from_object = Eigen::Isometry3d::Identity();
     truth.camera_from_object->translation() = press.centre_mm;
     geometry.contacts.push_back(std::move(truth));
@@ -44,7 +44,7 @@ class Ball final : public GeometryEffect {
 
  private:
   Varying radius_, depth_, s_, y_;
-  Give give_;
+  TipDeflection tip_deflection_;
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
-// The finger bends in the x-z plane: deflection w along the untouched face's normal,
-// w(s) = q1 (s/L)^2 + q2 ((s/L)^3 - (s/L)^2), clamped at the base. The slope angle changes by
-// w'(s) and the face keeps its length.
+// The finger bends in the x-z plane with the deflection w along the undeformed face's normal, w(s)
+// = q1 (s/L)^2 + q2 ((s/L)^3 - (s/L)^2), clamped at the base. The slope angle changes by w'(s); the
+// length of the face does not change.
 #include "core/simulation/effect.h"
 
 namespace alltact {
@@ -17,7 +17,7 @@ class Bend final : public GeometryEffect {
     return en::say("The finger bends in the plane of its length");
   }
 
-  Status fits(const SceneFacts& scene) const override {
+  Status validate(const SceneFacts& scene) const override {
     if (scene.finger.face.kind == FaceKind::kFlat)
       return Error{en::say("a flat sensor does not bend"), "", en::say("leave bend out")};
     return {};

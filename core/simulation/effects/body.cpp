@@ -1,9 +1,9 @@
-// The finger's body: rubber of a known hardness in the shape of a Fin Ray, which gives way to what
-// pushes (effect `push`) in the modes of `bend` and `sway` and by twisting. With `damping_s` it
-// comes to rest as 1 - exp(-t / damping_s); with `creep`, a list of {share, time_s}, it goes on by
-// those shares of the elastic deflection, each with its time. What bends it besides (bend, sway,
-// give_mm) is where it starts from. Pushes that are more than the finger bears within the model
-// (PushedFinger) count as much as it bears, and the truth tells how much that is.
+// The finger's body: rubber of known hardness in the shape of a Fin Ray. It deflects under the
+// effect `push` in the modes of `bend` and `sway` and by twisting. With `damping_s` it settles as 1
+// - exp(-t / damping_s). With `creep`, a list of {share, time_s}, it deflects further by those
+// shares of the elastic deflection, each with its time constant. Other deformation (bend, sway,
+// give_mm) is its rest shape. Pushes beyond the model's limits (PushedFinger) are reduced to what
+// the body carries; the truth holds the reduced force.
 #include "core/simulation/effect.h"
 #include "core/simulation/mechanics/shore.h"
 #include "core/simulation/scene_time.h"
@@ -44,11 +44,11 @@ class ElasticBody final : public GeometryEffect {
   }
   const ElasticFinger* elastic() const override { return &elastic_; }
 
-  Status fits(const SceneFacts& scene) const override {
+  Status validate(const SceneFacts& scene) const override {
     if (scene.finger.face.kind == FaceKind::kFlat)
       return Error{
           en::say("a flat sensor has no body that gives way"), "", en::say("leave body out")};
-    if (!scene.names("push"))
+    if (!scene.has_effect("push"))
       return Error{en::say("nothing pushes, so no body gives way"), "", en::say("name push too")};
     const auto body = elastic_.body(scene.finger.face, scene.length_mm);
     return body ? Status() : body.error();
@@ -59,35 +59,39 @@ class ElasticBody final : public GeometryEffect {
     if (!body || curve.loads.empty()) return;
     const PushedFinger finger(*body, curve);
     const auto [forces, rest] =
-        elastic_.chain.remembers()
-            ? after_all_before(frame, curve, *body, finger)
-            : at_once(finger, forces_at(curve, frame.frame, frame.later, frame.finger.face));
+        elastic_.chain.has_memory()
+            ? after_history(frame, curve, *body, finger)
+            : instantaneous(finger,
+                            forces_at(curve, frame.frame, frame.frame_offset, frame.finger.face));
     std::vector<FaceLoad> loads = curve.loads;
     for (std::size_t i = 0; i < loads.size(); ++i)
-      loads[i].borne = {
+      loads[i].response = {
           forces[i].times(rest.share), finger.surface(forces[i], rest.q), elastic_.modulus_MPa};
     curve.bend(rest.q[0], rest.q[1]);
     curve.sway(rest.q[2]);
     if (rest.q[3] != 0) curve.twist(rest.q[3]);
     curve.loads = std::move(loads);
-    curve.borne = rest.q;
+    curve.response = rest.q;
   }
 
  private:
   using Forces = std::vector<PointForce>;
   using Answer = std::pair<Forces, PushedFinger::Equilibrium>;
 
-  static Answer at_once(const PushedFinger& finger, Forces forces) {
+  static Answer instantaneous(const PushedFinger& finger, Forces forces) {
     const auto rest = finger.equilibrium(forces);
     return {std::move(forces), rest};
   }
 
   // On the contact face s is where a ball of that s_mm would press: the outer side above the view
-  // face's point, along z. The section whose normal goes through there is further on.
-  static Forces forces_at(const FaceCurve& curve, int frame, double later, const Face& face) {
+  // face's point, along z. The section whose normal passes through that point lies further along.
+  static Forces forces_at(const FaceCurve& curve,
+                          int frame,
+                          double frame_offset,
+                          const Face& face) {
     Forces forces;
     for (const FaceLoad& load : curve.loads) {
-      PointForce force = load.at(frame, later);
+      PointForce force = load.at(frame, frame_offset);
       if (force.face == PushedFace::kContact)
         force.s_mm += face.layer_mm * std::tan(curve.at(force.s_mm).theta);
       force.s_mm = std::clamp(force.s_mm, 0.0, curve.length_mm());
@@ -96,26 +100,26 @@ class ElasticBody final : public GeometryEffect {
     return forces;
   }
 
-  // Goes through the frames from the first one with this body on, as a pass through the scene does,
-  // as far back as it remembers.
-  Answer after_all_before(const FrameContext& frame,
-                          const FaceCurve& curve,
-                          const FinRayBody& body,
-                          const PushedFinger& finger) const {
+  // Steps through the frames from the first one with this body, as playing the scene does, as far
+  // back as the chain's memory.
+  Answer after_history(const FrameContext& frame,
+                       const FaceCurve& curve,
+                       const FinRayBody& body,
+                       const PushedFinger& finger) const {
     const int begin = frame.frame - frame.frame % frames_ + presence_.first;
-    const double end = std::max<double>(begin, frame.frame + frame.later);
+    const double end = std::max<double>(begin, frame.frame + frame.frame_offset);
     const double remembered = std::floor(end - elastic_.chain.memory_s() * frame.frames_per_s);
     const double first = std::max<double>(begin, remembered);
     const auto compliance = body.stiffness().ldlt();
     KelvinChain::History history(elastic_.chain);
     double step_s = 0;
     for (double now = first;;) {
-      const int whole = static_cast<int>(now);
-      Forces forces = forces_at(curve, whole, now - whole, frame.finger.face);
+      const int base_frame = static_cast<int>(now);
+      Forces forces = forces_at(curve, base_frame, now - base_frame, frame.finger.face);
       const auto rest = finger.equilibrium(forces, history.weight(step_s), history.before(step_s));
       if (now >= end) return {std::move(forces), rest};
       history.step(step_s, rest.share * compliance.solve(finger.generalised_force(forces, rest.q)));
-      const double next = std::min(whole + 1.0, end);
+      const double next = std::min(base_frame + 1.0, end);
       step_s = (next - now) / frame.frames_per_s;
       now = next;
     }

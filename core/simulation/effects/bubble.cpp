@@ -1,6 +1,6 @@
-// A bubble of air in the layer: a ball of `radius_mm` about (s_mm, y_mm) scatters nothing, so at
-// the distance r from its middle the layer is thinner by 2 sqrt(radius^2 - r^2) along its normal.
-// Its outer side stays where it is.
+// An air bubble in the layer. A sphere of `radius_mm` about (s_mm, y_mm) scatters nothing: at
+// distance r from its centre the layer is thinner by 2 sqrt(radius^2 - r^2) along its normal. The
+// outer side does not move.
 #include "core/simulation/face_mark.h"
 
 namespace alltact {
@@ -16,16 +16,16 @@ class Bubble final : public RadianceEffect {
 
   Message sentence() const override { return en::say("A bubble of air makes the layer thinner"); }
 
-  Status fits(const SceneFacts& scene) const override {
-    if (!scene.names("layer"))
+  Status validate(const SceneFacts& scene) const override {
+    if (!scene.has_effect("layer"))
       return Error{en::say("there is no layer for the bubble to be in"),
                    "",
                    en::say("name the effect layer too")};
-    if (2 * radius_.greatest() > scene.finger.face.layer_mm)
+    if (2 * radius_.max_value() > scene.finger.face.layer_mm)
       return Error{en::say("the bubble is wider than the layer is thick"),
                    "",
                    en::say("radius_mm up to {:g}", scene.finger.face.layer_mm / 2)};
-    return place_fits(scene, s_, y_);
+    return check_position(scene, s_, y_);
   }
 
   std::unique_ptr<const Rows> begin(const FrameContext& frame,

@@ -1,10 +1,10 @@
-// A soft layer that is bonded and keeps its volume swells around a press: beyond the contact's rim
-// it thickens by share * layer * f(q), q = (distance from the rim) / width_mm, a ring of that
-// height one width away from the rim.
-//   tail gaussian (also where none is named): f = q^2 exp(1 - q^2).
+// A bonded soft layer of constant volume swells around a press. Beyond the contact's rim it
+// thickens by share * layer * f(q), q = (distance from the rim) / width_mm: a ring of that height
+// one width away from the rim.
+//   tail gaussian (the default): f = q^2 exp(1 - q^2).
 //   tail exponential: f = (q exp(1 - q))^steepness. A thin incompressible layer on a rigid base
-//   comes back exponentially (K. L. Johnson, Contact Mechanics, 5.8), as real sensors do, in which
-//   the halo reaches four widths and more; the larger the steepness, the narrower the ring.
+//   decays exponentially (K. L. Johnson, Contact Mechanics, 5.8). Real sensors do so, with a halo
+//   of four widths and more; the larger the steepness, the narrower the ring.
 #include "core/simulation/effect.h"
 #include "core/simulation/press_sampling.h"
 
@@ -14,7 +14,7 @@ namespace alltact {
 
 namespace {
 
-constexpr double kRingEnd = 1e-7;  // of the ring's height, which is nothing
+constexpr double kRingEnd = 1e-7;  // of the ring's height: negligible
 
 struct Ring {
   double height_mm = 0, width_mm = 1;
@@ -46,16 +46,16 @@ void swell(BallPress& press, const Ring& ring) {
 }
 
 void swell(SampledPress& press, const Ring& ring) {
-  widen(press, static_cast<int>(ring.end_mm / press.step_mm) + 1);
+  pad_grid(press, static_cast<int>(ring.end_mm / press.step_mm) + 1);
   cv::Mat_<float>& grid = press.depth_mm;
-  // The rim of a smoothed press: where it has lost most of its depth.
-  const cv::Mat outside = grid <= 0.05 * press.place.depth_mm;
+  // The rim of a smoothed press: where most of the depth is lost.
+  const cv::Mat outside = grid <= 0.05 * press.pose.depth_mm;
   cv::Mat_<float> distance;
   cv::distanceTransform(outside, distance, cv::DIST_L2, cv::DIST_MASK_PRECISE);
   for (int row = 0; row < grid.rows; ++row)
     for (int column = 0; column < grid.cols; ++column)
       grid(row, column) -= static_cast<float>(ring.at(distance(row, column) * press.step_mm) /
-                                              press.place.normal.z());
+                                              press.pose.normal.z());
 }
 
 class Bulge final : public GeometryEffect {
@@ -69,26 +69,26 @@ class Bulge final : public GeometryEffect {
 
   Message sentence() const override { return en::say("The layer swells around what presses"); }
 
-  Status fits(const SceneFacts& scene) const override {
-    if (scene.pressed.empty())
+  Status validate(const SceneFacts& scene) const override {
+    if (scene.press_kinds.empty())
       return Error{
           en::say("nothing presses, so nothing bulges"), "", en::say("name ball or relief too")};
     return {};
   }
 
-  void place(const FrameContext&, FrameGeometry& geometry) const override {
+  void apply(const FrameContext&, FrameGeometry& geometry) const override {
     sample_bodies(geometry);
     for (auto& press : geometry.presses) {
       if (auto* ball = std::get_if<BallPress>(&press))
-        swell(*ball, ring_about(ball->place));
+        swell(*ball, ring_about(ball->pose));
       else if (auto* grid = std::get_if<SampledPress>(&press))
-        swell(*grid, ring_about(grid->place));
+        swell(*grid, ring_about(grid->pose));
     }
   }
 
  private:
-  [[nodiscard]] Ring ring_about(const PressPlace& place) const {
-    Ring ring{share_ * place.layer_mm, width_mm_, steepness_};
+  [[nodiscard]] Ring ring_about(const PressPose& pose) const {
+    Ring ring{share_ * pose.layer_mm, width_mm_, steepness_};
     ring.find_end();
     return ring;
   }

@@ -1,5 +1,5 @@
-// A cylinder lies on the face, its axis along the finger's length unless it is turned:
-// gap(y) = R - sqrt(R^2 - y^2) for |x| <= length / 2.
+// A cylinder lies on the face, its axis along the finger's length unless rotated: gap(y) = R -
+// sqrt(R^2 - y^2) for |x| <= length / 2.
 #include "core/simulation/bodies/height_field.h"
 #include "core/simulation/rigid_press.h"
 
@@ -13,7 +13,7 @@ class CylinderBody final : public HeightField {
   double gap_mm(double x, double y) const override {
     const double up2 = radius_mm_ * radius_mm_ - y * y;
     if (up2 < 0 || std::abs(x) > length_mm_ / 2) return kNothing_mm;
-    return y * y / (radius_mm_ + std::sqrt(up2));  // without the difference's cancellation
+    return y * y / (radius_mm_ + std::sqrt(up2));  // avoids the cancellation of the difference
   }
   Eigen::Vector2d half_size_mm() const override { return {length_mm_ / 2, radius_mm_}; }
 

@@ -1,5 +1,5 @@
-// One lamp gives no light, in the frames in which the effect is present. Lamps are counted from 0
-// in the order of the effect leds.
+// One lamp is off in the frames with this effect. Lamps count from 0 in the order of the effect
+// leds.
 #include "core/simulation/effect.h"
 
 namespace alltact {
@@ -8,12 +8,12 @@ namespace {
 
 class DeadLamp final : public GeometryEffect {
  public:
-  explicit DeadLamp(YamlSection& p) : lamp_(p.whole_number("lamp", 0, 1000)) {}
+  explicit DeadLamp(YamlSection& p) : lamp_(p.integer("lamp", 0, 1000)) {}
 
   Message sentence() const override { return en::say("A lamp is off"); }
-  bool may_be_several() const override { return true; }
+  bool is_repeatable() const override { return true; }
 
-  Status fits(const SceneFacts& scene) const override {
+  Status validate(const SceneFacts& scene) const override {
     if (scene.lamp_count == 0)
       return Error{
           en::say("there is no lamp that could fail"), "", en::say("name the effect leds too")};
@@ -23,7 +23,7 @@ class DeadLamp final : public GeometryEffect {
     return {};
   }
 
-  void place(const FrameContext&, FrameGeometry& geometry) const override {
+  void apply(const FrameContext&, FrameGeometry& geometry) const override {
     geometry.illumination.single_share[lamp_] = 0;
   }
 

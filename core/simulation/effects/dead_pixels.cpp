@@ -1,6 +1,6 @@
-// Pixels that always give 0 (`dead`) or 255 (`hot`), the same ones in all frames: each pixel with
-// that probability on its own. From one to the next it is floor(ln U / ln(1 - p)) pixels of its
-// row, the geometric law, so that a row costs only as many draws as it has such pixels.
+// Pixels that always give 0 (`dead`) or 255 (`hot`), the same in all frames: each pixel
+// independently with that probability. The gap to the next one is floor(ln U / ln(1 - p)) pixels of
+// its row, the geometric distribution. A row thus needs only one draw for each such pixel.
 #include "core/numerics/philox.h"
 #include "core/simulation/effect.h"
 
@@ -30,12 +30,12 @@ class DeadPixels final : public SensorEffect {
 
  private:
   static void set(
-      std::uint64_t seed, std::string_view who, double share, double level, RowView& row) {
+      std::uint64_t seed, std::string_view stream, double share, double level, RowView& row) {
     if (share == 0) return;
     const double per_log = 1 / std::log1p(-share);
     double at = -1;
     for (std::uint32_t i = 0;; ++i) {
-      const double unit = philox_uniform(seed, who, static_cast<std::uint32_t>(row.v), i);
+      const double unit = philox_uniform(seed, stream, static_cast<std::uint32_t>(row.v), i);
       at += 1 + std::floor(std::log(unit) * per_log);
       if (at >= row.width) return;
       row.value[static_cast<int>(at)] = static_cast<float>(level);

@@ -1,9 +1,8 @@
-// What is not in focus is blurred. A thin lens images a point at distance z as a disc of diameter
-// c = aperture * f |1 / focus - 1 / z| pixels, f the camera's focal length in pixels. Here it is
-// the Gaussian of the disc's variance, sd = c / 4 along each axis, by the view face's distance
-// where the column meets the picture's middle row. `sd_px` in place of focus and aperture names
-// that sd itself, the same everywhere: of a lens of which only the blur is known, or a picture that
-// was resampled.
+// Defocus blur. A thin lens images a point at distance z as a disc of diameter c = aperture * f |1
+// / focus - 1 / z| pixels, f the camera's focal length in pixels. Here it is the Gaussian of the
+// disc's variance, sd = c / 4 along each axis, by the view face's distance where the column crosses
+// the image's middle row. `sd_px` gives that sd directly, constant over the image, instead of focus
+// and aperture: for a lens of which only the blur is known, or a resampled image.
 #include "core/numerics/dispatch.h"
 #include "core/simulation/effect.h"
 
@@ -11,10 +10,10 @@ namespace alltact {
 
 namespace {
 
-constexpr double kLeastBlur_px = 0.02;  // a Gaussian of this sd is 1 in its middle pixel
-constexpr int kWidestBlur_px = 200;
+constexpr double kMinBlur_px = 0.02;  // a Gaussian of this sd is 1 in its middle pixel
+constexpr int kMaxBlur_px = 200;
 
-// sum[u] += weight[u] * in[u]: one place of all columns' kernels.
+// sum[u] += weight[u] * in[u]: one tap of all columns' kernels.
 ALLTACT_WIDE void add_weighted(int n,
                                const float* __restrict weight,
                                const float* __restrict in,
@@ -35,7 +34,7 @@ class Defocus final : public SensorEffect {
     return en::say("What is not at the distance of sharp focus is blurred");
   }
 
-  Status fits(const SceneFacts& scene) const override {
+  Status validate(const SceneFacts& scene) const override {
     if (sd_px_ == 0 && scene.finger.camera.model == CameraModel::kOrthographic)
       return Error{en::say("an orthographic camera has no focal length to blur by"),
                    "",
@@ -43,10 +42,10 @@ class Defocus final : public SensorEffect {
     return {};
   }
 
-  bool needs_picture() const override { return true; }
-  void picture(const FrameContext& frame,
-               const FrameGeometry& geometry,
-               cv::Mat_<float>& grey) const override {
+  bool needs_full_image() const override { return true; }
+  void process_image(const FrameContext& frame,
+                     const FrameGeometry& geometry,
+                     cv::Mat_<float>& grey) const override {
     const cv::Mat_<float> weights = kernels(frame, geometry);  // row i: i pixels from the middle
     const int half = weights.rows - 1, width = grey.cols;
     cv::Mat_<float> along(grey.size(), 0.0F);
@@ -84,14 +83,14 @@ class Defocus final : public SensorEffect {
     return kernels(sd);
   }
 
-  // Of each column's standard deviation.
+  // One kernel for each column, of its standard deviation.
   [[nodiscard]] static cv::Mat_<float> kernels(const std::vector<double>& sd) {
     const double widest = *std::max_element(sd.begin(), sd.end());
-    const int half = std::min(kWidestBlur_px, static_cast<int>(std::ceil(4 * widest)));
+    const int half = std::min(kMaxBlur_px, static_cast<int>(std::ceil(4 * widest)));
     const int width = static_cast<int>(sd.size());
     cv::Mat_<float> weights(half + 1, width);
     for (int u = 0; u < width; ++u) {
-      const double s = std::max(sd[static_cast<std::size_t>(u)], kLeastBlur_px);
+      const double s = std::max(sd[static_cast<std::size_t>(u)], kMinBlur_px);
       double sum = 1;
       for (int i = 1; i <= half; ++i) sum += 2 * std::exp(-0.5 * i * i / (s * s));
       for (int i = 0; i <= half; ++i)

@@ -1,6 +1,5 @@
-// The lens bends straight lines: by Brown's k1 k2 p1 p2 k3 for a pinhole or brown camera, by
-// Kannala's k1 k2 k3 k4 for a fisheye (camera.h). What is seen is drawn along the bent rays;
-// nothing is resampled.
+// The lens distorts: Brown's k1 k2 p1 p2 k3 for a pinhole or brown camera, Kannala's k1 k2 k3 k4
+// for a fisheye (camera.h). The scene is rendered along the bent rays; nothing is resampled.
 #include "core/simulation/effect.h"
 
 namespace alltact {
@@ -14,7 +13,7 @@ class Distortion final : public GeometryEffect {
 
   Message sentence() const override { return en::say("The lens bends straight lines"); }
 
-  Status fits(const SceneFacts& scene) const override {
+  Status validate(const SceneFacts& scene) const override {
     if (scene.finger.camera.model == CameraModel::kOrthographic)
       return Error{
           en::say("an orthographic camera has no lens"), "", en::say("leave distortion out")};

@@ -1,4 +1,4 @@
-// Frames get lost on their way: each with the probability `share`, and with it the `run` - 1 frames
+// Frames are lost in transport: each with probability `share`, together with the `run` - 1 frames
 // behind it, as when a bus is busy for a while.
 #include "core/numerics/philox.h"
 #include "core/simulation/effect.h"
@@ -11,10 +11,10 @@ class Drop final : public TransportEffect {
  public:
   explicit Drop(YamlSection& p)
       : share_(p.number("share", {0, 1, true, true, true})),
-        run_(p.whole_number_or("run", 1, 1, 1000)) {}
+        run_(p.integer_or("run", 1, 1, 1000)) {}
 
   Message sentence() const override { return en::say("Frames get lost on their way"); }
-  bool may_be_several() const override { return true; }
+  bool is_repeatable() const override { return true; }
 
   void arrival(const FrameContext& frame, Arrival& arrival) const override {
     for (int first = std::max(0, frame.frame - run_ + 1); first <= frame.frame; ++first)

@@ -1,5 +1,5 @@
-// An edge, as of a box or a blade: two planes that meet at `angle_deg`, the line where they meet
-// along the finger's length unless it is turned, rounded by `radius_mm`:
+// An edge, as of a box or a blade: two planes that form `angle_deg`, rounded by `radius_mm`. Their
+// line lies along the finger's length unless rotated:
 //   gap(y) = r - sqrt(r^2 - y^2)                 for |y| <= r cos(a), a half of the angle,
 //   gap(y) = r (1 - 1 / sin a) + |y| / tan a     beyond, for |x| <= length / 2.
 #include "core/simulation/bodies/height_field.h"
@@ -11,7 +11,7 @@ namespace alltact {
 
 namespace {
 
-constexpr double kHighest_mm = 20;  // no layer is thicker than what an edge is high
+constexpr double kHighest_mm = 20;  // height of an edge: above any layer's thickness
 
 class EdgeBody final : public HeightField {
  public:

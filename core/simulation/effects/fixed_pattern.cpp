@@ -1,6 +1,6 @@
 // Every pixel has its own gain and offset, the same in all frames: I = I (1 + prnu n) + dsnu m, n
 // and m independent and standard normal (EMVA 1288: photo response and dark signal non-uniformity).
-// `prnu` is a share, `dsnu` in grey levels; one of them may be left out.
+// `prnu` is a share, `dsnu` in grey levels; either may be left out.
 #include "core/numerics/dispatch.h"
 #include "core/simulation/effect.h"
 #include "core/simulation/noise.h"

@@ -1,9 +1,9 @@
-// The lamps' power changes with their supply; a frame sees its mean over the exposure T.
+// The lamps' power follows their supply; a frame integrates it over the exposure T.
 //   mains: P(t) = 1 + depth cos(2 pi f t), of which the mean about t is
 //          1 + depth sin(pi f T) / (pi f T) cos(2 pi f t); depth = (max - min) / (max + min), the
 //          percent flicker of IEEE 1789-2015.
-//   pwm:   on for the share `duty` of every period; a frame sees the time that the lamps were on
-//          during its exposure, as a share of duty * T.
+//   pwm:   on for the share `duty` of every period; a frame receives the on-time of its exposure
+//          as a share of duty * T.
 #include "core/simulation/effect.h"
 
 #include <numbers>
@@ -23,14 +23,14 @@ class Flicker final : public GeometryEffect {
 
   Message sentence() const override { return en::say("The lamps flicker"); }
 
-  Status fits(const SceneFacts& scene) const override {
+  Status validate(const SceneFacts& scene) const override {
     if (scene.lamp_count == 0)
       return Error{
           en::say("there is no lamp that could flicker"), "", en::say("name the effect leds too")};
     return {};
   }
 
-  void place(const FrameContext& frame, FrameGeometry& geometry) const override {
+  void apply(const FrameContext& frame, FrameGeometry& geometry) const override {
     const double t = frame.time_s();
     geometry.illumination.lamp_share *= pwm_ ? pwm_mean(t) : mains_mean(t);
   }
@@ -42,8 +42,8 @@ class Flicker final : public GeometryEffect {
   }
   [[nodiscard]] double pwm_mean(double t_s) const {
     const auto periods_on = [&](double t) {  // since time 0
-      const double periods = t * hz_, whole = std::floor(periods);
-      return whole * duty_ + std::min(periods - whole, duty_);
+      const double periods = t * hz_, full_periods = std::floor(periods);
+      return full_periods * duty_ + std::min(periods - full_periods, duty_);
     };
     const double half = exposure_s_ / 2;
     return (periods_on(t_s + half) - periods_on(t_s - half)) / (hz_ * exposure_s_ * duty_);

@@ -1,6 +1,6 @@
 // The camera's gain drifts slowly: I = I (1 + sd g(t)). g is a normal process of variance 1 at any
-// time: g = n_k cos(pi f / 2) + n_(k+1) sin(pi f / 2), k the number and f the part of the `every_s`
-// seconds since frame 0, n_k independent and standard normal.
+// time: g = n_k cos(pi f / 2) + n_(k+1) sin(pi f / 2), k the integer part and f the fraction of
+// (seconds since frame 0) / `every_s`, n_k independent and standard normal.
 #include "core/numerics/dispatch.h"
 #include "core/simulation/effect.h"
 #include "core/simulation/noise.h"

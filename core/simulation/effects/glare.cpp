@@ -1,6 +1,6 @@
-// A lamp mirrors in the view face: light += level * max(0, h . n)^sharpness, h halfway between the
-// directions to the lamp and to the camera, n the face's normal (J. Blinn, "Models of light
-// reflection for computer synthesized pictures", SIGGRAPH 1977).
+// Specular reflection of a lamp in the view face: light += level * max(0, h . n)^sharpness, h
+// halfway between the directions to the lamp and to the camera, n the face's normal (J. Blinn,
+// SIGGRAPH 1977).
 #include "core/numerics/dispatch.h"
 #include "core/simulation/effect.h"
 #include "core/simulation/vector_math.h"

@@ -1,4 +1,4 @@
-// A hole in the black coat lets room light in: light = light + level * part, part the share of the
+// A hole in the black coat admits room light: light = light + level * part, part the share of the
 // pixel that a disc of `radius_mm` about (s_mm, y_mm) covers, `level` in grey levels.
 #include "core/simulation/effect.h"
 #include "core/simulation/face_mark.h"
@@ -18,9 +18,9 @@ class Hole final : public RadianceEffect {
   Message sentence() const override {
     return en::say("The coat has a hole through which light comes");
   }
-  bool may_be_several() const override { return true; }
+  bool is_repeatable() const override { return true; }
 
-  Status fits(const SceneFacts& scene) const override { return place_fits(scene, s_, y_); }
+  Status validate(const SceneFacts& scene) const override { return check_position(scene, s_, y_); }
 
   std::unique_ptr<const Rows> begin(const FrameContext& frame,
                                     const FrameGeometry& geometry) const override {

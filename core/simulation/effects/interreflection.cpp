@@ -1,14 +1,14 @@
-// Light that leaves the lit faces lights the others once: at a point i
+// One bounce of light between the lit faces: at a point i
 //   E_i = sum_j rho_j E_j exp(-mu r_ij) F_ij,   F_ij = integral of cos_i cos_j / (pi r^2) dA_j,
-// over patches j of the view face and the side faces, E_j what falls on the patch's middle straight
-// from the lamps and the room and rho_j the mean reflectance of its face, mu what the clear body
-// absorbs (C. Goral, K. Torrance, D. Greenberg and B. Battaile, "Modeling the interaction of light
-// between diffuse surfaces", SIGGRAPH 1984, with one bounce; rho of a layer that does not absorb is
-// S t / (1 + S t)). `face` and `sides` are the mean reflectances, above 0 and up to 1, `depth_mm`
-// how deep the side faces are, as the effect sides has it. The sum is taken on a lattice of each
-// face, closer at its edges, between whose points it goes straight. Nothing stands in the way, and
-// what presses changes the light that a pixel gives back but not that by which its patch lights
-// others. A side face does not light itself.
+// over patches j of the view face and the side faces. E_j is the irradiance of the patch's centre
+// directly from lamps and room, rho_j the mean reflectance of its face, mu the absorption of the
+// clear body (C. Goral, K. Torrance, D. Greenberg and B. Battaile, "Modeling the interaction of
+// light between diffuse surfaces", SIGGRAPH 1984). rho of a layer that does not absorb is
+// S t / (1 + S t). `face` and `sides` are the mean reflectances, above 0 and up to 1. `depth_mm` is
+// the depth of the side faces, as for the effect sides. The sum is evaluated on a lattice of each
+// face, denser at its edges, and interpolated linearly. Occlusion is ignored. A press changes the
+// light that a pixel reflects but not the light that its patch sends to others. A side face does
+// not light itself.
 #include "core/simulation/effect.h"
 #include "core/simulation/form_factor.h"
 
@@ -22,7 +22,7 @@ constexpr int kPatchesAlong = 16, kStepsAlong = 32;
 constexpr int kLitFaces = 3;
 constexpr std::array<int, kLitFaces> kPatchesAcross{6, 4, 4}, kStepsAcross{10, 6, 6};
 
-// Steps of the lattice from 0 to 1, closer towards both ends, and where among them a part lies.
+// Lattice steps from 0 to 1, denser towards both ends, and their inverse.
 double lattice_part(double step) {
   return step < 0.5 ? 2 * step * step : 1 - 2 * (1 - step) * (1 - step);
 }
@@ -32,15 +32,15 @@ inline float lattice_step(float part) {
   return part < 0.5F ? step : 1 - step;
 }
 
-constexpr double kFar = 4;        // diagonals of a patch from where it counts as a point
-constexpr double kInward = 1e-4;  // points of the lattice keep off the edges by this part
+constexpr double kFar = 4;        // diagonals of a patch: beyond, it counts as a point
+constexpr double kInward = 1e-4;  // offset of lattice points from the edges, as a fraction
 
 // The view face (0), and the side faces at -y (1) and at +y (2).
 struct LitFaces {
   const FaceCurve& curve;
   double width_mm, side_depth_mm;
 
-  // `along` and `across` go from 0 to 1: along from base to tip, across the view face from -y to
+  // `along` and `across` run from 0 to 1: along from base to tip, across the view face from -y to
   // +y, across a side face from its edge with the view face.
   [[nodiscard]] Eigen::Vector3d point(int face, double along, double across) const {
     const FaceCurve::Node p = curve.at(along * curve.length_mm());
@@ -60,9 +60,9 @@ struct LitFaces {
 
 struct LitPatch {
   int face;
-  Quadrilateral corners;  // counter-clockwise as seen from within the body
+  Quadrilateral corners;  // counter-clockwise as viewed from within the body
   Eigen::Vector3d middle, normal;
-  double area_mm2, far2_mm2;  // farther than the root of this it counts as a point
+  double area_mm2, far2_mm2;  // beyond the root of this the patch counts as a point
 };
 
 struct LatticePoint {
@@ -92,10 +92,10 @@ LitPatch patch_of(const LitFaces& faces, int face, int i, int k) {
 }
 
 double factor_of(const LatticePoint& point, const LitPatch& patch) {
-  const Eigen::Vector3d way = patch.middle - point.at;
-  const double r2 = way.squaredNorm();
+  const Eigen::Vector3d to_patch = patch.middle - point.at;
+  const double r2 = to_patch.squaredNorm();
   if (r2 < patch.far2_mm2) return form_factor(point.at, point.normal, patch.corners);
-  const double here = point.normal.dot(way), there = -patch.normal.dot(way);
+  const double here = point.normal.dot(to_patch), there = -patch.normal.dot(to_patch);
   if (here <= 0 || there <= 0) return 0;
   return here * there * patch.area_mm2 / (std::numbers::pi * r2 * r2);
 }
@@ -105,7 +105,7 @@ struct LitLattice {
   int across;
   std::vector<float> value;  // row by row along
 
-  // Parts of the face; what is beyond counts as its edge.
+  // Fractions of the face; positions beyond it count as its edge.
   [[nodiscard]] float at(float along_part, float across_part) const {
     const float along = std::min(kStepsAlong * lattice_step(along_part), kStepsAlong - 1e-3F);
     const float steps = static_cast<float>(across);
@@ -182,8 +182,8 @@ class OnceReflected final : public IndirectLight {
                                         (s.y_mm[u] - face.shift_mm[u] + width_mm_ / 2) * across);
     }
 
-    // Where on its side a point lies is told by the point of the view face in the same column, to
-    // first order in the twist.
+    // The position on the side follows from the view face's point in the same column, to first
+    // order in the twist.
     void on_sides(const FaceRow& face, const Surface& s, float* irradiance) const {
       const float along = 1 / length_mm_, across = 1 / depth_mm_;
       for (int u = s.first; u < s.last; ++u) {
@@ -199,7 +199,7 @@ class OnceReflected final : public IndirectLight {
     LitLattices lattices_;
   };
 
-  // Of every patch: rho_j E_j.
+  // For every patch: rho_j E_j.
   [[nodiscard]] std::vector<double> radiosities(const Direct& direct) const {
     const std::size_t n = patches_.size();
     std::array<std::vector<float>, 6> columns;
@@ -255,14 +255,14 @@ class Interreflection final : public GeometryEffect {
 
   Message sentence() const override { return en::say("The finger's faces light each other"); }
 
-  Status fits(const SceneFacts& scene) const override {
-    if (scene.names("sides") && scene.names("leds")) return {};
+  Status validate(const SceneFacts& scene) const override {
+    if (scene.has_effect("sides") && scene.has_effect("leds")) return {};
     return Error{en::say("the faces that light each other are the lit view face and side faces"),
                  "",
                  en::say("name the effects sides and leds too")};
   }
 
-  void place(const FrameContext&, FrameGeometry& geometry) const override {
+  void apply(const FrameContext&, FrameGeometry& geometry) const override {
     geometry.illumination.indirect =
         std::make_shared<OnceReflected>(geometry, std::array{face_, sides_, sides_}, depth_mm_);
   }

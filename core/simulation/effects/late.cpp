@@ -1,5 +1,5 @@
-// Frames come late: each with the probability `share`, by `by_ms` milliseconds. Their times of
-// capture stay what they were. Shows at the camera's pace only.
+// Frames arrive `by_ms` milliseconds late, each with the probability `share`. Their capture times
+// do not change. Only visible at the camera's pace.
 #include "core/numerics/philox.h"
 #include "core/simulation/effect.h"
 
@@ -14,7 +14,7 @@ class Late final : public TransportEffect {
         by_ms_(Varying::read(p, "by_ms", strength_up_to(60000))) {}
 
   Message sentence() const override { return en::say("Frames come late"); }
-  bool may_be_several() const override { return true; }
+  bool is_repeatable() const override { return true; }
 
   void arrival(const FrameContext& frame, Arrival& arrival) const override {
     const auto number = static_cast<std::uint32_t>(frame.frame);

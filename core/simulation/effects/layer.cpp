@@ -13,7 +13,7 @@ namespace alltact {
 namespace {
 
 constexpr int kTable = 4096;
-constexpr double kThickest = 1.5;  // times the untouched layer: no bulge goes beyond
+constexpr double kMaxThickness = 1.5;  // times the undeformed layer: no bulge exceeds it
 
 ALLTACT_WIDE void reflect(int first,
                           int last,
@@ -26,7 +26,7 @@ ALLTACT_WIDE void reflect(int first,
   }
 }
 
-// Along the normal: `cos` of the face's incline.
+// Along the normal: `cos` of the face's inclination.
 ALLTACT_WIDE void reflect_by_normal(int first,
                                     int last,
                                     float scatter,
@@ -66,17 +66,17 @@ class Layer final : public RadianceEffect {
   std::unique_ptr<const Rows> begin(const FrameContext&,
                                     const FrameGeometry& geometry) const override {
     if (optics_.absorb_per_mm == 0) return std::make_unique<Scattering>(*this);
-    return std::make_unique<Absorbing>(*this, kThickest * geometry.greatest_t0_mm());
+    return std::make_unique<Absorbing>(*this, kMaxThickness * geometry.max_thickness_mm());
   }
 
  private:
-  // What is common: how thick the layer is in each pixel of the row.
+  // Common part: the layer's thickness in each pixel of the row.
   class LayerRows : public Rows {
    public:
     explicit LayerRows(bool along_z) : along_z_(along_z) {}
 
    protected:
-    // Something presses here or is hollow.
+    // A press or a hollow changes this row.
     [[nodiscard]] static bool is_changed(const RowView& row) {
       return row.press_first < row.press_last || row.hollow_mm;
     }
@@ -122,7 +122,7 @@ class Layer final : public RadianceEffect {
     float scatter_, coat_;
   };
 
-  // By table, 1e-7 from the formula.
+  // By table, within 1e-7 of the formula.
   class Absorbing final : public LayerRows {
    public:
     Absorbing(const Layer& layer, double thickest_mm) : LayerRows(layer.along_z_) {

@@ -1,5 +1,5 @@
-// Stray light that reaches the sensor without the finger's faces: I = I + b. Either `grey`, b in
-// grey levels, or `lux` of the room and `grey_per_lux`, b = lux * grey_per_lux.
+// Stray light that reaches the sensor directly: I = I + b. Either `grey`, b in grey levels, or
+// `lux` of the room and `grey_per_lux`, b = lux * grey_per_lux.
 #include "core/numerics/dispatch.h"
 #include "core/simulation/effect.h"
 

@@ -1,7 +1,7 @@
 // White LEDs near the camera: each lights a point by power * cos(incidence) / distance^2, in grey
-// levels of a perfectly white surface. A lamp with `aim_mm` shines along the way there, weaker
-// beside it by cos^lobe of the angle. What other effects do to the lamps and to their light stands
-// in the frame's Illumination.
+// levels of a perfectly white surface. A lamp with `aim_mm` shines towards that point and falls off
+// by cos^lobe of the angle to it. The frame's Illumination holds what other effects do to lamps and
+// light.
 #include "core/numerics/dispatch.h"
 #include "core/simulation/effect.h"
 #include "core/simulation/vector_math.h"
@@ -10,7 +10,7 @@ namespace alltact {
 
 namespace {
 
-constexpr Limits kLampPlaceMm{-1e6, 1e6};
+constexpr Limits kLampPositionMm{-1e6, 1e6};
 
 struct Lamp {
   float x, y, z, power;
@@ -19,18 +19,18 @@ struct Lamp {
   int squarings;  // lobe = 2^squarings
 };
 
-// Pixels of a row for which lamp after lamp shines, few enough to stay in the nearest cache.
-constexpr int kPartOfRow = 256;
-struct PartOfRow {
+// Pixels of a row that all lamps light in turn, few enough to stay in the L1 cache.
+constexpr int kRowChunk = 256;
+struct RowChunk {
   int n;
   const float *x, *y, *z, *nx, *ny, *nz;
 };
 
-// Adds the light of a lamp without a lobe, or of one of 2^kSquarings, known when compiled, so that
-// the loop computes that one and no other.
+// Adds the light of a lamp without a lobe, or with one of 2^kSquarings. The count is a template
+// argument, so that the loop computes only that lobe.
 constexpr int kNoLobe = -1;
 template <int kSquarings>
-[[gnu::always_inline]] inline void shine(const PartOfRow& p,
+[[gnu::always_inline]] inline void shine(const RowChunk& p,
                                          const Lamp& lamp,
                                          float* __restrict sum) {
   const float* __restrict x = p.x, * __restrict y = p.y, * __restrict z = p.z;
@@ -52,7 +52,7 @@ template <int kSquarings>
   }
 }
 
-[[gnu::always_inline]] inline void shine_as_aimed(const PartOfRow& p,
+[[gnu::always_inline]] inline void shine_as_aimed(const RowChunk& p,
                                                   const Lamp& lamp,
                                                   float* __restrict sum) {
   if (!lamp.aimed) return shine<kNoLobe>(p, lamp, sum);
@@ -68,16 +68,16 @@ template <int kSquarings>
   }
 }
 
-// What is left of the light of one lamp on its way through the clear body to the surface and on to
-// the camera. `spread` is 0 for an orthographic camera, whose rays run along z, else 1; `back_part`
-// is 0 for the way to the surface alone, else 1.
-[[gnu::always_inline]] inline void absorb_on_the_way(const PartOfRow& p,
-                                                     const Lamp& lamp,
-                                                     float per_mm,
-                                                     float spread,
-                                                     float back_part,
-                                                     const float* __restrict light,
-                                                     float* __restrict sum) {
+// Attenuates the light of one lamp along its path through the clear body to the surface and on to
+// the camera. `spread` is 0 for an orthographic camera, whose rays run along z, else 1. `back_part`
+// is 0 for the path to the surface alone, else 1.
+[[gnu::always_inline]] inline void absorb_on_path(const RowChunk& p,
+                                                  const Lamp& lamp,
+                                                  float per_mm,
+                                                  float spread,
+                                                  float back_part,
+                                                  const float* __restrict light,
+                                                  float* __restrict sum) {
   const float* __restrict x = p.x, * __restrict y = p.y, * __restrict z = p.z;
   const float lx = lamp.x, ly = lamp.y, lz = lamp.z;
   for (int u = 0; u < p.n; ++u) {
@@ -88,12 +88,12 @@ template <int kSquarings>
   }
 }
 
-// What of light that is at the surface reaches the camera.
-[[gnu::always_inline]] inline void absorb_on_the_way_back(const PartOfRow& p,
-                                                          float per_mm,
-                                                          float spread,
-                                                          const float* __restrict light,
-                                                          float* __restrict sum) {
+// Attenuates light at the surface along its path to the camera.
+[[gnu::always_inline]] inline void absorb_on_return(const RowChunk& p,
+                                                    float per_mm,
+                                                    float spread,
+                                                    const float* __restrict light,
+                                                    float* __restrict sum) {
   const float* __restrict x = p.x, * __restrict y = p.y, * __restrict z = p.z;
   for (int u = 0; u < p.n; ++u) {
     const float back = std::sqrt(spread * (x[u] * x[u] + y[u] * y[u]) + z[u] * z[u]);
@@ -101,15 +101,15 @@ template <int kSquarings>
   }
 }
 
-// All lamps as they are in one frame.
+// All lamps in one frame.
 struct Lamps {
   std::vector<Lamp> lamps;
   float room_level, absorb_per_mm;
   float spread;
 };
 
-PartOfRow part_of(const Surface& s, int first) {
-  return {std::min(kPartOfRow, s.last - first),
+RowChunk chunk_of(const Surface& s, int first) {
+  return {std::min(kRowChunk, s.last - first),
           s.x_mm + first,
           s.y_mm + first,
           s.z_mm + first,
@@ -118,9 +118,9 @@ PartOfRow part_of(const Surface& s, int first) {
           s.normal_z + first};
 }
 
-// Room and lamps. `one`: room for the light of one lamp.
+// Room and lamps. `one`: buffer for the light of one lamp.
 [[gnu::always_inline]] inline void shine_all(
-    const PartOfRow& p, const Lamps& all, float back_part, float* one, float* sum) {
+    const RowChunk& p, const Lamps& all, float back_part, float* one, float* sum) {
   for (int i = 0; i < p.n; ++i) sum[i] = all.room_level;
   for (const Lamp& lamp : all.lamps) {
     if (all.absorb_per_mm == 0) {
@@ -129,18 +129,18 @@ PartOfRow part_of(const Surface& s, int first) {
     }
     for (int i = 0; i < p.n; ++i) one[i] = 0;
     shine_as_aimed(p, lamp, one);
-    absorb_on_the_way(p, lamp, all.absorb_per_mm, all.spread, back_part, one, sum);
+    absorb_on_path(p, lamp, all.absorb_per_mm, all.spread, back_part, one, sum);
   }
 }
 
-// `indirect`: what comes to the surface besides, by column; null: nothing.
+// `indirect`: additional light at the surface, by column; null: none.
 ALLTACT_WIDE void light_up(const Surface& s, const Lamps& all, const float* indirect) {
-  alignas(64) float sum[kPartOfRow], one[kPartOfRow];
-  for (int first = s.first; first < s.last; first += kPartOfRow) {
-    const PartOfRow p = part_of(s, first);
+  alignas(64) float sum[kRowChunk], one[kRowChunk];
+  for (int first = s.first; first < s.last; first += kRowChunk) {
+    const RowChunk p = chunk_of(s, first);
     shine_all(p, all, 1, one, sum);
     if (indirect && all.absorb_per_mm > 0) {
-      absorb_on_the_way_back(p, all.absorb_per_mm, all.spread, indirect + first, sum);
+      absorb_on_return(p, all.absorb_per_mm, all.spread, indirect + first, sum);
     } else if (indirect) {
       for (int i = 0; i < p.n; ++i) sum[i] += indirect[first + i];
     }
@@ -149,11 +149,11 @@ ALLTACT_WIDE void light_up(const Surface& s, const Lamps& all, const float* indi
   }
 }
 
-// What falls on the surface straight from the lamps and the room.
+// Irradiance directly from the lamps and the room.
 ALLTACT_WIDE void irradiate(const Surface& s, const Lamps& all, float* irradiance) {
-  alignas(64) float one[kPartOfRow];
-  for (int first = s.first; first < s.last; first += kPartOfRow)
-    shine_all(part_of(s, first), all, 0, one, irradiance + first);
+  alignas(64) float one[kRowChunk];
+  for (int first = s.first; first < s.last; first += kRowChunk)
+    shine_all(chunk_of(s, first), all, 0, one, irradiance + first);
 }
 
 class Leds final : public RadianceEffect {
@@ -209,7 +209,7 @@ class Leds final : public RadianceEffect {
   };
 
   static Lamp read_lamp(YamlSection& section) {
-    const auto at = section.numbers("at_mm", 3, 3, kLampPlaceMm);
+    const auto at = section.numbers("at_mm", 3, 3, kLampPositionMm);
     Lamp lamp{static_cast<float>(at[0]),
               static_cast<float>(at[1]),
               static_cast<float>(at[2]),
@@ -220,15 +220,15 @@ class Leds final : public RadianceEffect {
               0,
               0};
     if (!lamp.aimed) return lamp;
-    const auto to = section.numbers("aim_mm", 3, 3, kLampPlaceMm);
-    const Eigen::Vector3d way(to[0] - at[0], to[1] - at[1], to[2] - at[2]);
-    if (way.norm() < 1e-6)
+    const auto to = section.numbers("aim_mm", 3, 3, kLampPositionMm);
+    const Eigen::Vector3d to_aim(to[0] - at[0], to[1] - at[1], to[2] - at[2]);
+    if (to_aim.norm() < 1e-6)
       section.refuse("aim_mm", en::say("the lamp aims at itself"), en::say("another point"));
-    const Eigen::Vector3d aim = way.normalized();
+    const Eigen::Vector3d aim = to_aim.normalized();
     lamp.aim_x = static_cast<float>(aim.x());
     lamp.aim_y = static_cast<float>(aim.y());
     lamp.aim_z = static_cast<float>(aim.z());
-    const int lobe = section.whole_number("lobe", 1, 8);
+    const int lobe = section.integer("lobe", 1, 8);
     while (1 << lamp.squarings < lobe) ++lamp.squarings;
     if (1 << lamp.squarings != lobe)
       section.refuse("lobe", en::say("this lobe is not known"), en::say("1, 2, 4 or 8"));

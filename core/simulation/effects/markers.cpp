@@ -1,9 +1,8 @@
 // Dots engraved in both side faces, `setback_mm` behind the face's edge (along the face's normal,
 // towards the camera), evenly from `first` to `last` (fractions of the length). With
-// `last_radius_mm` their radius goes evenly from radius_mm at the first to that at the last, and
-// with `step_ratio` each step from one to the next is longer than the one before by one factor,
-// the last one `step_ratio` times the first: so that those far from the camera are neither too
-// small nor too close to tell.
+// `last_radius_mm` the radius changes linearly from radius_mm to that of the last dot. With
+// `step_ratio` the steps grow by one factor, the last one being `step_ratio` times the first. Dots
+// far from the camera are then neither too small nor too close together.
 #include "core/simulation/coverage.h"
 #include "core/simulation/effect.h"
 
@@ -39,23 +38,23 @@ class Markers final : public GeometryEffect {
 
   Message sentence() const override { return en::say("Dots are engraved in the side faces"); }
 
-  Status fits(const SceneFacts& scene) const override {
+  Status validate(const SceneFacts& scene) const override {
     if (scene.finger.markers.per_row < 2)
       return Error{en::say("the finger has no markers"),
                    "",
                    en::say("finger.markers with per_row and polarity")};
-    if (!scene.names("sides"))
+    if (!scene.has_effect("sides"))
       return Error{en::say("markers are engraved in the side faces"),
                    "",
                    en::say("name the effect sides too")};
     return {};
   }
 
-  void place(const FrameContext& frame, FrameGeometry& geometry) const override {
+  void apply(const FrameContext& frame, FrameGeometry& geometry) const override {
     const int n = frame.finger.markers.per_row;
     for (const int side : {-1, 1})
       for (int i = 0; i < n; ++i) {
-        const double fraction = first_ + (last_ - first_) * way_to(i, n);
+        const double fraction = first_ + (last_ - first_) * fraction_at(i, n);
         const double radius = radius_mm_ + (last_radius_mm_ - radius_mm_) * i / (n - 1);
         geometry.discs.push_back(
             disc(geometry, fraction * geometry.curve()->length_mm(), side, radius));
@@ -63,8 +62,8 @@ class Markers final : public GeometryEffect {
   }
 
  private:
-  // Part of the way from the first of n dots to the last at dot i: a sum of powers.
-  [[nodiscard]] double way_to(int i, int n) const {
+  // Position of dot i of n, as a fraction from the first to the last: a geometric sum.
+  [[nodiscard]] double fraction_at(int i, int n) const {
     const double factor = n > 2 ? std::pow(step_ratio_, 1.0 / (n - 2)) : 1.0;
     if (std::abs(factor - 1) < 1e-9) return static_cast<double>(i) / (n - 1);
     return std::expm1(i * std::log(factor)) / std::expm1((n - 1) * std::log(factor));
@@ -89,8 +88,8 @@ class Markers final : public GeometryEffect {
     result.centre_px = centre_of_area(outline);
     const Coverage coverage = convex_coverage(outline, camera.size());
     result.corner = coverage.corner;
-    result.coverage = coverage.part;
-    result.visible = !coverage.part.empty();
+    result.coverage = coverage.fraction;
+    result.visible = !coverage.fraction.empty();
     return result;
   }
 

@@ -1,7 +1,6 @@
-// Any body, as triangles: `file` (STL or OBJ, beside the scene, or one of those in
-// resources/bodies), `scale` mm of a unit of the file.
-// Its z axis points away from the finger, its x axis along it, until it is turned; its middle lies
-// over the place.
+// A body given by triangles: `file` (STL or OBJ, next to the scene, or one in resources/bodies),
+// `scale` in mm per unit of the file. Unless rotated, its z axis points away from the finger and
+// its x axis along it. Its centre lies over the press position.
 #include "core/program.h"
 #include "core/simulation/bodies/mesh_body.h"
 #include "core/simulation/rigid_press.h"
@@ -12,14 +11,14 @@ namespace alltact {
 
 namespace {
 
-constexpr double kLargest_mm = 1000, kSmallest_mm = 0.1;
+constexpr double kMaxSize_mm = 1000, kMinSize_mm = 0.1;
 
 std::filesystem::path find_mesh(const std::filesystem::path& folder, const std::string& name) {
-  const std::filesystem::path beside = folder / name;
+  const std::filesystem::path local_file = folder / name;
   std::error_code failed;
-  if (std::filesystem::exists(beside, failed)) return beside;
+  if (std::filesystem::exists(local_file, failed)) return local_file;
   const auto shipped = find_resource(std::filesystem::path("bodies") / name);
-  return shipped ? *shipped : beside;
+  return shipped ? *shipped : local_file;
 }
 
 class Mesh final : public RigidPress {
@@ -32,7 +31,7 @@ class Mesh final : public RigidPress {
       p.refuse("file", closed.error().what, closed.error().advice);
     auto body = std::make_shared<MeshBody>(std::move(*mesh), scale);
     const double size = 2 * body->half_size_mm().maxCoeff();
-    if (size > kLargest_mm || size < kSmallest_mm)
+    if (size > kMaxSize_mm || size < kMinSize_mm)
       p.refuse(p.has("scale") ? "scale" : "file",
                en::say("the body would be {:g} mm large", size),
                en::say("'scale' says how many mm a unit of the file is"));

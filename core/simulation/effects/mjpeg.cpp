@@ -1,4 +1,4 @@
-// The camera sends JPEG pictures (Motion JPEG).
+// The camera sends JPEG images (Motion JPEG).
 #include "core/simulation/effect.h"
 
 #include <opencv2/imgcodecs.hpp>
@@ -9,17 +9,17 @@ namespace {
 
 class Mjpeg final : public TransportEffect {
  public:
-  explicit Mjpeg(YamlSection& p) : quality_(p.whole_number("quality", 1, 100)) {}
+  explicit Mjpeg(YamlSection& p) : quality_(p.integer("quality", 1, 100)) {}
 
   Message sentence() const override { return en::say("The camera sends JPEG pictures"); }
 
-  Status fits(const SceneFacts& scene) const override {
-    if (!scene.names("quantisation"))
+  Status validate(const SceneFacts& scene) const override {
+    if (!scene.has_effect("quantisation"))
       return Error{
           en::say("JPEG needs whole grey levels"), "", en::say("name the effect quantisation too")};
     return {};
   }
-  void picture(const FrameContext&, SentPicture& sent) const override {
+  void process_image(const FrameContext&, SentFrame& sent) const override {
     std::vector<std::uint8_t> packet;
     cv::imencode(".jpg", sent.grey, packet, {cv::IMWRITE_JPEG_QUALITY, quality_});
     sent.grey = cv::imdecode(packet, cv::IMREAD_GRAYSCALE);

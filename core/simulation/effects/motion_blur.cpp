@@ -1,6 +1,6 @@
-// The picture is the mean light while the shutter is open: I = (1 / n) sum I(t_i), t_i the middles
-// of `moments` equal parts of `exposure_ms` about the frame's moment. Between two frames everything
-// that varies goes straight from the one to the next.
+// Motion blur: the image is the mean light while the shutter is open, I = (1 / n) sum I(t_i), t_i
+// the middles of `moments` equal parts of `exposure_ms` about the frame's time. Between frames
+// everything that varies is interpolated linearly.
 #include "core/simulation/effect.h"
 
 namespace alltact {
@@ -11,13 +11,13 @@ class MotionBlur final : public SensorEffect {
  public:
   explicit MotionBlur(YamlSection& p)
       : exposure_s_(p.number("exposure_ms", strength_up_to(10000)) / 1000),
-        moments_(p.whole_number_or("moments", 5, 2, 100)) {}
+        moments_(p.integer_or("moments", 5, 2, 100)) {}
 
   Message sentence() const override {
     return en::say("The finger moves while a picture is exposed");
   }
 
-  Status fits(const SceneFacts& scene) const override {
+  Status validate(const SceneFacts& scene) const override {
     if (exposure_s_ * scene.frames_per_s > 1)
       return Error{en::say("the shutter would be open for longer than a frame lasts"),
                    "",

@@ -1,5 +1,5 @@
-// Folds of the side faces hide dots: the same ones in every frame (`markers`), or as many as
-// `count` says, drawn anew for each frame.
+// Folds of the side faces hide dots: the same ones in every frame (`markers`), or `count` of them
+// drawn anew for each frame.
 #include "core/numerics/philox.h"
 #include "core/simulation/effect.h"
 #include "core/simulation/marker_numbers.h"
@@ -15,7 +15,7 @@ class Occlusion final : public GeometryEffect {
   explicit Occlusion(YamlSection& p) : by_count_(p.has("count")) {
     if (by_count_) {
       count_ = Varying::read(p, "count", {0, 128});
-      if (count_.greatest() < 0.5)
+      if (count_.max_value() < 0.5)
         p.refuse("count",
                  en::say("no dot would ever be hidden"),
                  en::say("leave occlusion out, or 1 and more"));
@@ -25,28 +25,28 @@ class Occlusion final : public GeometryEffect {
   }
 
   Message sentence() const override { return en::say("Folds of the side faces hide dots"); }
-  bool may_be_several() const override { return true; }
+  bool is_repeatable() const override { return true; }
 
-  Status fits(const SceneFacts& scene) const override {
-    if (!scene.names("markers"))
+  Status validate(const SceneFacts& scene) const override {
+    if (!scene.has_effect("markers"))
       return Error{
           en::say("there are no dots to hide"), "", en::say("name the effect markers too")};
     const auto n = static_cast<std::size_t>(scene.finger.marker_count());
     for (const std::size_t number : markers_)
       if (number >= n)
         return Error{en::say("there is no marker {}", number), "", en::say("0 to {}", n - 1)};
-    if (count_.greatest() > static_cast<double>(n))
+    if (count_.max_value() > static_cast<double>(n))
       return Error{en::say("more dots would be hidden than there are"), "", en::say("up to {}", n)};
     return {};
   }
 
-  void place(const FrameContext& frame, FrameGeometry& geometry) const override {
+  void apply(const FrameContext& frame, FrameGeometry& geometry) const override {
     for (const std::size_t number : by_count_ ? drawn(frame, geometry.discs.size()) : markers_)
       geometry.discs[number].visible = false;
   }
 
  private:
-  // The first `count` of a shuffled row of numbers.
+  // The first `count` entries of a shuffled list of numbers.
   std::vector<std::size_t> drawn(const FrameContext& frame, std::size_t n) const {
     std::vector<std::size_t> numbers(n);
     std::iota(numbers.begin(), numbers.end(), 0U);

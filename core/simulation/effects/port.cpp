@@ -1,5 +1,5 @@
-// The camera looks into the silicone through a flat plate at right angles to its axis: rays are
-// bent at both sides of it by Snell's law and no longer start in one point (flat_port.h).
+// The camera looks into the silicone through a flat plate perpendicular to its axis. Rays refract
+// at both of its sides by Snell's law and no longer start in one point (flat_port.h).
 #include "core/simulation/effect.h"
 
 namespace alltact {
@@ -18,7 +18,7 @@ class Port final : public GeometryEffect {
     return en::say("The camera looks through a flat window into the silicone");
   }
 
-  Status fits(const SceneFacts& scene) const override {
+  Status validate(const SceneFacts& scene) const override {
     if (scene.finger.camera.model == CameraModel::kOrthographic)
       return Error{en::say("parallel rays pass a window unbent"), "", en::say("leave port out")};
     return {};

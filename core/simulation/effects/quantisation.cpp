@@ -1,4 +1,4 @@
-// The sensor counts in whole grey levels from 0 to 255.
+// The sensor counts in integer grey levels from 0 to 255.
 #include "core/numerics/dispatch.h"
 #include "core/simulation/effect.h"
 
@@ -22,7 +22,7 @@ class Quantisation final : public SensorEffect {
   Message sentence() const override {
     return en::say("The sensor counts in whole grey levels from 0 to 255");
   }
-  bool gives_bytes() const override { return true; }
+  bool outputs_bytes() const override { return true; }
   void row(const FrameContext&, RowView& row) const override {
     std::fill(row.bytes, row.bytes + row.lit_first, std::uint8_t{0});
     quantise(row.lit_first, row.lit_last, row.value, row.bytes);

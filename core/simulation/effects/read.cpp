@@ -1,4 +1,4 @@
-// Read noise: the same in every pixel, `sd` grey levels, normal.
+// Read noise: normal, `sd` grey levels, the same in every pixel.
 #include "core/numerics/dispatch.h"
 #include "core/simulation/noise_effect.h"
 

@@ -1,6 +1,6 @@
-// A rigid object with a relief is pressed into the face: a T of two bars, an M8 thread lying on its
-// side, or any height map. Its highest point goes `depth_mm` in along z.
-#include "core/io/picture.h"
+// A rigid object with a relief presses into the face: a T of two bars, an M8 thread lying on its
+// side, or any height map. Its highest point indents by `depth_mm` along z.
+#include "core/io/image_file.h"
 #include "core/simulation/bodies/height_field.h"
 #include "core/simulation/rigid_press.h"
 
@@ -11,7 +11,7 @@ namespace alltact {
 
 namespace {
 
-// Cross bar and stem, walls upright, centred on its bounding box.
+// Cross bar and stem with upright walls, centred on its bounding box.
 class TBar final : public HeightField {
  public:
   TBar(double size_mm, double bar_mm) : size_mm_(size_mm), bar_mm_(bar_mm) {}
@@ -50,7 +50,7 @@ class Thread final : public HeightField {
   double size_mm_;
 };
 
-// Bright is high; straight between the pixels' middles, upright walls around.
+// Bright is high. Bilinear between pixel centres, with upright walls around.
 class HeightMap final : public HeightField {
  public:
   HeightMap(cv::Mat_<float> gap_mm, double mm_per_px)
@@ -81,15 +81,15 @@ class HeightMap final : public HeightField {
 std::shared_ptr<const Body> read_height_map(YamlSection& p) {
   const double mm_per_px = p.number("mm_per_px", strength_up_to(10));
   const double height_mm = p.number("height_mm", strength_up_to(100));
-  const std::filesystem::path beside = p.file().path().parent_path();
-  const auto picture = read_grey_picture(beside / p.text("file"));
-  if (!picture) p.refuse("file", picture.error().what, picture.error().advice);
-  if (picture->cols < 2 || picture->rows < 2)
+  const std::filesystem::path scene_folder = p.file().path().parent_path();
+  const auto image = read_grey_image(scene_folder / p.text("file"));
+  if (!image) p.refuse("file", image.error().what, image.error().advice);
+  if (image->cols < 2 || image->rows < 2)
     p.refuse("file", en::say("the height map is too small"), en::say("2 x 2 pixels or more"));
-  double greatest = 0;
-  cv::minMaxLoc(*picture, nullptr, &greatest);
+  double max_value = 0;
+  cv::minMaxLoc(*image, nullptr, &max_value);
   cv::Mat_<float> gap_mm;
-  picture->convertTo(gap_mm, CV_32F, -height_mm / 255, height_mm * greatest / 255);
+  image->convertTo(gap_mm, CV_32F, -height_mm / 255, height_mm * max_value / 255);
   return std::make_shared<HeightMap>(cv::max(gap_mm, 0.0F), mm_per_px);
 }
 

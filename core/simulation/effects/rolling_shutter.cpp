@@ -1,6 +1,6 @@
-// The sensor reads its rows one after the other: row v of h is taken at
-// t + readout_ms (v / (h - 1) - 1 / 2), t the frame's moment. With `rows_at_once` that many
-// neighbouring rows share the moment of their middle, which costs that much less time.
+// The sensor reads its rows one after the other: row v of h is exposed at t + readout_ms (v / (h -
+// 1) - 1 / 2), t the frame's time. With `rows_at_once` that many neighbouring rows share the time
+// of their middle, which reduces the cost by that factor.
 #include "core/simulation/effect.h"
 
 namespace alltact {
@@ -11,13 +11,13 @@ class RollingShutter final : public SensorEffect {
  public:
   explicit RollingShutter(YamlSection& p)
       : readout_s_(p.number("readout_ms", strength_up_to(10000)) / 1000),
-        rows_at_once_(p.whole_number_or("rows_at_once", 1, 1, 1000)) {}
+        rows_at_once_(p.integer_or("rows_at_once", 1, 1, 1000)) {}
 
   Message sentence() const override {
     return en::say("The rows of a picture are taken one after the other");
   }
 
-  Status fits(const SceneFacts& scene) const override {
+  Status validate(const SceneFacts& scene) const override {
     if (readout_s_ * scene.frames_per_s > 1)
       return Error{en::say("reading the rows would take longer than a frame lasts"),
                    "",

@@ -1,7 +1,8 @@
-// What the face does where it leaves the thing that presses.
-//   hertz:  a ball touches only within a = sqrt(R delta) of its axis. Outside, the elastic half
-//           space's (delta / pi) ((2 - q^2) asin(1/q) + sqrt(q^2 - 1)), q = r/a, scaled to meet
-//           the ball at a. `length_mm` fades it by exp(-(r - a) / length), as a thin layer does.
+// The shape of the face where it leaves the pressing object.
+//   hertz:  a ball is in contact only within a = sqrt(R delta) of its axis. Outside, the elastic
+//           half space's (delta / pi) ((2 - q^2) asin(1/q) + sqrt(q^2 - 1)), q = r/a, scaled to
+//           join the ball at a. `length_mm` fades it by exp(-(r - a) / length), as a thin layer
+//           does.
 //   smooth: the press is blurred with a Gaussian of standard deviation `length_mm`.
 #include "core/simulation/effect.h"
 #include "core/simulation/mechanics/hertz.h"
@@ -13,8 +14,8 @@ namespace {
 
 constexpr double kNegligible_mm = 1e-5;
 
-void hertz(BallPress& press, double fade_length_mm, double greatest_reach_mm) {
-  const double depth = press.place.normal_depth_mm();
+void hertz(BallPress& press, double fade_length_mm, double max_reach_mm) {
+  const double depth = press.pose.normal_depth_mm();
   const double a = std::sqrt(press.radius_mm * depth);
   const double at_rim = press.ball_profile(a);
   press.contact_radius_mm = press.rim_mm = a;
@@ -25,7 +26,7 @@ void hertz(BallPress& press, double fade_length_mm, double greatest_reach_mm) {
     if (r > a) {
       h = at_rim * 2 * hertz_tail(a / r);
       if (fade_length_mm > 0) h *= std::exp(-(r - a) / fade_length_mm);
-      if (h < kNegligible_mm || r > greatest_reach_mm) break;
+      if (h < kNegligible_mm || r > max_reach_mm) break;
     }
     press.profile_mm.push_back(static_cast<float>(h));
   }
@@ -52,7 +53,7 @@ void smooth(BallPress& press, double length_mm) {
     double sum = 0;
     for (int j = -half; j <= half; ++j) {
       const double along = r + j * step, weight = weights[static_cast<std::size_t>(j + half)];
-      for (int k = 0; k <= half; ++k) {  // alike on both sides
+      for (int k = 0; k <= half; ++k) {  // symmetric
         const double from_axis = std::sqrt(along * along + k * step * k * step);
         if (from_axis >= press.rim_mm) break;
         sum += (k == 0 ? weight : 2 * weight) * weights[static_cast<std::size_t>(k + half)] *
@@ -63,14 +64,14 @@ void smooth(BallPress& press, double length_mm) {
   };
   const int n = static_cast<int>((press.rim_mm + 4 * length_mm) / BallPress::kStep_mm) + 2;
   press.profile_mm.clear();
-  // Up to `end` from every `some`-th place and Lagrange's cubic through them.
+  // Fills up to `end` from every `some`-th sample with Lagrange's cubic through them.
   const auto fill = [&](int end, int some) {
     const int first = static_cast<int>(press.profile_mm.size());
-    const auto place = [&](int i) { return std::abs(i) * BallPress::kStep_mm; };
-    double before = blurred_at(place(first - some)), a = blurred_at(place(first)),
-           b = blurred_at(place(first + some));
+    const auto radius_at = [&](int i) { return std::abs(i) * BallPress::kStep_mm; };
+    double before = blurred_at(radius_at(first - some)), a = blurred_at(radius_at(first)),
+           b = blurred_at(radius_at(first + some));
     for (int i = first; i < end; i += some) {
-      const double after = blurred_at(place(i + 2 * some));
+      const double after = blurred_at(radius_at(i + 2 * some));
       for (int k = 0; k < some && i + k < end; ++k) {
         const double t = static_cast<double>(k) / some;
         press.profile_mm.push_back(static_cast<float>(
@@ -80,8 +81,8 @@ void smooth(BallPress& press, double length_mm) {
       before = a, a = b, b = after;
     }
   };
-  // Where the rim does not reach, the profile is as smooth as the ball; elsewhere as the Gaussian.
-  // Both stay within 1e-6 mm.
+  // Away from the rim the profile is as smooth as the ball, elsewhere as the Gaussian. Both stay
+  // within 1e-6 mm.
   constexpr int kSome = 8;
   const double inner_mm = press.rim_mm - 4.2 * length_mm - 2 * kSome * BallPress::kStep_mm;
   if (inner_mm > 0) fill(static_cast<int>(inner_mm / BallPress::kStep_mm), kSome);
@@ -105,7 +106,7 @@ cv::Mat_<float> blurred_rows(const cv::Mat_<float>& in, const std::vector<double
 
 void smooth(SampledPress& press, double length_mm) {
   const double sd_steps = length_mm / press.step_mm;
-  widen(press, static_cast<int>(std::ceil(4 * sd_steps)) + 1);
+  pad_grid(press, static_cast<int>(std::ceil(4 * sd_steps)) + 1);
   const std::vector<double> weights = gaussian(sd_steps);
   const cv::Mat_<float> along = blurred_rows(press.depth_mm, weights).t();
   press.depth_mm = blurred_rows(along, weights).t();
@@ -122,8 +123,8 @@ class Rolloff final : public GeometryEffect {
     return en::say("The face comes away softly from what presses");
   }
 
-  Status fits(const SceneFacts& scene) const override {
-    if (scene.pressed.empty())
+  Status validate(const SceneFacts& scene) const override {
+    if (scene.press_kinds.empty())
       return Error{
           en::say("nothing presses, so nothing rolls off"), "", en::say("name ball or relief too")};
     if (hertz_ && scene.presses(PressKind::kBody))
@@ -132,14 +133,14 @@ class Rolloff final : public GeometryEffect {
     return {};
   }
 
-  void place(const FrameContext&, FrameGeometry& geometry) const override {
+  void apply(const FrameContext&, FrameGeometry& geometry) const override {
     const FaceCurve* curve = geometry.curve();
-    const double greatest_reach = curve ? curve->length_mm() + geometry.face().width_mm : 200;
+    const double max_reach = curve ? curve->length_mm() + geometry.face().width_mm : 200;
     sample_bodies(geometry);
     for (auto& press : geometry.presses) {
       auto* ball = std::get_if<BallPress>(&press);
       if (ball && hertz_)
-        hertz(*ball, length_mm_, greatest_reach);
+        hertz(*ball, length_mm_, max_reach);
       else if (ball)
         smooth(*ball, length_mm_);
       else

@@ -1,5 +1,5 @@
-// Every row of every frame is read with an offset of its own: I = I + sd n, n standard normal (the
-// row temporal noise of EMVA 1288, release 4).
+// Every row of every frame has its own offset: I = I + sd n, n standard normal (the row temporal
+// noise of EMVA 1288, release 4).
 #include "core/numerics/dispatch.h"
 #include "core/simulation/effect.h"
 #include "core/simulation/noise.h"

@@ -1,6 +1,6 @@
 // A scratch in the view face: light = light (1 + change * part), part the share of the pixel within
-// `width_mm` / 2 of the line from `from_mm` to `to_mm`, each [s, y]. change 1 doubles the light,
-// -1 takes it away.
+// `width_mm` / 2 of the line from `from_mm` to `to_mm`, each [s, y]. change 1 doubles the light, -1
+// removes it.
 #include "core/simulation/effect.h"
 #include "core/simulation/face_mark.h"
 
@@ -17,11 +17,11 @@ class Scratch final : public RadianceEffect {
         change_(p.number("change", {-1, 10, false, false, true})) {}
 
   Message sentence() const override { return en::say("A scratch crosses the face"); }
-  bool may_be_several() const override { return true; }
+  bool is_repeatable() const override { return true; }
 
-  Status fits(const SceneFacts& scene) const override {
+  Status validate(const SceneFacts& scene) const override {
     for (const Eigen::Vector2d& end : {from_, to_})
-      if (const Status status = place_fits(scene, Varying(end.x()), Varying(end.y())); !status)
+      if (const Status status = check_position(scene, Varying(end.x()), Varying(end.y())); !status)
         return status;
     return {};
   }

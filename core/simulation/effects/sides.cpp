@@ -1,6 +1,6 @@
-// The two side faces of the finger's body, seen beside the view face: planes y = +-W/2 (shifted
-// with a swaying finger; swept by the twisting section's edges where it twists), of even albedo,
-// `depth_mm` deep behind the face's edge. What is engraved in them is drawn here.
+// The two side faces of the finger's body, next to the view face in the image: planes y = +-W/2 of
+// uniform albedo, `depth_mm` deep behind the face's edge. They shift with a swaying finger; on a
+// twisting one the section's edges sweep them. Engraved dots are drawn here.
 #include "core/numerics/dispatch.h"
 #include "core/simulation/effect.h"
 #include "core/simulation/ruled_surface.h"
@@ -13,7 +13,7 @@ inline float unit(float part) {
   return std::min(std::max(part, 0.0F), 1.0F);
 }
 
-// What the loop below needs to know, and what it gives.
+// Input and output of the loop below.
 struct SideRow {
   int n;
   float half_width, length, depth, albedo;
@@ -22,7 +22,7 @@ struct SideRow {
   float *x, *y, *z, *normal_x, *inward, *normal_z, *coverage, *light;
 };
 
-ALLTACT_WIDE void meet_sides(const SideRow& r) {
+ALLTACT_WIDE void intersect_sides(const SideRow& r) {
   const float* __restrict dx = r.rays.direction_x, * __restrict dy = r.rays.direction_y;
   const float* __restrict step = r.rays.step_y;
   const float* __restrict face_z = r.face.z_mm, * __restrict shift = r.face.shift_mm;
@@ -35,17 +35,19 @@ ALLTACT_WIDE void meet_sides(const SideRow& r) {
   const int n = r.n;
 #pragma GCC ivdep  // the arrays are rows of their own
   for (int u = 0; u < n; ++u) {
-    // The ray points to one of the sides; where it meets that, as a share of the way to the face.
+    // The ray points to one of the sides and intersects it at this fraction of its path to the
+    // face.
     const float y_at_face = dy[u] * face_z[u];
     const float towards = y_at_face < shift[u] ? -1.0F : 1.0F;
     y[u] = shift[u] + towards * half;
-    const float way = (half + towards * shift[u]) / std::max(y_at_face * towards, 1e-6F);
-    const float share = std::min(std::max(way, 0.01F), 1.0F);
+    const float hit_fraction = (half + towards * shift[u]) / std::max(y_at_face * towards, 1e-6F);
+    const float share = std::min(std::max(hit_fraction, 0.01F), 1.0F);
     z[u] = face_z[u] * share;
     x[u] = dx[u] * z[u];
     inward[u] = -towards;
     light[u] = albedo;
-    // The column's point of the face tells how deep behind the face that is, and where along it.
+    // The depth behind the face, and the position along it, follow from the column's point of the
+    // face.
     const float back = face_z[u] - z[u];
     const float behind = back * (cos[u] - dx[u] * sin[u]);
     const float s = face_s[u] - back * (dx[u] * cos[u] + sin[u]);
@@ -55,8 +57,8 @@ ALLTACT_WIDE void meet_sides(const SideRow& r) {
   }
 }
 
-// Where each ray meets the side that it points to.
-void meet_sides_by_rays(const SideRow& r, const FrameGeometry& geometry, int v) {
+// Intersects each ray with the side that it points to.
+void intersect_sides_by_rays(const SideRow& r, const FrameGeometry& geometry, int v) {
   const auto n = static_cast<std::size_t>(r.n);
   std::vector<Ray> rays(n);
   std::vector<char> at_upper(n, 0), at_lower(n, 0);
@@ -64,37 +66,37 @@ void meet_sides_by_rays(const SideRow& r, const FrameGeometry& geometry, int v) 
     r.light[u] = r.albedo;
     r.x[u] = r.y[u] = r.coverage[u] = r.normal_x[u] = r.inward[u] = 0;
     r.z[u] = r.normal_z[u] = 1;
-    if (r.face.coverage[u] >= 1 || r.face.s_mm[u] == kNotMet_mm) continue;
+    if (r.face.coverage[u] >= 1 || r.face.s_mm[u] == kNoHit_mm) continue;
     const auto i = static_cast<std::size_t>(u);
     rays[i] = geometry.rays().ray(u, v);
     (r.face.y_mm[u] < r.face.shift_mm[u] ? at_upper : at_lower)[i] = 1;
   }
   const double width_mm = 2 * r.half_width;
   const auto upper = RuledSurface::side_face(*geometry.curve(), -1, width_mm)
-                         .meet_row(rays, at_upper, r.face.s_mm);
-  const auto lower =
-      RuledSurface::side_face(*geometry.curve(), 1, width_mm).meet_row(rays, at_lower, r.face.s_mm);
+                         .intersect_row(rays, at_upper, r.face.s_mm);
+  const auto lower = RuledSurface::side_face(*geometry.curve(), 1, width_mm)
+                         .intersect_row(rays, at_lower, r.face.s_mm);
   for (int u = 0; u < r.n; ++u) {
     const auto i = static_cast<std::size_t>(u);
     const bool is_upper = at_upper[i] != 0;
-    const RuledSurface::MeetingRow& side = is_upper ? upper : lower;
-    if (!side.met(i)) continue;
-    const RuledSurface::Meeting here = side.at(i);
+    const RuledSurface::IntersectionRow& side = is_upper ? upper : lower;
+    if (!side.is_hit(i)) continue;
+    const RuledSurface::Intersection here = side.at(i);
     const auto s = static_cast<float>(here.s_mm), behind = static_cast<float>(here.r_mm);
     const double off_mm = std::max({behind - r.depth, -s, s - r.length});
-    if (off_mm > kSurePixels * geometry.rays().camera().mm_per_px_at(here.z_mm)) continue;
+    if (off_mm > kEdgeMargin_px * geometry.rays().camera().mm_per_px_at(here.z_mm)) continue;
     const Ray& ray = rays[i];
     const Eigen::Vector3d point = ray.point_at(here.z_mm);
     const Eigen::Vector3d inward = is_upper ? here.normal : Eigen::Vector3d(-here.normal);
-    if (inward.dot(ray.direction) >= 0) continue;  // seen from outside
+    if (inward.dot(ray.direction) >= 0) continue;  // viewed from outside
     r.x[u] = static_cast<float>(point.x());
     r.y[u] = static_cast<float>(point.y());
     r.z[u] = static_cast<float>(point.z());
     r.normal_x[u] = static_cast<float>(inward.x());
     r.inward[u] = static_cast<float>(inward.y());
     r.normal_z[u] = static_cast<float>(inward.z());
-    const Ray beside = geometry.rays().beside(u, v), below = geometry.rays().below(u, v);
-    const auto s_px = static_cast<float>(std::abs(here.s_by(ray, beside)));
+    const Ray right_of = geometry.rays().right_of(u, v), below = geometry.rays().below(u, v);
+    const auto s_px = static_cast<float>(std::abs(here.s_by(ray, right_of)));
     const auto r_px = static_cast<float>(std::abs(here.r_by(ray, below)));
     r.coverage[u] = (1.0F - r.face.coverage[u]) * unit((r.depth - behind) / r_px + 0.5F) *
                     unit(s / s_px + 0.5F) * unit((r.length - s) / s_px + 0.5F);
@@ -109,7 +111,7 @@ class Sides final : public RadianceEffect {
 
   Message sentence() const override { return en::say("The side faces of the body are seen"); }
 
-  Status fits(const SceneFacts& scene) const override {
+  Status validate(const SceneFacts& scene) const override {
     if (scene.finger.face.kind == FaceKind::kFlat)
       return Error{en::say("a flat sensor has no side faces"), "", en::say("leave sides out")};
     if (scene.finger.camera.model == CameraModel::kOrthographic)
@@ -137,7 +139,7 @@ class Sides final : public RadianceEffect {
                       sides_.depth_mm_,
                       sides_.albedo_,
                       geometry_.rays().row(row.v, row.scratch),
-                      whole_face(row),
+                      full_face(row),
                       floats(),
                       floats(),
                       floats(),
@@ -146,12 +148,12 @@ class Sides final : public RadianceEffect {
                       floats(),
                       floats(),
                       floats()};
-      if (geometry_.meets_columns()) {
+      if (geometry_.is_column_wise()) {
         std::fill(r.normal_x, r.normal_x + r.n, 0.0F);
         std::fill(r.normal_z, r.normal_z + r.n, 0.0F);
-        meet_sides(r);
+        intersect_sides(r);
       } else {
-        meet_sides_by_rays(r, geometry_, row.v);
+        intersect_sides_by_rays(r, geometry_, row.v);
       }
       for (const MarkerDisc& disc : geometry_.discs) draw(disc, row.v, r.light);
       row.surfaces.push_back(
@@ -159,8 +161,8 @@ class Sides final : public RadianceEffect {
     }
 
    private:
-    // The face's row with coverage 0 filled in where the row leaves the face.
-    [[nodiscard]] static FaceRow whole_face(RowView& row) {
+    // The face's row, with coverage 0 where the row is off the face.
+    [[nodiscard]] static FaceRow full_face(RowView& row) {
       FaceRow face = row.face;
       float* coverage = row.scratch.floats();
       std::fill(coverage, coverage + row.width, 0.0F);

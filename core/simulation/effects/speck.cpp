@@ -16,9 +16,9 @@ class Speck final : public RadianceEffect {
         darkness_(p.number("darkness", strength_up_to(1))) {}
 
   Message sentence() const override { return en::say("A speck of dirt lies on the face"); }
-  bool may_be_several() const override { return true; }
+  bool is_repeatable() const override { return true; }
 
-  Status fits(const SceneFacts& scene) const override { return place_fits(scene, s_, y_); }
+  Status validate(const SceneFacts& scene) const override { return check_position(scene, s_, y_); }
 
   std::unique_ptr<const Rows> begin(const FrameContext& frame,
                                     const FrameGeometry& geometry) const override {

@@ -11,7 +11,7 @@ class Sway final : public GeometryEffect {
 
   Message sentence() const override { return en::say("The finger leans sideways"); }
 
-  Status fits(const SceneFacts& scene) const override {
+  Status validate(const SceneFacts& scene) const override {
     if (scene.finger.face.kind == FaceKind::kFlat)
       return Error{en::say("a flat sensor does not sway"), "", en::say("leave sway out")};
     return {};

@@ -1,5 +1,5 @@
-// The finger twists: the section at s turns about the middle line by twist s/L, as a clamped bar
-// does under a torque at its tip. A positive twist takes the edge at +y away from the camera.
+// The finger twists: the section at s rotates about the middle line by twist s/L, like a clamped
+// bar under a torque at its tip. A positive twist moves the edge at +y away from the camera.
 #include "core/simulation/effect.h"
 
 #include <numbers>
@@ -14,7 +14,7 @@ class Twist final : public GeometryEffect {
 
   Message sentence() const override { return en::say("The finger twists about its length"); }
 
-  Status fits(const SceneFacts& scene) const override {
+  Status validate(const SceneFacts& scene) const override {
     if (scene.finger.face.kind == FaceKind::kFlat)
       return Error{en::say("a flat sensor does not twist"), "", en::say("leave twist out")};
     return {};

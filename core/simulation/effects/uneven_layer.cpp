@@ -1,7 +1,7 @@
-// The layer is not equally thick everywhere: t = t0 (1 + share * w(s, y)) with
-// w = 1/2 sum over k = 0..7 of cos(2 pi (s cos(a_k) + y sin(a_k)) / length + phase_k), a_k = k pi /
-// 8, waves of `length_mm` in eight directions with random phases, of mean 0 and variance 1. It is
-// the outer side that waves; a press cuts it where it lies.
+// The layer's thickness varies: t = t0 (1 + share * w(s, y)) with w = 1/2 sum over k = 0..7 of
+// cos(2 pi (s cos(a_k) + y sin(a_k)) / length + phase_k), a_k = k pi / 8. These are waves of
+// `length_mm` in eight directions with random phases, of mean 0 and variance 1. The outer side
+// carries the waves; a press cuts it where it lies.
 #include "core/numerics/dispatch.h"
 #include "core/numerics/philox.h"
 #include "core/simulation/effect.h"
@@ -38,7 +38,7 @@ class UnevenLayer final : public GeometryEffect {
 
   Message sentence() const override { return en::say("The layer is not equally thick everywhere"); }
 
-  void place(const FrameContext& frame, FrameGeometry& geometry) const override {
+  void apply(const FrameContext& frame, FrameGeometry& geometry) const override {
     geometry.layer_changes.push_back(std::make_shared<Waves>(*this, frame.seed));
   }
 

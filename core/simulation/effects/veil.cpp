@@ -1,5 +1,5 @@
-// Veiling glare: the lens scatters a share g of all light evenly over the picture,
-// I = (1 - g) I + g mean(I), g the veiling glare index of ISO 9358.
+// Veiling glare: the lens scatters a share g of all light evenly over the image, I = (1 - g) I + g
+// mean(I), g the veiling glare index of ISO 9358.
 #include "core/simulation/effect.h"
 
 namespace alltact {
@@ -14,8 +14,10 @@ class Veil final : public SensorEffect {
     return en::say("Part of the light spreads over the whole picture");
   }
 
-  bool needs_picture() const override { return true; }
-  void picture(const FrameContext&, const FrameGeometry&, cv::Mat_<float>& grey) const override {
+  bool needs_full_image() const override { return true; }
+  void process_image(const FrameContext&,
+                     const FrameGeometry&,
+                     cv::Mat_<float>& grey) const override {
     const auto veil = static_cast<float>(share_ * cv::mean(grey)[0]);
     const auto rest = static_cast<float>(1 - share_);
     for (int v = 0; v < grey.rows; ++v) {

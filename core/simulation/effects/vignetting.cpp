@@ -1,4 +1,4 @@
-// The picture darkens towards its corners. `kind: cos4`: V = cos^4 of the angle between the pixel's
+// The image darkens towards its corners. `kind: cos4`: V = cos^4 of the angle between the pixel's
 // ray and the axis, the natural fall-off of a simple lens (M. Reiss, "The cos^4 law of
 // illumination", JOSA 35, 1945). `kind: polynomial`: V = 1 + a r^2 + b r^4 + c r^6, r the distance
 // from the principal point as a share of the farthest corner's, coefficients: [a, b, c] (Goldman,
@@ -10,7 +10,7 @@ namespace alltact {
 
 namespace {
 
-constexpr int kVignettingSteps = 1000;  // at which a polynomial must be above 0
+constexpr int kVignettingSteps = 1000;  // samples at which a polynomial must be above 0
 
 ALLTACT_WIDE void vignette_cos4(int n,
                                 const float* __restrict dx,
@@ -54,7 +54,7 @@ class Vignetting final : public RadianceEffect {
 
   Message sentence() const override { return en::say("The picture is darker towards its corners"); }
 
-  Status fits(const SceneFacts& scene) const override {
+  Status validate(const SceneFacts& scene) const override {
     if (cos4_ && scene.finger.camera.model == CameraModel::kOrthographic)
       return Error{en::say("the rays of an orthographic camera do not spread"),
                    "",

@@ -1,5 +1,5 @@
-// The lamps lose power as they warm up: P(t) = 1 - loss (1 - exp(-t / after_s)), t since frame 0,
-// the step response of a body with one heat capacity and one way out for the heat.
+// The lamps lose power as they warm up: P(t) = 1 - loss (1 - exp(-t / after_s)), t since frame 0.
+// This is the step response of one heat capacity with one heat path.
 #include "core/simulation/effect.h"
 
 namespace alltact {
@@ -14,14 +14,14 @@ class Warming final : public GeometryEffect {
 
   Message sentence() const override { return en::say("The lamps lose light while they warm up"); }
 
-  Status fits(const SceneFacts& scene) const override {
+  Status validate(const SceneFacts& scene) const override {
     if (scene.lamp_count == 0)
       return Error{
           en::say("there is no lamp that could warm up"), "", en::say("name the effect leds too")};
     return {};
   }
 
-  void place(const FrameContext& frame, FrameGeometry& geometry) const override {
+  void apply(const FrameContext& frame, FrameGeometry& geometry) const override {
     const double t = std::max(0.0, frame.time_s());
     geometry.illumination.lamp_share *= 1 + loss_ * std::expm1(-t / after_s_);
   }

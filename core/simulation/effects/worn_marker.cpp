@@ -1,6 +1,5 @@
-// Dots that have lost part of their paint or depth: what is seen of them is side + (1 - wear) (dot
-// - side), so a wear of 1 leaves nothing to see. Where they are stays true and visible, unlike what
-// occlusion hides.
+// Dots that have lost paint or depth: side + (1 - fraction lost) (dot - side) remains visible. At a
+// loss of 1 nothing remains. In the truth they stay visible, unlike dots under an occlusion.
 #include "core/simulation/effect.h"
 #include "core/simulation/marker_numbers.h"
 
@@ -10,15 +9,16 @@ namespace {
 
 class WornMarker final : public GeometryEffect {
  public:
-  explicit WornMarker(YamlSection& p) : wear_(Varying::read(p, "wear", strength_up_to(1))) {
+  explicit WornMarker(YamlSection& p)
+      : worn_fraction_(Varying::read(p, "wear", strength_up_to(1))) {
     markers_ = read_marker_numbers(p);
   }
 
   Message sentence() const override { return en::say("Dots are worn and fainter"); }
-  bool may_be_several() const override { return true; }
+  bool is_repeatable() const override { return true; }
 
-  Status fits(const SceneFacts& scene) const override {
-    if (!scene.names("markers"))
+  Status validate(const SceneFacts& scene) const override {
+    if (!scene.has_effect("markers"))
       return Error{
           en::say("there are no dots to wear off"), "", en::say("name the effect markers too")};
     const auto n = static_cast<std::size_t>(scene.finger.marker_count());
@@ -28,15 +28,15 @@ class WornMarker final : public GeometryEffect {
     return {};
   }
 
-  void place(const FrameContext& frame, FrameGeometry& geometry) const override {
-    const double left = 1 - frame(wear_);
+  void apply(const FrameContext& frame, FrameGeometry& geometry) const override {
+    const double left = 1 - frame(worn_fraction_);
     for (const std::size_t number : markers_)
       if (MarkerDisc& disc = geometry.discs[number]; disc.visible)
         disc.coverage = cv::Mat_<float>(disc.coverage * left);
   }
 
  private:
-  Varying wear_;
+  Varying worn_fraction_;
   std::vector<std::size_t> markers_;
 };
 

@@ -9,7 +9,7 @@ namespace alltact {
 
 namespace {
 
-// Ascending powers of chi, from 0 to BondedLayerContact::kGreatestChi.
+// Ascending powers of chi, from 0 to BondedLayerContact::kMaxChi.
 using ChiSeries = std::array<double, 8>;
 constexpr ChiSeries kForceSeries{
     1, 1.160142, 0.946650, 3.943779, -3.059152, 1.402830, -0.305381, 0.025786};
@@ -35,8 +35,8 @@ BondedLayerContact::BondedLayerContact(double modulus_MPa, double layer_mm, doub
     : modulus_MPa_(modulus_MPa),
       layer_mm_(layer_mm),
       radius_mm_(radius_mm),
-      greatest_mm_(std::min(kDeepestShare * layer_mm,
-                            kGreatestChi * kGreatestChi * layer_mm * layer_mm / radius_mm)) {}
+      max_mm_(std::min(kMaxDepthShare * layer_mm,
+                       kMaxChi * kMaxChi * layer_mm * layer_mm / radius_mm)) {}
 
 Result<BondedLayerContact> BondedLayerContact::create(double modulus_MPa,
                                                       double layer_mm,
@@ -50,7 +50,7 @@ Result<BondedLayerContact> BondedLayerContact::create(double modulus_MPa,
 }
 
 double BondedLayerContact::within(double indentation_mm) const {
-  return indentation_mm > 0 ? std::min(indentation_mm, greatest_mm_) : 0.0;
+  return indentation_mm > 0 ? std::min(indentation_mm, max_mm_) : 0.0;
 }
 
 double BondedLayerContact::chi(double indentation_mm) const {
@@ -62,7 +62,8 @@ double BondedLayerContact::force_N(double indentation_mm) const {
   return 16.0 / 9 * modulus_MPa_ * std::sqrt(radius_mm_ * d) * d * series(kForceSeries, chi(d));
 }
 
-// chi^k is as d^(k/2): the derivative brings down 1.5 + k/2, the integral divides by 2.5 + k/2.
+// chi^k varies as d^(k/2): the derivative multiplies by 1.5 + k/2, the integral divides by 2.5 +
+// k/2.
 double BondedLayerContact::stiffness_N_per_mm(double indentation_mm) const {
   const double d = within(indentation_mm);
   return 16.0 / 9 * modulus_MPa_ * std::sqrt(radius_mm_ * d) *
@@ -93,15 +94,14 @@ double BondedLayerContact::pressure_MPa(double indentation_mm, double r_mm) cons
 }
 
 Result<double> BondedLayerContact::indentation_mm(double force) const {
-  const double greatest = greatest_force_N();
-  if (!(force >= 0 && force <= greatest))
+  const double max_value = max_force_N();
+  if (!(force >= 0 && force <= max_value))
     return Error{en::say("{:g} N press the ball further into the layer than is known", force),
                  "",
-                 en::say("up to {:.3g} N, a larger ball or a harder layer", greatest)};
+                 en::say("up to {:.3g} N, a larger ball or a harder layer", max_value)};
   if (force == 0) return 0.0;
-  // Newton on log F over log d, which is nearly straight, kept between what is too little and too
-  // much.
-  double low = 0, high = greatest_mm_;
+  // Newton's method on log F over log d, which is nearly straight, bracketed by `low` and `high`.
+  double low = 0, high = max_mm_;
   double d =
       std::min(high, std::pow(force * 9 / (16 * modulus_MPa_ * std::sqrt(radius_mm_)), 2.0 / 3));
   for (int i = 0; i < 100; ++i) {

@@ -1,4 +1,4 @@
-// A ball on a thin soft layer that is bonded to what bears it.
+// A ball on a thin soft layer bonded to a rigid base.
 #pragma once
 
 #include "core/result.h"
@@ -20,11 +20,11 @@ namespace alltact {
 /// Journal 82, 2002) is 5 % low at chi = 0.4 and 17 % at chi = 1, where most presses on a finger
 /// are; that of Garcia and Garcia (Biophysical Journal 114, 2018) is 17 % high there.
 ///
-/// Range. chi up to kGreatestChi and d up to kDeepestShare of h; a real layer stiffens beyond
+/// Range. chi up to kMaxChi and d up to kMaxDepthShare of h; a real layer stiffens beyond
 /// strains of about 0.3, which linear elasticity does not know.
 class BondedLayerContact {
  public:
-  static constexpr double kGreatestChi = 3.3, kDeepestShare = 0.9;
+  static constexpr double kMaxChi = 3.3, kMaxDepthShare = 0.9;
 
   /// Error: a length or the modulus is not above 0.
   static Result<BondedLayerContact> create(double modulus_MPa, double layer_mm, double radius_mm);
@@ -33,20 +33,20 @@ class BondedLayerContact {
   [[nodiscard]] double layer_mm() const { return layer_mm_; }
   [[nodiscard]] double radius_mm() const { return radius_mm_; }
 
-  /// The greatest indentation and force within the range.
-  [[nodiscard]] double greatest_indentation_mm() const { return greatest_mm_; }
-  [[nodiscard]] double greatest_force_N() const { return force_N(greatest_mm_); }
+  /// The maximum indentation and force within the range.
+  [[nodiscard]] double max_indentation_mm() const { return max_mm_; }
+  [[nodiscard]] double max_force_N() const { return force_N(max_mm_); }
 
-  // Of an indentation from 0 to greatest_indentation_mm(); below and above count as these.
+  // Arguments are clamped to 0 .. max_indentation_mm().
   [[nodiscard]] double force_N(double indentation_mm) const;
   [[nodiscard]] double stiffness_N_per_mm(double indentation_mm) const;  ///< dF/dd
   [[nodiscard]] double energy_Nmm(double indentation_mm) const;
   [[nodiscard]] double contact_radius_mm(double indentation_mm) const;
   [[nodiscard]] double pressure_exponent(double indentation_mm) const;  ///< m above
-  /// At a distance from the contact's middle; 0 from its rim on, and where nothing presses.
+  /// At a distance from the contact's centre; 0 from its rim on, and without indentation.
   [[nodiscard]] double pressure_MPa(double indentation_mm, double r_mm) const;
 
-  /// The indentation at which the force is that. Error: not from 0 to greatest_force_N().
+  /// The indentation for a force. Error: the force is not from 0 to max_force_N().
   [[nodiscard]] Result<double> indentation_mm(double force_N) const;
 
  private:
@@ -54,7 +54,7 @@ class BondedLayerContact {
   [[nodiscard]] double within(double indentation_mm) const;
   [[nodiscard]] double chi(double indentation_mm) const;
 
-  double modulus_MPa_, layer_mm_, radius_mm_, greatest_mm_;
+  double modulus_MPa_, layer_mm_, radius_mm_, max_mm_;
 };
 
 }  // namespace alltact

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kPoisson = 0.5;
 
-// What a traction sqrt(1 - r^2 / a^2) along x moves the surface by, times the shear modulus.
+// Displacement under a traction sqrt(1 - r^2 / a^2) along x, times the shear modulus.
 Eigen::Vector2d tangential_mm(const Eigen::Vector2d& at, double a) {
   const double r2 = at.squaredNorm(), r = std::sqrt(r2), pi = std::numbers::pi;
   if (r <= a) {
@@ -31,11 +31,11 @@ Eigen::Vector2d tangential_mm(const Eigen::Vector2d& at, double a) {
 
 }  // namespace
 
-Eigen::Vector2d held_by_friction(const Eigen::Vector2d& tangential_N,
-                                 double normal_N,
-                                 double friction) {
-  const double asked = tangential_N.norm(), held = friction * normal_N;
-  return asked > held ? Eigen::Vector2d(tangential_N * (held / asked)) : tangential_N;
+Eigen::Vector2d limited_by_friction(const Eigen::Vector2d& tangential_N,
+                                    double normal_N,
+                                    double friction) {
+  const double requested = tangential_N.norm(), held = friction * normal_N;
+  return requested > held ? Eigen::Vector2d(tangential_N * (held / requested)) : tangential_N;
 }
 
 Result<HalfSpaceContact> HalfSpaceContact::create(double modulus_MPa,
@@ -55,12 +55,11 @@ Result<HalfSpaceContact> HalfSpaceContact::create(double modulus_MPa,
   contact.radius_mm_ = radius_mm;
   const double plane = modulus_MPa / (1 - kPoisson * kPoisson);
   const double a = std::cbrt(0.75 * normal_N * radius_mm / plane);
-  if (a > kGreatestContactShare * radius_mm) {
-    const double greatest =
-        std::pow(kGreatestContactShare, 3) * radius_mm * radius_mm * plane / 0.75;
+  if (a > kMaxContactShare * radius_mm) {
+    const double max_value = std::pow(kMaxContactShare, 3) * radius_mm * radius_mm * plane / 0.75;
     return Error{en::say("{:g} N press the ball further into the body than is known", normal_N),
                  "",
-                 en::say("up to {:.3g} N, a larger ball or a harder body", greatest)};
+                 en::say("up to {:.3g} N, a larger ball or a harder body", max_value)};
   }
   contact.contact_mm_ = a;
   contact.slip_traction_MPa_ = friction * 1.5 * normal_N / (std::numbers::pi * a * a);

@@ -1,4 +1,4 @@
-// How a soft half space gives way beside a ball that presses on it (Hertz).
+// Deflection of a soft half space around an indenting ball (Hertz).
 #pragma once
 
 #include <algorithm>
@@ -7,9 +7,9 @@
 
 namespace alltact {
 
-/// Deflection of the surface over that under the ball's middle, at q = a/r in (0, 1], a the radius
-/// of contact: ((2 - r^2/a^2) asin(a/r) + sqrt(r^2/a^2 - 1)) / pi, 0.5 at the rim. Far out that is
-/// a difference of large numbers, so its series takes over.
+/// Deflection of the surface relative to that under the ball's centre, at q = a/r in (0, 1], a the
+/// radius of contact: ((2 - r^2/a^2) asin(a/r) + sqrt(r^2/a^2 - 1)) / pi, 0.5 at the rim. Far out
+/// this is a difference of large numbers, so its series is used instead.
 [[nodiscard]] inline double hertz_tail(double q) {
   if (q < 0.05) {
     const double q2 = q * q;

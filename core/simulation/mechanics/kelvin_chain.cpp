@@ -7,19 +7,19 @@ namespace alltact {
 
 namespace {
 
-// A unit's deflection after a step of h time constants: keep times what it was, and the shares of
-// the load at the step's two ends.
+// A unit's deflection after a step of h time constants: `decay` times its previous value, plus
+// weights of the load at the step's two ends.
 struct KelvinStep {
-  double keep, from, to;
+  double decay, from, to;
 };
 
 KelvinStep kelvin_step(double h) {
   if (h == 0) return {1, 0, 0};
-  const double keep = std::exp(-h);
+  const double decay = std::exp(-h);
   // (1 - exp(-h)) / h, and 1 less that, without cancellation.
   const double mean = -std::expm1(-h) / h;
   const double to = h < 1e-2 ? h * (0.5 - h * (1.0 / 6 - h * (1.0 / 24 - h / 120))) : 1 - mean;
-  return {keep, -std::expm1(-h) - to, to};
+  return {decay, -std::expm1(-h) - to, to};
 }
 
 }  // namespace
@@ -41,7 +41,7 @@ Eigen::Vector4d KelvinChain::History::before(double step_s) const {
   for (std::size_t i = 0; i < units_.size(); ++i) {
     const KelvinUnit& unit = chain_->units_[i];
     const KelvinStep part = kelvin_step(step_s / unit.time_s);
-    sum += part.keep * units_[i] + unit.share * part.from * elastic_;
+    sum += part.decay * units_[i] + unit.share * part.from * elastic_;
   }
   return sum;
 }
@@ -57,7 +57,7 @@ void KelvinChain::History::step(double step_s, const Eigen::Vector4d& elastic) {
   for (std::size_t i = 0; i < units_.size(); ++i) {
     const KelvinUnit& unit = chain_->units_[i];
     const KelvinStep part = kelvin_step(step_s / unit.time_s);
-    units_[i] = part.keep * units_[i] + unit.share * (part.from * elastic_ + part.to * elastic);
+    units_[i] = part.decay * units_[i] + unit.share * (part.from * elastic_ + part.to * elastic);
   }
   elastic_ = elastic;
 }

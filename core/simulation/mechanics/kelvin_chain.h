@@ -1,4 +1,4 @@
-// What a rubber does late: damping and creep.
+// Viscoelastic response of rubber: damping and creep.
 #pragma once
 
 #include <vector>
@@ -7,43 +7,42 @@
 
 namespace alltact {
 
-/// A spring and a damper side by side: under a steady load it comes to `share` of the elastic
+/// A spring and a damper in parallel: under a steady load it approaches `share` of the elastic
 /// deflection, as 1 - exp(-t / time_s).
 struct KelvinUnit {
   double share = 0, time_s = 0;  ///< both above 0
 };
 
-/// A spring (`instant`, 1 or 0) and Kelvin-Voigt units in a row. A unit load that comes at t = 0
-/// and stays gives, in units of the elastic deflection, the creep compliance
+/// A spring (`instant`, 1 or 0) and Kelvin-Voigt units in series. A steady unit load from t = 0 on
+/// gives, in units of the elastic deflection, the creep compliance
 ///   j(t) = instant + sum share (1 - exp(-t / time_s)).
-/// With instant 1 and one unit that is the standard linear solid; with instant 0 and a unit of
-/// share 1 an elastic body that is damped; several units of growing times make the slow creep,
-/// linear in log t, that rubbers show (J. D. Ferry, Viscoelastic Properties of Polymers, 1980, ch.
-/// 1 and 3).
+/// Instant 1 and one unit: the standard linear solid. Instant 0 and a unit of share 1: a damped
+/// elastic body. Several units of growing times: slow creep, linear in log t, as rubbers show
+/// (J. D. Ferry, Viscoelastic Properties of Polymers, 1980, ch. 1 and 3).
 class KelvinChain {
  public:
   KelvinChain() = default;
   KelvinChain(double instant, std::vector<KelvinUnit> units)
       : instant_(instant), units_(std::move(units)) {}
 
-  /// False: deflections follow from the loads of the moment alone.
-  [[nodiscard]] bool remembers() const { return !units_.empty(); }
+  /// False: deflections follow from the current loads alone.
+  [[nodiscard]] bool has_memory() const { return !units_.empty(); }
   [[nodiscard]] double compliance(double time_s) const;
-  /// What was longer ago counts for less than rounding does: 40 of the longest time constants.
+  /// Older loads count for less than rounding: 40 of the longest time constants.
   [[nodiscard]] double memory_s() const;
 
   /// The deflection q(t), the integral of j(t - t') dX/dt' with X(t) the deflection of an elastic
-  /// body under the loads at t: step by step, exactly for X that goes straight in each step. At
-  /// first nothing has ever pushed.
+  /// body under the loads at t. Computed step by step, exact for X linear in each step. Starts
+  /// without any load.
   class History {
    public:
     explicit History(const KelvinChain& chain)
         : chain_(&chain), units_(chain.units_.size(), Eigen::Vector4d::Zero()) {}
     /// q after a step of `step_s` is before(step_s) + weight(step_s) X(t); a step of 0 is a load
-    /// that comes at once.
+    /// applied at once.
     [[nodiscard]] Eigen::Vector4d before(double step_s) const;
     [[nodiscard]] double weight(double step_s) const;
-    /// Makes the step, with X at its end.
+    /// Performs the step, with X at its end.
     void step(double step_s, const Eigen::Vector4d& elastic);
 
    private:

@@ -1,4 +1,4 @@
-// A force at a place on the finger's surface.
+// A force at a position on the finger's surface.
 #pragma once
 
 #include "core/finger/pushed_face.h"
@@ -7,12 +7,13 @@
 
 namespace alltact {
 
-/// Turns and moves with the finger, as the force of a thing does that touches its skin. `across`
-/// is measured from the face's middle line: on the contact and the back face towards +y, on the
-/// side faces (their middle line is half-way between view face and back) towards the contact face.
+/// Rotates and moves with the finger, like the force of an object in contact with its surface.
+/// `across` is measured from the face's middle line: on the contact and the back face towards +y,
+/// on the side faces towards the contact face. A side face's middle line is halfway between view
+/// face and back.
 struct PointForce {
   PushedFace face = PushedFace::kContact;
-  double s_mm = 0;  ///< of the section that it stands on, along the view face from its base
+  double s_mm = 0;  ///< of its section, along the view face from its base
   double across_mm = 0;
   double normal_N = 0;  ///< into the finger
   double along_N = 0;   ///< towards the tip
@@ -25,10 +26,10 @@ struct PointForce {
   }
 };
 
-/// A place on the finger's surface in space: camera frame, mm; three unit vectors at right angles.
+/// A frame at a position on the finger's surface: camera frame, mm; three orthogonal unit vectors.
 struct SurfaceFrame {
   Eigen::Vector3d point_mm = Eigen::Vector3d::Zero();
-  Eigen::Vector3d into = Eigen::Vector3d::UnitX();   ///< the finger, along its normal
+  Eigen::Vector3d into = Eigen::Vector3d::UnitX();   ///< into the finger, along its normal
   Eigen::Vector3d along = Eigen::Vector3d::UnitX();  ///< towards the tip
   Eigen::Vector3d across = Eigen::Vector3d::UnitX();
 

@@ -1,6 +1,6 @@
 #include "core/sources/files/recorded_frames.h"
 
-#include "core/sources/files/picture_source.h"
+#include "core/sources/files/image_source.h"
 
 namespace alltact {
 
@@ -8,10 +8,10 @@ Result<RecordedFrames> RecordedFrames::open(const std::filesystem::path& input, 
   RecordedFrames frames;
   std::error_code ignored;
   if (std::filesystem::is_directory(input, ignored)) {
-    auto pictures = pictures_in(input);
-    if (!pictures) return pictures.error();
-    frames.pictures_ = std::move(*pictures);
-    frames.is_continuous_ = PictureSource(frames.pictures_).is_continuous();
+    auto images = images_in(input);
+    if (!images) return images.error();
+    frames.images_ = std::move(*images);
+    frames.is_continuous_ = ImageSource(frames.images_).is_continuous();
     return frames;
   }
   auto video = VideoFile::open(input, job);
@@ -21,12 +21,12 @@ Result<RecordedFrames> RecordedFrames::open(const std::filesystem::path& input, 
 }
 
 std::size_t RecordedFrames::count() const {
-  return video_ ? video_->frame_count() : pictures_.size();
+  return video_ ? video_->frame_count() : images_.size();
 }
 
 Result<FramePtr> RecordedFrames::frame(std::size_t number) {
   if (video_) return video_->frame(number);
-  return PictureSource({pictures_.at(number)}).next();
+  return ImageSource({images_.at(number)}).next();
 }
 
 std::shared_ptr<const FrameTimes> RecordedFrames::times_ns() const {
@@ -37,8 +37,8 @@ std::shared_ptr<const FrameTimes> RecordedFrames::times_ns() const {
 }
 
 double RecordedFrames::frames_per_s() const {
-  constexpr double kPictures = 10;
-  return video_ ? video_->frames_per_s() : kPictures;
+  constexpr double kImagesPerS = 10;
+  return video_ ? video_->frames_per_s() : kImagesPerS;
 }
 
 }  // namespace alltact

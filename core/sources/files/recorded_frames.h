@@ -1,4 +1,4 @@
-// Any frame of a recording by its number.
+// Random access to the frames of a recording.
 #pragma once
 
 #include "core/frame.h"
@@ -14,26 +14,26 @@
 
 namespace alltact {
 
-/// A video, or the pictures of a folder in name order. Of one thread.
+/// A video, or the images of a folder in name order. One thread.
 class RecordedFrames {
  public:
-  /// Errors: those of VideoFile::open and pictures_in.
+  /// Errors: those of VideoFile::open and images_in.
   [[nodiscard]] static Result<RecordedFrames> open(const std::filesystem::path& input,
                                                    const Job& job);
 
   [[nodiscard]] std::size_t count() const;  ///< at least 1
-  /// Error: it cannot be read; others still can.
+  /// Error: this frame cannot be read; others may still be readable.
   [[nodiscard]] Result<FramePtr> frame(std::size_t number);
-  /// Of a video as it was recorded; pictures have no times and go by ten a second.
+  /// The recorded rate of a video; 10 per second for images, which have no times.
   [[nodiscard]] double frames_per_s() const;
-  /// Of capture; null where they have none.
+  /// Times of capture, ns; null where the frames have none.
   [[nodiscard]] std::shared_ptr<const FrameTimes> times_ns() const;
-  /// A frame follows the one before it in time.
+  /// True when each frame follows the one before it in time.
   [[nodiscard]] bool is_continuous() const { return is_continuous_; }
 
  private:
   std::optional<VideoFile> video_;
-  std::vector<std::filesystem::path> pictures_;
+  std::vector<std::filesystem::path> images_;
   bool is_continuous_ = true;
 };
 

@@ -34,7 +34,7 @@ Result<FramePtr> SimulatedSource::next() {
   while (position_ < end && arrival.is_dropped) arrival = plan_.arrival(position_++);
   if (arrival.is_dropped) return FramePtr();
   const int number = position_ - 1;
-  SentPicture sent = plan_.send(number, options_.threads);
+  SentFrame sent = plan_.send(number, options_.threads);
   auto frame = std::make_shared<Frame>();
   frame->grey = std::move(sent.grey);
   frame->jpeg = std::move(sent.jpeg);

@@ -1,4 +1,4 @@
-// A simulated finger as a camera shows it.
+// A simulated finger as a camera sees it.
 #pragma once
 
 #include "core/simulation/plan.h"
@@ -9,18 +9,18 @@
 
 namespace alltact {
 
-/// Frames the scene's, times the camera's own clock, which begins at the first frame. Frames that
-/// the scene drops never come; their number is left out of the sequence.
+/// Frames follow the scene, times the camera's own clock, which begins at the first frame. Frames
+/// that the scene drops never come; the sequence skips their numbers.
 class SimulatedSource : public Source {
  public:
-  /// Errors: the scene's own; pictures that are not 8-bit, because the scene does not name
+  /// Errors: those of the scene; images that are not 8-bit, because the scene does not name
   /// `quantisation`.
   [[nodiscard]] static Result<std::unique_ptr<Source>> open(const std::filesystem::path& scene,
                                                             const SourceOptions& options);
 
   [[nodiscard]] Result<FramePtr> next() override;
   void skip(std::size_t count) override;  ///< renders nothing
-  /// None at the camera's pace, which never ends.
+  /// Empty at the camera's pace, which never ends.
   [[nodiscard]] std::optional<std::size_t> count() const override;
   [[nodiscard]] bool is_continuous() const override { return true; }
   [[nodiscard]] bool is_live() const override { return options_.pace == Pace::kRecorded; }

@@ -1,4 +1,4 @@
-// A video's frames one after the other.
+// A source of a video's frames.
 #pragma once
 
 #include "core/recording/video_file.h"

@@ -10,7 +10,7 @@
 namespace alltact {
 namespace {
 
-constexpr double kMostGaugeN = 1e5;
+constexpr double kMaxGaugeN = 1e5;
 
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
@@ -19,7 +19,7 @@ bool is_letter(char c) {
   return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
 }
 
-/// Words that gauges write in place of a number; letters and digits alone.
+/// Over-range words that gauges send instead of a number; only letters and digits count.
 bool is_over_range_word(std::string_view line) {
   static constexpr std::array<std::string_view, 16> kWords{"OL",
                                                            "0L",
@@ -53,7 +53,7 @@ bool is_over_range_word(std::string_view line) {
   return is_rule || std::find(kWords.begin(), kWords.end(), letters) != kWords.end();
 }
 
-/// Blanks, semicolons and, unless it is part of a number, commas stand between words.
+/// Blanks and semicolons separate words, and so do commas that are not decimal.
 std::vector<std::string> words_of(std::string_view line, bool is_comma_decimal) {
   std::vector<std::string> words;
   bool is_new = true;
@@ -71,7 +71,7 @@ struct GaugeNumber {
   int decimals = 0;
 };
 
-/// The number at the word's beginning, with an optional sign; the word moves behind it.
+/// Removes the number, with an optional sign, from the word's beginning and returns it.
 std::optional<GaugeNumber> take_gauge_number(std::string_view& word) {
   std::string_view rest = word;
   const bool is_negative = rest.starts_with('-');
@@ -95,16 +95,16 @@ std::optional<GaugeNumber> take_gauge_number(std::string_view& word) {
   return number;
 }
 
-/// False: more than a force can be.
+/// False: above the maximum force.
 bool put(const GaugeNumber& number, double unit_N, GaugeLine& line) {
   const auto at = static_cast<std::size_t>(line.count++);
   line.force_N[at] = number.value * unit_N;
   line.decimals[at] = number.decimals;
   line.digit_N[at] = std::pow(10.0, -number.decimals) * unit_N;
-  return std::abs(line.force_N[at]) <= kMostGaugeN;
+  return std::abs(line.force_N[at]) <= kMaxGaugeN;
 }
 
-/// What follows an Imada gauge's number: "KTO", "NT0" and so on; nullopt where it is none.
+/// The unit behind an Imada gauge's number: "KTO", "NT0" and so on; nullopt for anything else.
 std::optional<double> imada_unit_N(std::string_view tail) {
   if (tail.size() != 3 || (tail[1] != 'T' && tail[1] != 'P') ||
       std::string_view("LOHE0").find(tail[2]) == std::string_view::npos)
@@ -122,29 +122,29 @@ std::optional<double> imada_unit_N(std::string_view tail) {
 }
 
 GaugeLine sauter_line(std::string_view line, double unit_N) {
-  GaugeLine told;
+  GaugeLine reading;
   while (!line.empty() && line.back() == ' ') line.remove_suffix(1);
-  if (line.size() < 3 || (line[0] != '0' && line[0] != '1')) return told;
+  if (line.size() < 3 || (line[0] != '0' && line[0] != '1')) return reading;
   const bool is_plus = line[0] == '1';
   line.remove_prefix(1);
-  if (!is_digit(line[0]) && line[0] != '.') return told;
+  if (!is_digit(line[0]) && line[0] != '.') return reading;
   auto number = take_gauge_number(line);
-  if (!number || !line.empty()) return told;
+  if (!number || !line.empty()) return reading;
   if (!is_plus && number->value != 0) number->value = -number->value;
-  if (!put(*number, unit_N, told)) return {};
-  told.kind = GaugeLine::Kind::kValues;
-  return told;
+  if (!put(*number, unit_N, reading)) return {};
+  reading.kind = GaugeLine::Kind::kValues;
+  return reading;
 }
 
 GaugeLine plain_line(std::string_view line, const GaugeLineRules& rules) {
-  GaugeLine told;
+  GaugeLine reading;
   std::vector<std::optional<double>> units;  // of each number
   std::vector<GaugeNumber> numbers;
   for (const std::string& text : words_of(line, rules.is_comma_decimal)) {
     std::string_view word = text;
     if (const auto number = take_gauge_number(word)) {
       if (const auto imada = imada_unit_N(word)) {
-        if (word[2] == 'E') return told.kind = GaugeLine::Kind::kOverRange, told;
+        if (word[2] == 'E') return reading.kind = GaugeLine::Kind::kOverRange, reading;
         units.push_back(imada), numbers.push_back(*number);
         continue;
       }
@@ -153,19 +153,19 @@ GaugeLine plain_line(std::string_view line, const GaugeLineRules& rules) {
     }
     // A unit belongs to the number before it, and only to one that has none.
     const auto unit = newtons_in(word);
-    if (!unit || units.empty() || units.back()) return told;
+    if (!unit || units.empty() || units.back()) return reading;
     units.back() = unit;
   }
-  if (numbers.empty() || numbers.size() > 3) return told;
-  // One unit behind several numbers is that of them all: "1.2 0.3 -0.1 kgf".
+  if (numbers.empty() || numbers.size() > 3) return reading;
+  // One unit behind several numbers belongs to all of them: "1.2 0.3 -0.1 kgf".
   const double last_N = units.back().value_or(rules.unit_N);
   const bool is_shared = std::none_of(
       units.begin(), units.end() - 1, [](const std::optional<double>& unit) { return unit; });
   for (std::size_t i = 0; i < numbers.size(); ++i)
-    if (!put(numbers[i], is_shared ? last_N : units[i].value_or(rules.unit_N), told))
+    if (!put(numbers[i], is_shared ? last_N : units[i].value_or(rules.unit_N), reading))
       return GaugeLine();
-  told.kind = GaugeLine::Kind::kValues;
-  return told;
+  reading.kind = GaugeLine::Kind::kValues;
+  return reading;
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What a gauge says in one line of text.
+// Parser for one line of text from a gauge.
 #pragma once
 
 #include "core/result.h"
@@ -15,32 +15,32 @@ enum class GaugeFormat {
   /// "0.5,0.25"; and Imada's "+01.23KT0" or "+12.34NTO": unit O (lbf), K (kgf) or N, mode T or P,
   /// judgement, of which E is over range.
   kPlain = 1,
-  /// "0011.70": of Sauter's FH and FL the first digit is the sign, 0 minus and 1 plus.
+  /// "0011.70": for Sauter's FH and FL the first digit is the sign, 0 minus and 1 plus.
   kSauter,
 };
 inline constexpr std::array<std::string_view, 2> kGaugeFormats{"plain", "sauter"};
 
 struct GaugeLineRules {
   GaugeFormat format = GaugeFormat::kPlain;
-  double unit_N = 1;              ///< newtons in what a line without a unit counts
-  bool is_comma_decimal = false;  ///< "1,25" is one number; else a comma stands between two
+  double unit_N = 1;              ///< newtons per unit of a line without a unit
+  bool is_comma_decimal = false;  ///< "1,25" is one number; else a comma separates two
 };
 
 struct GaugeLine {
   enum class Kind {
     kValues = 1,
-    kOverRange,  ///< the gauge says that it cannot tell: OL, OVER, HELP, ----
-    kNoise,      ///< none of both: a broken line, a greeting, an error code
+    kOverRange,  ///< the gauge reports that it is out of range: OL, OVER, HELP, ----
+    kNoise,      ///< neither: a broken line, a greeting, an error code
   };
   Kind kind = Kind::kNoise;
   int count = 0;                    ///< 1 to 3 values
   std::array<double, 3> force_N{};  ///< finite, at most 1e5 N
-  std::array<double, 3> digit_N{};  ///< what the last digit is worth
+  std::array<double, 3> digit_N{};  ///< value of the last digit
   std::array<int, 3> decimals{};    ///< digits behind the point
 };
 
-/// A line without its end. Each value is a whole number of the line or none: nothing is made of
-/// "0.12+0.123" or "1.2.3".
+/// Parses a line without its end. Each value is a complete number of the line: "0.12+0.123" and
+/// "1.2.3" give none.
 [[nodiscard]] GaugeLine read_gauge_line(std::string_view line, const GaugeLineRules& rules);
 
 }  // namespace alltact

@@ -15,12 +15,12 @@ namespace {
 
 constexpr int kGaugeSlice_ms = 50;
 constexpr double kRecent_s = 1.0;
-constexpr auto kBetweenGaugeTries = std::chrono::milliseconds(300);
-/// A camera's frames are at most so old when they come; what differs more is another clock.
+constexpr auto kGaugeRetry = std::chrono::milliseconds(300);
+/// Maximum delay of a camera's frames, s; a larger difference means another clock.
 constexpr double kOldestFrame_s = 5;
 
-std::string gauge_log_line(const GaugeSample& sample, double frames_behind_s) {
-  std::string line = fmt::format("{:.6f}", sample.time_s - frames_behind_s);
+std::string gauge_log_line(const GaugeSample& sample, double clock_offset_s) {
+  std::string line = fmt::format("{:.6f}", sample.time_s - clock_offset_s);
   for (Eigen::Index axis = 0; axis < 3; ++axis)
     line += sample.has_force ? fmt::format(",{:.7g}", sample.force_N[axis]) : std::string(",");
   line += std::isfinite(sample.sd_N) ? fmt::format(",{:.3g}", sample.sd_N) : std::string(",");
@@ -64,7 +64,7 @@ Status GaugeLog::begin(const std::filesystem::path& file) {
   file_ = file;
   status_ = {};
   counts_ = {};
-  is_clock_met_ = false;
+  is_clock_synced_ = false;
   waiting_ = recent_;
   std::string name = name_;
   for (char& c : name)
@@ -74,12 +74,12 @@ Status GaugeLog::begin(const std::filesystem::path& file) {
   return status_;
 }
 
-void GaugeLog::meet(const Frame& frame) {
+void GaugeLog::sync_clock(const Frame& frame) {
   const std::lock_guard lock(mutex_);
-  if (is_clock_met_ || descriptor_ < 0 || frame.time_ns == 0) return;
-  const double behind_s = gauge_clock_s() - 1e-9 * static_cast<double>(frame.time_ns);
-  frames_behind_s_ = behind_s >= -1 && behind_s < kOldestFrame_s ? 0 : behind_s;
-  is_clock_met_ = true;
+  if (is_clock_synced_ || descriptor_ < 0 || frame.time_ns == 0) return;
+  const double offset_s = gauge_clock_s() - 1e-9 * static_cast<double>(frame.time_ns);
+  clock_offset_s_ = offset_s >= -1 && offset_s < kOldestFrame_s ? 0 : offset_s;
+  is_clock_synced_ = true;
   for (const GaugeSample& sample : waiting_) write(sample);
   waiting_.clear();
 }
@@ -100,48 +100,48 @@ std::vector<Message> GaugeLog::take_remarks() {
 }
 
 void GaugeLog::run() {
-  bool is_told = false;
+  bool is_reported = false;
   while (!stopping_) {
     if (!source_) {
       auto again = open_();
       if (!again) {
-        std::this_thread::sleep_for(kBetweenGaugeTries);
+        std::this_thread::sleep_for(kGaugeRetry);
         continue;
       }
       source_ = std::move(*again);
-      is_told = false;
+      is_reported = false;
       const std::lock_guard lock(mutex_);
       remarks_.push_back(en::say("The gauge is back."));
     }
-    const auto news = source_->read(kGaugeSlice_ms);
-    if (news) {
-      take(*news);
+    const auto update = source_->read(kGaugeSlice_ms);
+    if (update) {
+      take(*update);
       continue;
     }
     source_.reset();
-    GaugeNews gone;
+    GaugeUpdate gone;
     gone.samples.emplace_back();
     gone.samples.back().time_s = gauge_clock_s();
-    if (!is_told) gone.remarks.push_back(news.error().message());
-    is_told = true;
+    if (!is_reported) gone.remarks.push_back(update.error().message());
+    is_reported = true;
     take(gone);
   }
 }
 
-void GaugeLog::take(const GaugeNews& news) {
+void GaugeLog::take(const GaugeUpdate& update) {
   const std::lock_guard lock(mutex_);
-  remarks_.insert(remarks_.end(), news.remarks.begin(), news.remarks.end());
-  for (const GaugeSample& sample : news.samples) {
-    keep_recent(sample);
+  remarks_.insert(remarks_.end(), update.remarks.begin(), update.remarks.end());
+  for (const GaugeSample& sample : update.samples) {
+    store_recent(sample);
     if (descriptor_ < 0) continue;
-    if (is_clock_met_)
+    if (is_clock_synced_)
       write(sample);
     else
       waiting_.push_back(sample);
   }
 }
 
-void GaugeLog::keep_recent(const GaugeSample& sample) {
+void GaugeLog::store_recent(const GaugeSample& sample) {
   recent_.push_back(sample);
   while (recent_.size() > 1 && recent_.front().time_s < sample.time_s - kRecent_s)
     recent_.pop_front();
@@ -149,7 +149,7 @@ void GaugeLog::keep_recent(const GaugeSample& sample) {
 
 void GaugeLog::write(const GaugeSample& sample) {
   ++(sample.has_force ? counts_.readings : counts_.without_force);
-  write_text(gauge_log_line(sample, frames_behind_s_));
+  write_text(gauge_log_line(sample, clock_offset_s_));
 }
 
 void GaugeLog::write_text(const std::string& text) {

@@ -1,4 +1,4 @@
-// What a gauge said while a recording ran, beside the video: NAME.mkv has NAME.gauge.csv.
+// Readings of a gauge during a recording, next to the video: NAME.mkv has NAME.gauge.csv.
 //
 //   # alltact-gauge/1
 //   # gauge: serial:/dev/ttyUSB0
@@ -6,8 +6,8 @@
 //   81234.567890,0.123,0,0,0.000289,0,,
 //   81234.617950,,,,,0,,
 //
-// t_s is the clock of the frames (their time_ns in seconds). A line without forces says that there
-// is none from then on: the gauge was over range or unplugged, or what was typed holds no longer.
+// t_s is the clock of the frames (their time_ns in seconds). A line without forces marks that there
+// is none from then on: the gauge was over range or unplugged, or a typed value is no longer valid.
 #pragma once
 
 #include "core/frame.h"
@@ -31,38 +31,38 @@ inline constexpr const char* kGaugeLogFormat = "# alltact-gauge/1";
 
 [[nodiscard]] std::filesystem::path gauge_log_of(const std::filesystem::path& video);
 
-/// Reads a gauge in a thread of its own and writes what it says as long as a recording runs. A
-/// gauge that is unplugged is waited for.
+/// Reads a gauge in a thread of its own and writes its readings while a recording runs. Waits for
+/// an unplugged gauge to come back.
 class GaugeLog {
  public:
-  /// name: told at the top of each file. Errors: those of the opener.
+  /// name: written at the top of each file. Errors: those of the opener.
   [[nodiscard]] static Result<std::unique_ptr<GaugeLog>> start(GaugeOpener open, std::string name);
   ~GaugeLog();
   GaugeLog(const GaugeLog&) = delete;
   GaugeLog& operator=(const GaugeLog&) = delete;
 
-  /// From now on into this file; what was in it is gone. What was said in the last moments, and
-  /// what holds, comes first. Error: it cannot be written.
+  /// Starts a file, which is overwritten. The readings of the last second, and the value that is
+  /// still valid, come first. Error: it cannot be written.
   [[nodiscard]] Status begin(const std::filesystem::path& file);
-  /// Each frame of the recording as it comes: the first tells how its clock stands to this
-  /// computer's; nothing is written before.
-  void meet(const Frame& frame);
+  /// Takes each frame of the recording. The first one determines the offset between the frames'
+  /// clock and this computer's; nothing is written before.
+  void sync_clock(const Frame& frame);
   struct Counts {
     std::uint64_t readings = 0, without_force = 0;
   };
   /// Ends the file. Error: it could not be written to the end.
   [[nodiscard]] Result<Counts> end();
 
-  /// What is to be told to the person at the gauge; each once. Any thread.
+  /// Remarks for the person at the gauge; each is returned once. Any thread.
   [[nodiscard]] std::vector<Message> take_remarks();
 
  private:
   GaugeLog(std::unique_ptr<GaugeSource> source, GaugeOpener open, std::string name);
   void run();
-  void take(const GaugeNews& news);
+  void take(const GaugeUpdate& update);
   void write(const GaugeSample& sample);
   void write_text(const std::string& text);
-  void keep_recent(const GaugeSample& sample);
+  void store_recent(const GaugeSample& sample);
 
   GaugeOpener open_;
   std::string name_;
@@ -72,8 +72,8 @@ class GaugeLog {
   std::deque<GaugeSample> recent_, waiting_;
   std::filesystem::path file_;
   int descriptor_ = -1;
-  bool is_clock_met_ = false;
-  double frames_behind_s_ = 0;
+  bool is_clock_synced_ = false;
+  double clock_offset_s_ = 0;
   Status status_;
   Counts counts_;
   std::atomic<bool> stopping_{false};

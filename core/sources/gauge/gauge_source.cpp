@@ -35,8 +35,8 @@ Result<GaugeDirections> GaugeDirections::parse(const std::string& text) {
       if (line.kind != GaugeLine::Kind::kValues || line.count != 3) return wrong;
       direction = Eigen::Vector3d(line.force_N[0], line.force_N[1], line.force_N[2]);
     }
-    if (!(direction->norm() > 1e-9) || directions.told == 3) return wrong;
-    directions.of[static_cast<std::size_t>(directions.told++)] = direction->normalized();
+    if (!(direction->norm() > 1e-9) || directions.count == 3) return wrong;
+    directions.of[static_cast<std::size_t>(directions.count++)] = direction->normalized();
     if (end == rest.size()) return directions;
     rest.remove_prefix(end + 1);
   }

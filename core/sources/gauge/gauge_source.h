@@ -1,5 +1,4 @@
-// Readings of a force gauge as they come, whatever it is: typed by a person, on a serial line, a
-// HID device.
+// Readings of a force gauge: typed by a person, from a serial line or a HID device.
 #pragma once
 
 #include "core/message.h"
@@ -19,42 +18,44 @@
 
 namespace alltact {
 
-/// What a gauge said at one moment.
+/// A reading of a gauge at one moment.
 struct GaugeSample {
-  double time_s = 0;  ///< of this computer's monotonic clock, as Frame::time_ns of a camera
-  /// No force: it is over range, or what held until now holds no longer.
+  double time_s = 0;  ///< this computer's monotonic clock, like Frame::time_ns of a camera
+  /// False: the gauge is over range, or the value that was valid until now is no longer valid.
   bool has_force = false;
   Eigen::Vector3d force_N = Eigen::Vector3d::Zero();
-  /// Of rounding to the last digit, step / sqrt(12), of the coarsest value; NaN: not known.
+  /// Standard deviation of rounding to the last digit, step / sqrt(12), of the coarsest value; NaN:
+  /// unknown.
   double sd_N = std::numeric_limits<double>::quiet_NaN();
-  bool holds = false;  ///< of the rest of the finger around its time, as typed; else of a moment
+  bool holds = false;  ///< a typed value: valid for the stationary finger around its time; false:
+                       ///< of one moment
   std::string block, indenter;  ///< as typed; without commas and line ends
 };
 
-struct GaugeNews {
-  std::vector<GaugeSample> samples;  ///< in the order of time
+struct GaugeUpdate {
+  std::vector<GaugeSample> samples;  ///< in time order
   std::vector<Message> remarks;      ///< for the person at the gauge
   bool is_over = false;              ///< nothing will follow
 };
 
-/// One thread. Times never go back.
+/// One thread. Times never decrease.
 class GaugeSource {
  public:
   virtual ~GaugeSource() = default;
-  /// What came; waits for it at most so long. Error: the device is gone; it may come back when it
-  /// is opened again.
-  [[nodiscard]] virtual Result<GaugeNews> read(int timeout_ms) = 0;
-  /// How many values each reading has; 0: differs.
+  /// Returns new readings; waits for them no longer than the timeout. Error: the device is gone; it
+  /// may come back when it is opened again.
+  [[nodiscard]] virtual Result<GaugeUpdate> read(int timeout_ms) = 0;
+  /// Number of values of each reading; 0: it varies.
   [[nodiscard]] virtual int axes() const = 0;
 };
 
-/// Where a gauge's values point, in the axes of the force table: the columns of a 3 x 3 matrix.
+/// Directions of a gauge's values in the axes of the force table: the columns of a 3 x 3 matrix.
 struct GaugeDirections {
   std::array<Eigen::Vector3d, 3> of{
       Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ()};
-  int told = 0;  ///< for how many values; 0: the axes in their order
+  int count = 0;  ///< number of values with a direction; 0: the axes in their order
 
-  /// "x", "-y", "0.6,0.8,0" (made a unit vector), and several for several values: "y/-x/z". Error:
+  /// Parses "x", "-y", "0.6,0.8,0" (normalised), and several for several values: "y/-x/z". Error:
   /// not of that form.
   static Result<GaugeDirections> parse(const std::string& text);
   [[nodiscard]] Eigen::Vector3d force_N(const GaugeLine& line) const;

@@ -12,8 +12,8 @@
 namespace alltact {
 namespace {
 
-constexpr std::size_t kMostReportBytes = 4095, kMostGaugeValues = 3;
-constexpr int kPassedOverTold = 50;
+constexpr std::size_t kMaxReportBytes = 4095, kMaxGaugeValues = 3;
+constexpr int kForeignReportLimit = 50;
 
 using ValueType = GaugeReport::Type;
 
@@ -50,7 +50,7 @@ bool read_all(std::string_view text, T& number) {
   return status == std::errc{} && end == text.data() + text.size();
 }
 
-/// Takes `key`=`text` for a value; false: no such key, or not of its form.
+/// Sets `key`=`text` of a value; false: no such key, or a wrong form.
 bool take_setting(std::string_view key, std::string_view text, GaugeReport::Value& value) {
   if (key == "at") return read_all(text, value.at);
   if (key == "scale")
@@ -70,9 +70,9 @@ bool take_setting(std::string_view key, std::string_view text, GaugeReport::Valu
 }
 
 bool is_possible(const GaugeReport& report) {
-  if (report.values.empty() || report.values.size() > kMostGaugeValues) return false;
+  if (report.values.empty() || report.values.size() > kMaxGaugeValues) return false;
   for (const GaugeReport::Value& value : report.values)
-    if (value.at + type_of(value).bytes > kMostReportBytes) return false;
+    if (value.at + type_of(value).bytes > kMaxReportBytes) return false;
   return true;
 }
 
@@ -94,8 +94,8 @@ std::optional<double> counts_of(const GaugeReport::Value& value, std::uint32_t b
   const auto range = std::int64_t{1} << (8 * type.bytes);
   auto number = static_cast<std::int64_t>(bits);
   if (type.is_signed && number >= range / 2) number -= range;
-  const std::int64_t most = (type.is_signed ? range / 2 : range) - 1;
-  if (number == most || (type.is_signed && number == -range / 2)) return std::nullopt;
+  const std::int64_t max = (type.is_signed ? range / 2 : range) - 1;
+  if (number == max || (type.is_signed && number == -range / 2)) return std::nullopt;
   return static_cast<double>(number);
 }
 
@@ -119,12 +119,12 @@ Result<GaugeReport> GaugeReport::parse(const std::string& text) {
   for (std::string word; words >> word;) {
     const std::size_t equals = word.find('=');
     if (equals == std::string::npos) return wrong;
-    const std::string key = word.substr(0, equals), told = word.substr(equals + 1);
+    const std::string key = word.substr(0, equals), setting = word.substr(equals + 1);
     if (key == "id") {
-      if (!read_all(told, report.id)) return wrong;
+      if (!read_all(setting, report.id)) return wrong;
       continue;
     }
-    if (!take_setting(key, told, value)) return wrong;
+    if (!take_setting(key, setting, value)) return wrong;
     if (key == "at")
       report.values.push_back(value);
     else if (!report.values.empty())
@@ -136,7 +136,7 @@ Result<GaugeReport> GaugeReport::parse(const std::string& text) {
 Result<GaugeReport> GaugeReport::parse_table(std::string_view csv,
                                              const std::filesystem::path& origin) {
   GaugeReport report;
-  Value value;  // what a line leaves empty is as above
+  Value value;  // empty cells repeat the line above
   std::vector<std::string> names;
   std::istringstream lines{std::string(csv)};
   int number = 0;
@@ -152,10 +152,10 @@ Result<GaugeReport> GaugeReport::parse_table(std::string_view csv,
     if (cells.size() != names.size())
       return Error{
           en::say("has {} cells, not {}", cells.size(), names.size()), where, report_advice()};
-    bool has_place = false;
+    bool has_offset = false;
     for (std::size_t i = 0; i < cells.size(); ++i) {
       if (cells[i].empty()) continue;
-      has_place = has_place || names[i] == "at";
+      has_offset = has_offset || names[i] == "at";
       const bool is_taken = names[i] == "id" ? read_all(cells[i], report.id)
                                              : take_setting(names[i], cells[i], value);
       if (!is_taken)
@@ -163,7 +163,7 @@ Result<GaugeReport> GaugeReport::parse_table(std::string_view csv,
                      where,
                      report_advice()};
     }
-    if (!has_place)
+    if (!has_offset)
       return Error{
           en::say("the column '{}' is missing", std::string("at")), where, report_advice()};
     report.values.push_back(value);
@@ -173,61 +173,62 @@ Result<GaugeReport> GaugeReport::parse_table(std::string_view csv,
   return report;
 }
 
-Result<GaugeReport> GaugeReport::from(const std::string& told) {
+Result<GaugeReport> GaugeReport::from(const std::string& description) {
   std::error_code ignored;
-  if (told.find('=') != std::string::npos || !std::filesystem::exists(told, ignored))
-    return parse(told);
-  const auto content = read_file(told, std::size_t{1} << 20);
+  if (description.find('=') != std::string::npos || !std::filesystem::exists(description, ignored))
+    return parse(description);
+  const auto content = read_file(description, std::size_t{1} << 20);
   if (!content) return content.error();
-  return parse_table(*content, told);
+  return parse_table(*content, description);
 }
 
 GaugeLine GaugeReport::read(std::span<const std::uint8_t> report) const {
-  GaugeLine told;
+  GaugeLine reading;
   if (id != 0) {
-    if (report.empty() || report[0] != id) return told;
+    if (report.empty() || report[0] != id) return reading;
     report = report.subspan(1);
   }
   for (const Value& value : values) {
     if (report.size() < value.at + type_of(value).bytes) return GaugeLine();
     const auto counts = counts_of(value, bits_at(value, report));
-    if (!counts) return told.kind = GaugeLine::Kind::kOverRange, told;
-    const auto at = static_cast<std::size_t>(told.count++);
+    if (!counts) return reading.kind = GaugeLine::Kind::kOverRange, reading;
+    const auto at = static_cast<std::size_t>(reading.count++);
     const double count_N = value.scale * value.unit_N;
-    told.force_N[at] = (*counts - value.zero) * count_N;
-    if (!(std::abs(told.force_N[at]) <= 1e5)) return told.kind = GaugeLine::Kind::kOverRange, told;
-    told.digit_N[at] = value.type == Type::kF32 ? 0 : std::abs(count_N);
+    reading.force_N[at] = (*counts - value.zero) * count_N;
+    if (!(std::abs(reading.force_N[at]) <= 1e5))
+      return reading.kind = GaugeLine::Kind::kOverRange, reading;
+    reading.digit_N[at] = value.type == Type::kF32 ? 0 : std::abs(count_N);
   }
-  told.kind = GaugeLine::Kind::kValues;
-  return told;
+  reading.kind = GaugeLine::Kind::kValues;
+  return reading;
 }
 
-Result<GaugeNews> HidGauge::read(int timeout_ms) {
-  GaugeNews news;
-  // Whatever has come already belongs to this answer, too.
-  for (int wait_ms = timeout_ms; news.samples.size() < 1000; wait_ms = 0) {
+Result<GaugeUpdate> HidGauge::read(int timeout_ms) {
+  GaugeUpdate update;
+  // Reports that have already arrived belong to this answer, too.
+  for (int wait_ms = timeout_ms; update.samples.size() < 1000; wait_ms = 0) {
     const auto report = port_->read(wait_ms);
     if (!report) {
-      if (news.samples.empty()) return report.error();
-      return news;
+      if (update.samples.empty()) return report.error();
+      return update;
     }
-    if (report->empty()) return news;
-    const GaugeLine told = report_.read(*report);
-    if (told.kind == GaugeLine::Kind::kNoise) {
-      if (++passed_over_ == kPassedOverTold)
-        news.remarks.push_back(
+    if (report->empty()) return update;
+    const GaugeLine reading = report_.read(*report);
+    if (reading.kind == GaugeLine::Kind::kNoise) {
+      if (++foreign_reports_ == kForeignReportLimit)
+        update.remarks.push_back(
             en::say("The device tells other reports than the one described. Try: its id and "
                     "length."));
       continue;
     }
-    passed_over_ = 0;
+    foreign_reports_ = 0;
     last_s_ = std::max(gauge_clock_s(), last_s_ + 1e-6);
     GaugeSample sample;
     sample.time_s = last_s_;
-    if (told.kind == GaugeLine::Kind::kValues) sample = sample_of(told, directions_, last_s_);
-    news.samples.push_back(std::move(sample));
+    if (reading.kind == GaugeLine::Kind::kValues) sample = sample_of(reading, directions_, last_s_);
+    update.samples.push_back(std::move(sample));
   }
-  return news;
+  return update;
 }
 
 }  // namespace alltact

@@ -13,8 +13,8 @@
 namespace alltact {
 namespace {
 
-/// As makers set them up: Mark-10 series 5 and 7 (GCL2, "?" asks for the reading shown), Imada DST
-/// and ZTS ("D"), Sauter FH and FL ("9").
+/// Factory settings: Mark-10 series 5 and 7 (GCL2, "?" asks for the reading shown), Imada DST and
+/// ZTS ("D"), Sauter FH and FL ("9").
 struct GaugeModel {
   std::string_view name, ask;
   int baud;
@@ -62,9 +62,9 @@ Result<GaugeOpener> hid_opener(const GaugeChoice& choice, const GaugeDirections&
   const std::string device = choice.gauge.substr(std::string_view("hid:").size());
   const auto report = GaugeReport::from(choice.report);
   if (!report) return report.error();
-  if (directions.told != 0 && directions.told != static_cast<int>(report->values.size()))
+  if (directions.count != 0 && directions.count != static_cast<int>(report->values.size()))
     return Error{
-        en::say("there are {} directions for {} values", directions.told, report->values.size()),
+        en::say("there are {} directions for {} values", directions.count, report->values.size()),
         "",
         en::say("one for each, as x/y/z")};
   return GaugeOpener([=, report = *report]() -> Result<std::unique_ptr<GaugeSource>> {
@@ -102,9 +102,9 @@ Result<std::string> unescaped(const std::string& text) {
 Result<GaugeOpener> gauge_opener(const GaugeChoice& choice) {
   GaugeDirections directions;
   if (!choice.direction.empty()) {
-    const auto told = GaugeDirections::parse(choice.direction);
-    if (!told) return told.error();
-    directions = *told;
+    const auto given = GaugeDirections::parse(choice.direction);
+    if (!given) return given.error();
+    directions = *given;
   }
   GaugeLineRules rules;
   if (!choice.unit.empty()) {

@@ -9,9 +9,9 @@ namespace alltact {
 namespace {
 
 constexpr std::size_t kLongestGaugeLine = 120;
-constexpr double kAnswerPatience_s = 0.5, kLeastPause_s = 0.02;
+constexpr double kAnswerTimeout_s = 0.5, kMinPause_s = 0.02;
 constexpr double kBitsPerByte = 10;  // with start and stop bit
-constexpr int kSilentQuestions = 4, kNoiseTold = 20;
+constexpr int kUnansweredLimit = 4, kNoiseLimit = 20;
 
 bool has_shape(const GaugeLine& line, const GaugeLine& shape) {
   return line.count == shape.count && line.decimals == shape.decimals;
@@ -62,17 +62,17 @@ SerialGauge::SerialGauge(SerialPort port, const SerialGaugeOptions& options)
   if (options_.ask.empty()) lines_.skip_first();
 }
 
-Result<GaugeNews> SerialGauge::read(int timeout_ms) {
-  GaugeNews news;
+Result<GaugeUpdate> SerialGauge::read(int timeout_ms) {
+  GaugeUpdate update;
   const double until_s = gauge_clock_s() + 1e-3 * timeout_ms;
-  const double pause_s = std::max(kLeastPause_s, 4 * kBitsPerByte / options_.baud);
+  const double pause_s = std::max(kMinPause_s, 4 * kBitsPerByte / options_.baud);
   do {
-    if (const Status status = ask_when_due(news); !status) return status.error();
+    if (const Status status = ask_when_due(update); !status) return status.error();
     double next_s = until_s;
     if (!options_.ask.empty())
       next_s = std::min(next_s,
                         lines_.is_within_line() ? lines_.last_byte_s() + pause_s
-                        : asked_s_              ? *asked_s_ + kAnswerPatience_s
+                        : query_sent_s_         ? *query_sent_s_ + kAnswerTimeout_s
                                                 : next_ask_s_);
     const double wait_s = std::max(0.0, next_s - gauge_clock_s());
     const auto bytes = port_.read(static_cast<int>(std::ceil(1e3 * wait_s)));
@@ -82,36 +82,36 @@ Result<GaugeNews> SerialGauge::read(int timeout_ms) {
     // Sauter's gauges end their answers with nothing but a pause.
     if (!options_.ask.empty() && lines_.is_within_line() && now_s > lines_.last_byte_s() + pause_s)
       lines_.end_line();
-    while (const auto line = lines_.take()) take_line(*line, news);
-  } while (news.samples.empty() && gauge_clock_s() < until_s);
-  if (noise_ >= kNoiseTold) {
-    news.remarks.push_back(en::say("{} lines of the gauge were no readings", noise_));
+    while (const auto line = lines_.take()) take_line(*line, update);
+  } while (update.samples.empty() && gauge_clock_s() < until_s);
+  if (noise_ >= kNoiseLimit) {
+    update.remarks.push_back(en::say("{} lines of the gauge were no readings", noise_));
     noise_ = 0;
   }
-  return news;
+  return update;
 }
 
-Status SerialGauge::ask_when_due(GaugeNews& news) {
+Status SerialGauge::ask_when_due(GaugeUpdate& update) {
   if (options_.ask.empty()) return {};
   const double now_s = gauge_clock_s();
-  if (asked_s_ && now_s < *asked_s_ + kAnswerPatience_s) return {};
-  if (asked_s_ && ++unanswered_ == kSilentQuestions)
-    news.remarks.push_back(
+  if (query_sent_s_ && now_s < *query_sent_s_ + kAnswerTimeout_s) return {};
+  if (query_sent_s_ && ++unanswered_ == kUnansweredLimit)
+    update.remarks.push_back(
         en::say("The gauge does not answer to '{}'. Try: another speed, another "
                 "question, its settings for the serial line.",
                 printable(options_.ask)));
-  asked_s_.reset();
+  query_sent_s_.reset();
   if (now_s < next_ask_s_) return {};
-  port_.forget_input();
+  port_.discard_input();
   lines_.clear();
   if (Status status = port_.write(options_.ask); !status) return status;
-  asked_s_ = gauge_clock_s();
-  next_ask_s_ = *asked_s_ + options_.ask_every_s;
+  query_sent_s_ = gauge_clock_s();
+  next_ask_s_ = *query_sent_s_ + options_.ask_every_s;
   return {};
 }
 
-bool SerialGauge::is_of_this_gauge(const GaugeLine& line) {
-  if (options_.directions.told != 0 && line.count != options_.directions.told) return false;
+bool SerialGauge::has_known_shape(const GaugeLine& line) {
+  if (options_.directions.count != 0 && line.count != options_.directions.count) return false;
   if (!shape_ || has_shape(line, *shape_) || (other_shape_ && has_shape(line, *other_shape_))) {
     shape_ = line;
     other_shape_.reset();
@@ -121,24 +121,25 @@ bool SerialGauge::is_of_this_gauge(const GaugeLine& line) {
   return false;
 }
 
-void SerialGauge::take_line(const GaugeLineReader::Line& line, GaugeNews& news) {
-  const GaugeLine told = read_gauge_line(line.text, options_.rules);
-  const double told_s =
-      asked_s_ ? 0.5 * (*asked_s_ + std::max(*asked_s_, line.time_s)) : line.time_s;
-  if (told.kind != GaugeLine::Kind::kNoise) unanswered_ = 0;
-  if (!options_.ask.empty() && asked_s_) asked_s_.reset();
-  if (told.kind == GaugeLine::Kind::kNoise ||
-      (told.kind == GaugeLine::Kind::kValues && !is_of_this_gauge(told))) {
+void SerialGauge::take_line(const GaugeLineReader::Line& line, GaugeUpdate& update) {
+  const GaugeLine reading = read_gauge_line(line.text, options_.rules);
+  const double measured_s =
+      query_sent_s_ ? 0.5 * (*query_sent_s_ + std::max(*query_sent_s_, line.time_s)) : line.time_s;
+  if (reading.kind != GaugeLine::Kind::kNoise) unanswered_ = 0;
+  if (!options_.ask.empty() && query_sent_s_) query_sent_s_.reset();
+  if (reading.kind == GaugeLine::Kind::kNoise ||
+      (reading.kind == GaugeLine::Kind::kValues && !has_known_shape(reading))) {
     ++noise_;
     return;
   }
-  // Bytes of several lines come at once; their times are made of how long bytes take.
-  const double time_s = std::max(told_s, last_s_ + 1e-6);
+  // Bytes of several lines come at once; their times follow from the duration of a byte.
+  const double time_s = std::max(measured_s, last_s_ + 1e-6);
   last_s_ = time_s;
   GaugeSample sample;
   sample.time_s = time_s;
-  if (told.kind == GaugeLine::Kind::kValues) sample = sample_of(told, options_.directions, time_s);
-  news.samples.push_back(std::move(sample));
+  if (reading.kind == GaugeLine::Kind::kValues)
+    sample = sample_of(reading, options_.directions, time_s);
+  update.samples.push_back(std::move(sample));
 }
 
 }  // namespace alltact

@@ -16,7 +16,7 @@
 namespace alltact {
 namespace {
 
-constexpr int kWritePatience_ms = 1000;
+constexpr int kWriteTimeout_ms = 1000;
 
 const std::map<int, speed_t>& speed_codes() {
   static const std::map<int, speed_t> codes{
@@ -53,7 +53,7 @@ FailureWords words_for_line(int error_number) {
 }
 
 Error line_error(const Message& doing, const std::filesystem::path& node, int error_number) {
-  return told(doing, node, words_for_line(error_number), error_number);
+  return errno_error(doing, node, words_for_line(error_number), error_number);
 }
 
 Error line_gone(const std::filesystem::path& node) {
@@ -74,7 +74,7 @@ Status set_up(int descriptor, const std::filesystem::path& node, speed_t speed, 
   ::cfsetispeed(&line, speed);
   ::cfsetospeed(&line, speed);
   if (::tcsetattr(descriptor, TCSANOW, &line) != 0) return line_error(doing, node, errno);
-  // It succeeds where any of the settings was taken.
+  // tcsetattr() succeeds where any of the settings was accepted.
   termios now{};
   if (::tcgetattr(descriptor, &now) != 0) return line_error(doing, node, errno);
   if (::cfgetospeed(&now) != speed)
@@ -123,7 +123,7 @@ Result<SerialPort> SerialPort::open(const std::filesystem::path& node, int baud)
   if (Status status = set_up(port.descriptor_, node, speed->second, baud); !status)
     return status.error();
   ::ioctl(port.descriptor_, TIOCEXCL);
-  port.forget_input();
+  port.discard_input();
   return port;
 }
 
@@ -157,7 +157,7 @@ Result<std::string> SerialPort::read(int timeout_ms) {
   std::string bytes(4096, '\0');
   const ssize_t size = ::read(descriptor_, bytes.data(), bytes.size());
   if (size < 0 && (errno == EAGAIN || errno == EINTR)) return std::string();
-  // A line that hung up is always ready, and has nothing.
+  // A disconnected line is always ready and has no bytes.
   if (size <= 0) return line_gone(node_);
   bytes.resize(static_cast<std::size_t>(size));
   return bytes;
@@ -172,7 +172,7 @@ Status SerialPort::write(std::string_view bytes) {
     }
     if (size < 0 && errno != EAGAIN && errno != EINTR) return line_gone(node_);
     pollfd waiting{descriptor_, POLLOUT, 0};
-    const int ready = ::poll(&waiting, 1, kWritePatience_ms);
+    const int ready = ::poll(&waiting, 1, kWriteTimeout_ms);
     if (ready == 0)
       return Error{en::say("the serial line takes nothing"), node_, en::say("check its cable")};
     if (ready < 0 && errno != EINTR) return line_gone(node_);
@@ -181,7 +181,7 @@ Status SerialPort::write(std::string_view bytes) {
   return {};
 }
 
-void SerialPort::forget_input() {
+void SerialPort::discard_input() {
   ::tcflush(descriptor_, TCIFLUSH);
 }
 

@@ -13,22 +13,22 @@ namespace alltact {
 /// One thread.
 class SerialPort {
  public:
-  /// `baud`: one that the driver knows, 300 to 4000000. No other program may open the line as long
-  /// as this one has it, because each would get a part of the answers. Errors: not there, with the
-  /// lines that are; no serial line; access not allowed, with the group to join; used by somebody
-  /// else; a speed that the driver did not take.
+  /// `baud`: a speed that the driver knows, 300 to 4000000. While the line is open no other program
+  /// may open it, because each would get a part of the answers. Errors: not there, with a list of
+  /// existing lines; no serial line; access not allowed, with the group to join; in use; a speed
+  /// that the driver refuses.
   [[nodiscard]] static Result<SerialPort> open(const std::filesystem::path& node, int baud);
   SerialPort(SerialPort&& other) noexcept;
   SerialPort& operator=(SerialPort&& other) noexcept;
   ~SerialPort();
 
-  /// What has come; waits for the first byte at most so long. Empty: nothing came. Error: the line
-  /// is gone.
+  /// Returns received bytes; waits for the first byte no longer than the timeout. Empty: no byte
+  /// came. Error: the line is gone.
   [[nodiscard]] Result<std::string> read(int timeout_ms);
-  /// All of it, unless the line takes nothing for a second. Error: it is gone or takes nothing.
+  /// Writes all bytes. Error: the line is gone, or takes no byte for a second.
   [[nodiscard]] Status write(std::string_view bytes);
-  /// Throws away what has come and was not read.
-  void forget_input();
+  /// Discards received bytes that were not read.
+  void discard_input();
 
   [[nodiscard]] const std::filesystem::path& node() const { return node_; }
 
@@ -40,7 +40,7 @@ class SerialPort {
   int descriptor_ = -1;
 };
 
-/// /dev/serial/by-id/*, which last, else /dev/ttyUSB*, /dev/ttyACM*.
+/// /dev/serial/by-id/*, which are stable names, else /dev/ttyUSB*, /dev/ttyACM*.
 [[nodiscard]] std::vector<std::filesystem::path> serial_ports();
 
 /// The speeds that open() takes, ascending.

@@ -1,4 +1,4 @@
-// Readings that a person types, a line each.
+// Readings that a person types, one per line.
 #pragma once
 
 #include "core/sources/gauge/gauge_source.h"
@@ -8,26 +8,26 @@
 namespace alltact {
 
 /// A line is
-///   1.23   1,23   1.23 N   250 g    what the gauge shows, along the direction set
+///   1.23   1,23   1.23 N   250 g    the gauge's display, along the current direction
 ///   0.5 1.2                         Fx and Fy; three numbers: Fz too
 ///   y 1.23                          along y from now on
-///   block NAME   indenter NAME      of what is typed from now on
-///   nothing                         what was typed holds no longer
-/// Each reading is of the moment of its Enter and holds around it. Unless blocks are named, each is
-/// one: "typed 1", "typed 2".
+///   block NAME   indenter NAME      for the readings from now on
+///   nothing                         the last reading is no longer valid
+/// The time of a reading is that of its Enter; it is valid around that time. Without named blocks
+/// each reading is a block: "typed 1", "typed 2".
 class TypedGauge : public GaugeSource {
  public:
-  /// `descriptor`: of standard input, as a rule; it stays the caller's.
+  /// `descriptor`: usually standard input; the caller owns it.
   TypedGauge(int descriptor, const GaugeLineRules& rules, const GaugeDirections& directions);
 
-  /// Lines that are not understood are told in remarks, and so is each that is. Over at the
-  /// input's end.
-  [[nodiscard]] Result<GaugeNews> read(int timeout_ms) override;
+  /// Remarks report each line that is not understood and confirm each other one. The source is over
+  /// at the input's end.
+  [[nodiscard]] Result<GaugeUpdate> read(int timeout_ms) override;
   [[nodiscard]] int axes() const override { return 0; }
 
  private:
-  void take(std::string line, double time_s, GaugeNews& news);
-  bool take_name(const std::string& line, GaugeNews& news);
+  void take(std::string line, double time_s, GaugeUpdate& update);
+  bool take_name(const std::string& line, GaugeUpdate& update);
 
   int descriptor_;
   GaugeLineRules rules_;

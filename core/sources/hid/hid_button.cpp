@@ -11,9 +11,9 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Report = std::vector<std::uint8_t>;
 
-constexpr auto kRest = std::chrono::milliseconds(500);  // watched before "press it now"
+constexpr auto kRest = std::chrono::milliseconds(500);  // observation before "press it now"
 constexpr int kSlice_ms = 20;
-constexpr auto kBetweenTries = std::chrono::milliseconds(300);
+constexpr auto kReopenInterval = std::chrono::milliseconds(300);
 
 /// The bits in which two reports of one size differ, without those that change at rest too.
 ButtonPattern difference(const Report& rest, const Report& pressed, const Report& noise) {
@@ -26,7 +26,7 @@ ButtonPattern difference(const Report& rest, const Report& pressed, const Report
   return pattern;
 }
 
-/// What two presses have in common.
+/// The common bits of two presses.
 ButtonPattern common(const ButtonPattern& a, const ButtonPattern& b) {
   ButtonPattern both{a.report_bytes, {}};
   for (const auto& x : a.bytes)
@@ -38,7 +38,7 @@ ButtonPattern common(const ButtonPattern& a, const ButtonPattern& b) {
   return both;
 }
 
-/// Reads a number and what must stand behind it (0: the end, or a comma that is left there).
+/// Reads a number and the character behind it (0: the end, or a comma, which stays).
 template <class T>
 bool take(std::string_view& text, T& number, int base, char behind) {
   const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), number, base);
@@ -87,7 +87,7 @@ Result<ButtonPattern> ButtonPattern::parse(const std::string& text) {
 }
 
 Result<LearntButton> LearntButton::parse(const std::string& text) {
-  // A serial number may hold blanks; the pattern's two words stand last.
+  // A serial number may hold blanks; the pattern's two words are the last.
   const std::size_t last = text.rfind(' ');
   const std::size_t before =
       last == std::string::npos || last == 0 ? std::string::npos : text.rfind(' ', last - 1);
@@ -108,7 +108,7 @@ void ButtonLearner::feed(const Report& report) {
     const bool is_rest = !rest_.empty() && difference(rest_, report, noise_).bytes.empty();
     if (!is_rest) pressed_ = report;
   } else if (rest_.empty()) {
-    // Never seen at rest: what differs from the press is the release.
+    // Never seen at rest: the first differing report is the release.
     if (report.size() == pressed_.size() && report != pressed_) finish_press(report);
   } else if (difference(rest_, report, noise_).bytes.empty()) {
     finish_press(report);
@@ -140,12 +140,12 @@ void ButtonLearner::finish_press(const Report& released) {
 }
 
 Result<std::pair<std::size_t, ButtonPattern>> learn_button(const std::vector<HidPort*>& ports,
-                                                           int patience_ms,
+                                                           int timeout_ms,
                                                            const Job& job) {
   std::vector<ButtonLearner> learners(ports.size());
   std::vector<bool> is_alive(ports.size(), true);
   const auto begin = Clock::now();
-  const auto end = begin + kRest + std::chrono::milliseconds(patience_ms);
+  const auto end = begin + kRest + std::chrono::milliseconds(timeout_ms);
   bool is_begun = false;
   while (Clock::now() < end && !ports.empty()) {
     if (job.stop_requested()) return Error{en::say("learning the button was stopped"), "", ""};
@@ -201,7 +201,7 @@ void HidButton::run() {
     } else {
       set_status(port.error());
     }
-    for (const auto end = Clock::now() + kBetweenTries; !stopping_ && Clock::now() < end;)
+    for (const auto end = Clock::now() + kReopenInterval; !stopping_ && Clock::now() < end;)
       std::this_thread::sleep_for(std::chrono::milliseconds(kSlice_ms));
   }
 }
@@ -211,7 +211,7 @@ void HidButton::listen(HidPort& port) {
   while (!stopping_) {
     const auto report = port.read(100);
     if (!report.ok()) return set_status(report.error());
-    if (report->size() != pattern_.report_bytes) continue;  // silence, or another kind
+    if (report->size() != pattern_.report_bytes) continue;  // timeout, or another kind
     const bool is_pressed = pattern_.is_pressed(*report);
     if (is_pressed && !was_pressed) on_press_();
     was_pressed = is_pressed;

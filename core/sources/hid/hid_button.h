@@ -1,4 +1,4 @@
-// A foot pedal or any other button: learnt by pressing it, then recognised.
+// A foot pedal or any other button: the program learns it from presses, then recognises it.
 #pragma once
 
 #include "core/job.h"
@@ -16,7 +16,7 @@
 
 namespace alltact {
 
-/// What a device's reports have in common while the button is held.
+/// Common bits of a device's reports while the button is held.
 struct ButtonPattern {
   struct Byte {
     std::size_t at = 0;
@@ -28,16 +28,16 @@ struct ButtonPattern {
   std::vector<Byte> bytes;
 
   [[nodiscard]] bool is_pressed(const std::vector<std::uint8_t>& report) const;
-  /// "8 2:ff=05,3:01=01": bytes of a report, then place:mask=value of each that matters.
+  /// "8 2:ff=05,3:01=01": bytes of a report, then position:mask=value of each relevant byte.
   [[nodiscard]] std::string text() const;
   /// Error: not of that form.
   static Result<ButtonPattern> parse(const std::string& text);
   bool operator==(const ButtonPattern&) const = default;
 };
 
-/// A button of one device, as it is kept and told to commands: "0c45:7403/0 4 2:05=05".
+/// A button of one device, as settings store it and commands take it: "0c45:7403/0 4 2:05=05".
 struct LearntButton {
-  std::string device;  ///< HidIdentity::lasting(), or whatever else open_hid() takes
+  std::string device;  ///< HidIdentity::stable_name(), or another name that open_hid() takes
   ButtonPattern pattern;
 
   [[nodiscard]] std::string text() const { return device + " " + pattern.text(); }
@@ -45,13 +45,13 @@ struct LearntButton {
   static Result<LearntButton> parse(const std::string& text);
 };
 
-/// Learns from reports alone. Feed it what comes while nothing is pressed (may be nothing, for a
-/// device that only reports changes), then call begin(), then feed it two presses.
+/// Learns a button from reports. Feed it the reports at rest (possibly none, for a device that
+/// reports only changes), call begin(), then feed it two presses.
 class ButtonLearner {
  public:
   void begin() { is_begun_ = true; }
   void feed(const std::vector<std::uint8_t>& report);
-  /// Two presses that agree were seen.
+  /// The pattern, after two presses that agree.
   [[nodiscard]] const std::optional<ButtonPattern>& pattern() const { return pattern_; }
   [[nodiscard]] int presses() const { return presses_; }
 
@@ -65,14 +65,14 @@ class ButtonLearner {
   int presses_ = 0;
 };
 
-/// Listens to all ports for `patience_ms` and gives the index of the one whose button was pressed
+/// Listens to all ports for `timeout_ms`. Returns the index of the port whose button was pressed
 /// twice, with its pattern. Reports "press it now" to the job once the devices' rest is known.
 /// Errors: nothing was pressed, or the job was stopped.
 [[nodiscard]] Result<std::pair<std::size_t, ButtonPattern>> learn_button(
-    const std::vector<HidPort*>& ports, int patience_ms, const Job& job);
+    const std::vector<HidPort*>& ports, int timeout_ms, const Job& job);
 
-/// Calls `on_press` once for each press, from a thread of its own. When the device is unplugged it
-/// waits for it to come back.
+/// Calls `on_press` once for each press, from a thread of its own. Waits for an unplugged device to
+/// come back.
 class HidButton {
  public:
   using Opener = std::function<Result<std::unique_ptr<HidPort>>()>;
@@ -81,7 +81,7 @@ class HidButton {
   HidButton(const HidButton&) = delete;
   HidButton& operator=(const HidButton&) = delete;
 
-  /// Why presses are not heard now. Any thread.
+  /// Error: why presses are not received now. Any thread.
   [[nodiscard]] Status status() const;
 
  private:

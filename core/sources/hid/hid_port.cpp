@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kLongestReport = 4096;
 
-/// hidapi's listing and opening share state.
+/// hidapi's functions for listing and opening share state.
 std::mutex& hidapi_mutex() {
   static std::mutex mutex;
   return mutex;
@@ -29,12 +29,12 @@ std::string narrow(const wchar_t* text) {
 
 Error no_access(const HidIdentity& identity, int error_number) {
   if (error_number != EACCES && error_number != EPERM)
-    return told(en::say("the device cannot be opened"),
-                identity.node,
-                {{}, en::say("unplug it and plug it in again")},
-                error_number);
+    return errno_error(en::say("the device cannot be opened"),
+                       identity.node,
+                       {{}, en::say("unplug it and plug it in again")},
+                       error_number);
   return {en::say("access to the device is not allowed"),
-          fmt::format("{} ({})", identity.node, identity.lasting()),
+          fmt::format("{} ({})", identity.node, identity.stable_name()),
           en::say("install packaging/70-alltact.rules in /etc/udev/rules.d and plug it in "
                   "again; a device it does not name needs this line in it: KERNEL==\"hidraw*\", "
                   "ATTRS{{idVendor}}==\"{:04x}\", ATTRS{{idProduct}}==\"{:04x}\", "
@@ -80,17 +80,18 @@ class HidapiPort : public HidPort {
   std::string name_;
 };
 
-bool answers_to(const HidIdentity& identity, const std::string& wanted) {
-  const std::string lasting = identity.lasting();
+bool matches(const HidIdentity& identity, const std::string& requested) {
+  const std::string stable_name = identity.stable_name();
   const std::string pair = fmt::format("{:04x}:{:04x}", identity.vendor, identity.product);
-  const std::string without_interface = lasting.substr(0, lasting.rfind('/'));
-  return !wanted.empty() && (wanted == identity.node || wanted == identity.serial ||
-                             wanted == lasting || wanted == pair || wanted == without_interface);
+  const std::string without_interface = stable_name.substr(0, stable_name.rfind('/'));
+  return !requested.empty() &&
+         (requested == identity.node || requested == identity.serial || requested == stable_name ||
+          requested == pair || requested == without_interface);
 }
 
 }  // namespace
 
-std::string HidIdentity::lasting() const {
+std::string HidIdentity::stable_name() const {
   std::string text = fmt::format("{:04x}:{:04x}", vendor, product);
   if (!serial.empty()) text += ":" + serial;
   if (interface >= 0) text += fmt::format("/{}", interface);
@@ -109,7 +110,7 @@ std::vector<FoundHid> list_hids() {
     hid.identity.serial = narrow(info->serial_number);
     hid.identity.name = narrow(info->product_string);
     hid.identity.interface = info->interface_number;
-    // A device with several uses is listed once for each.
+    // hidapi lists a device with several uses once for each.
     if (!found.empty() && found.back().identity.node == hid.identity.node) continue;
     if (access(info->path, R_OK | W_OK) != 0) hid.problem = no_access(hid.identity, errno);
     found.push_back(std::move(hid));
@@ -122,24 +123,25 @@ std::vector<FoundHid> list_hids() {
   return found;
 }
 
-Result<std::unique_ptr<HidPort>> open_hid(const std::string& wanted) {
+Result<std::unique_ptr<HidPort>> open_hid(const std::string& requested) {
   const auto hids = list_hids();
   std::vector<Message> names;
   for (const FoundHid& hid : hids) {
     const HidIdentity& identity = hid.identity;
-    if (!answers_to(identity, wanted)) {
-      names.push_back(Message::typed(fmt::format("{} ({})", identity.lasting(), identity.name)));
+    if (!matches(identity, requested)) {
+      names.push_back(
+          Message::typed(fmt::format("{} ({})", identity.stable_name(), identity.name)));
       continue;
     }
     if (hid.problem) return *hid.problem;
     const std::lock_guard lock(hidapi_mutex());
     hid_device* device = hid_open_path(identity.node.c_str());
     if (device == nullptr) return no_access(identity, errno == 0 ? EIO : errno);
-    return std::unique_ptr<HidPort>(std::make_unique<HidapiPort>(device, identity.lasting()));
+    return std::unique_ptr<HidPort>(std::make_unique<HidapiPort>(device, identity.stable_name()));
   }
   return Error{names.empty() ? en::say("no HID device was found")
                              : en::say("there is no such HID device; there is {}", en::list(names)),
-               wanted,
+               requested,
                en::say("plug it in; 'alltact devices' lists what is found")};
 }
 

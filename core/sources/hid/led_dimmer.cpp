@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kChipReport = 64;
 constexpr std::uint8_t kSetSram = 0x60, kGetSram = 0x61, kChange = 0x80;
 constexpr std::uint8_t kPinMask = 0x07, kPinIsConverter = 0x03;  // GP2: DAC1, GP3: DAC2
-constexpr std::size_t kAdcAnswer = 7, kPinsAnswer = 22;          // places in the answer
+constexpr std::size_t kAdcAnswer = 7, kPinsAnswer = 22;          // positions in the answer
 constexpr unsigned kChipSteps = 31;
 
 Error not_understood(const std::string& control) {
@@ -23,15 +23,15 @@ Error not_understood(const std::string& control) {
 }
 
 template <class T>
-bool read_whole(std::string_view text, T& number) {
+bool read_integer(std::string_view text, T& number) {
   const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), number);
   return status == std::errc{} && end == text.data() + text.size();
 }
 
 bool read_range(std::string_view text, DimmerReport& report) {
   const std::size_t dots = text.find("..");
-  return dots != std::string_view::npos && read_whole(text.substr(0, dots), report.low) &&
-         read_whole(text.substr(dots + 2), report.high);
+  return dots != std::string_view::npos && read_integer(text.substr(0, dots), report.low) &&
+         read_integer(text.substr(dots + 2), report.high);
 }
 
 bool read_word(const std::string& word, DimmerReport& report) {
@@ -39,9 +39,9 @@ bool read_word(const std::string& word, DimmerReport& report) {
   if (equals == std::string::npos) return false;
   const std::string_view key = std::string_view(word).substr(0, equals);
   const std::string_view value = std::string_view(word).substr(equals + 1);
-  if (key == "id") return read_whole(value, report.id);
-  if (key == "bytes") return read_whole(value, report.bytes);
-  if (key == "at") return read_whole(value, report.at);
+  if (key == "id") return read_integer(value, report.id);
+  if (key == "bytes") return read_integer(value, report.bytes);
+  if (key == "at") return read_integer(value, report.at);
   return key == "range" && read_range(value, report);
 }
 
@@ -86,7 +86,7 @@ Result<LedDimmer> LedDimmer::create(std::unique_ptr<HidPort> port,
   if (control == "mcp2221a gp2") dimmer.pin_ = 2;
   if (control == "mcp2221a gp3") dimmer.pin_ = 3;
   if (dimmer.pin_ != 0) {
-    if (const Status status = dimmer.set_pin_up(); !status) return status.error();
+    if (const Status status = dimmer.configure_pin(); !status) return status.error();
     return dimmer;
   }
   const auto report = DimmerReport::parse(control);
@@ -115,7 +115,7 @@ Status LedDimmer::set_report(unsigned step) {
   return report_.is_feature ? port_->send_feature(bytes) : port_->write(bytes);
 }
 
-Result<std::vector<std::uint8_t>> LedDimmer::ask_chip(const std::vector<std::uint8_t>& command) {
+Result<std::vector<std::uint8_t>> LedDimmer::query_chip(const std::vector<std::uint8_t>& command) {
   std::vector<std::uint8_t> bytes(kChipReport + 1, 0);  // with the id 0 before it
   std::copy(command.begin(), command.end(), bytes.begin() + 1);
   if (const Status status = port_->write(bytes); !status) return status.error();
@@ -130,26 +130,26 @@ Result<std::vector<std::uint8_t>> LedDimmer::ask_chip(const std::vector<std::uin
   return answer;
 }
 
-Status LedDimmer::set_pin_up() {
-  const auto now = ask_chip({kGetSram});
+Status LedDimmer::configure_pin() {
+  const auto now = query_chip({kGetSram});
   if (!now) return now.error();
   const auto pin = static_cast<std::size_t>(pin_);
   std::vector<std::uint8_t> command(12, 0);
   command[0] = kSetSram;
   command[3] = kChange;  // converter's reference: the supply
-  // Changing pins makes the chip forget the references (data sheet 1.8.1.1): written again.
+  // A change of pins resets the references (data sheet 1.8.1.1): they are written again.
   command[5] = static_cast<std::uint8_t>(kChange | (((*now)[kAdcAnswer] >> 2U) & 0x07U));
   command[7] = kChange;
   for (std::size_t i = 0; i < 4; ++i) command[8 + i] = (*now)[kPinsAnswer + i];
-  if ((command[8 + pin] & kPinMask) == kPinIsConverter) return {};  // stays as bright as it is
+  if ((command[8 + pin] & kPinMask) == kPinIsConverter) return {};  // the brightness stays the same
   command[8 + pin] = static_cast<std::uint8_t>((command[8 + pin] & ~kPinMask) | kPinIsConverter);
-  const auto answer = ask_chip(command);
+  const auto answer = query_chip(command);
   return answer.ok() ? Status() : answer.error();
 }
 
 Status LedDimmer::set_converter(unsigned step) {
   const auto answer =
-      ask_chip({kSetSram, 0, 0, kChange, static_cast<std::uint8_t>(kChange | step)});
+      query_chip({kSetSram, 0, 0, kChange, static_cast<std::uint8_t>(kChange | step)});
   return answer.ok() ? Status() : answer.error();
 }
 

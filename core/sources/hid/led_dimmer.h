@@ -9,25 +9,26 @@
 
 namespace alltact {
 
-/// How a device wants to be told the brightness, for devices that the program does not know.
+/// Layout of a brightness report, for devices that the program does not know.
 struct DimmerReport {
-  bool is_feature = false;  ///< else an output report
-  std::uint8_t id = 0;      ///< 0 where the device has no ids
-  std::size_t bytes = 1;    ///< of the report without its id, 1..4095
-  std::size_t at = 0;       ///< which byte of these; a high above 255 takes two, low byte first
-  unsigned low = 0, high = 255;  ///< dark and bright, up to 65535; low > high turns it round
+  bool is_feature = false;       ///< else an output report
+  std::uint8_t id = 0;           ///< 0 where the device has no ids
+  std::size_t bytes = 1;         ///< of the report without its id, 1..4095
+  std::size_t at = 0;            ///< index of the byte; a high above 255 takes two, low byte first
+  unsigned low = 0, high = 255;  ///< dark and bright, up to 65535; low > high inverts
 
-  /// "output id=0 bytes=8 at=1 range=0..255" (or feature). Error: not of that form or impossible.
+  /// Parses "output id=0 bytes=8 at=1 range=0..255" (or feature). Error: not of that form or
+  /// impossible.
   static Result<DimmerReport> parse(const std::string& text);
   [[nodiscard]] std::string text() const;
   bool operator==(const DimmerReport&) const = default;
 };
 
-/// What a calibration stores of the light.
+/// Light settings of a calibration.
 struct DimmerSetting {
-  std::string device;   ///< HidIdentity::lasting()
+  std::string device;   ///< HidIdentity::stable_name()
   std::string control;  ///< "mcp2221a gp2", "mcp2221a gp3", or a DimmerReport
-  double level = 0;     ///< 0 dark, 1 full, as set: rounded to the device's steps
+  double level = 0;     ///< 0 dark, 1 full brightness, rounded to the device's steps
   bool operator==(const DimmerSetting&) const = default;
 };
 
@@ -35,22 +36,22 @@ struct DimmerSetting {
 class LedDimmer {
  public:
   /// control as in DimmerSetting. The MCP2221A's converter has 32 steps between 0 V and its supply;
-  /// the other pins and the analogue inputs keep their settings. Error: `control` is not
+  /// the other pins and the analogue inputs retain their settings. Error: `control` is not
   /// understood, or the chip does not answer.
   static Result<LedDimmer> create(std::unique_ptr<HidPort> port,
                                   const std::string& device,
                                   const std::string& control);
 
-  /// level in [0, 1]. Error: outside, or the device did not take it.
+  /// level in [0, 1]. Error: outside, or the device refused it.
   [[nodiscard]] Status set(double level);
   [[nodiscard]] const DimmerSetting& setting() const { return setting_; }
 
  private:
   LedDimmer() = default;
-  [[nodiscard]] Status set_pin_up();
+  [[nodiscard]] Status configure_pin();
   [[nodiscard]] Status set_converter(unsigned step);
   [[nodiscard]] Status set_report(unsigned step);
-  [[nodiscard]] Result<std::vector<std::uint8_t>> ask_chip(
+  [[nodiscard]] Result<std::vector<std::uint8_t>> query_chip(
       const std::vector<std::uint8_t>& command);
 
   std::unique_ptr<HidPort> port_;

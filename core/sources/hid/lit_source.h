@@ -1,4 +1,4 @@
-// A source whose frames also tell what the finger's light was set to.
+// A source that adds the setting of the finger's light to its frames.
 #pragma once
 
 #include "core/sources/hid/led_dimmer.h"
@@ -8,19 +8,19 @@
 
 namespace alltact {
 
-/// Puts a dimmer's setting behind each frame's own settings. One thread.
+/// Appends a dimmer's setting to each frame's own settings. One thread.
 class LightStamp {
  public:
   explicit LightStamp(const DimmerSetting& light);
-  /// The same pixels. Not for none.
+  /// Shares the pixels. `frame` must not be null.
   [[nodiscard]] FramePtr operator()(const FramePtr& frame);
 
  private:
   std::string light_;
-  std::shared_ptr<const std::string> before_, with_light_;  // mostly the same from frame to frame
+  std::shared_ptr<const std::string> before_, with_light_;  // usually the same from frame to frame
 };
 
-/// Another source as it is, its frames stamped.
+/// Another source, with stamped frames.
 class LitSource : public Source {
  public:
   LitSource(std::unique_ptr<Source> source, const DimmerSetting& light)

@@ -1,7 +1,7 @@
 #include "core/sources/open/open_source.h"
 
-#include "core/sources/files/ending.h"
-#include "core/sources/files/picture_source.h"
+#include "core/sources/files/file_extension.h"
+#include "core/sources/files/image_source.h"
 #include "core/sources/files/simulated_source.h"
 #include "core/sources/files/video_source.h"
 #include "core/sources/v4l2/camera_list.h"
@@ -12,8 +12,8 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_scene(const fs::path& file) {
-  static constexpr std::array kEndings{".yaml", ".yml"};
-  return is_one_of(ending_of(file), kEndings);
+  static constexpr std::array kExtensions{".yaml", ".yml"};
+  return is_one_of(extension_of(file), kExtensions);
 }
 
 Error not_an_input(const fs::path& path) {
@@ -28,11 +28,11 @@ Result<std::unique_ptr<Source>> open_video(const fs::path& file, const SourceOpt
   return std::unique_ptr<Source>(std::make_unique<VideoSource>(std::move(*video), options));
 }
 
-/// A node, or a name that could be a camera's and is no file's.
+/// True for a node, or a possible camera name that is no file.
 bool may_name_camera(const fs::path& input) {
   std::error_code ignored;
   if (input.string().starts_with("/dev/")) return !fs::is_directory(input, ignored);
-  return !fs::exists(input, ignored) && !input.has_parent_path() && !is_picture(input) &&
+  return !fs::exists(input, ignored) && !input.has_parent_path() && !is_image_file(input) &&
          !is_video(input) && !is_scene(input);
 }
 
@@ -42,23 +42,23 @@ Result<std::unique_ptr<Source>> open_camera_source(const fs::path& name) {
   return std::unique_ptr<Source>(std::make_unique<CameraSource>(std::move(*camera)));
 }
 
-/// What gives frames by itself; nothing for pictures and their folders.
-std::optional<Result<std::unique_ptr<Source>>> open_alone(const fs::path& input,
-                                                          const SourceOptions& options) {
+/// Opens a video or a scene; empty for images and their folders.
+std::optional<Result<std::unique_ptr<Source>>> open_single(const fs::path& input,
+                                                           const SourceOptions& options) {
   if (is_video(input)) return open_video(input, options);
   if (is_scene(input)) return SimulatedSource::open(input, options);
   return std::nullopt;
 }
 
-Result<std::unique_ptr<Source>> open_pictures(const std::vector<fs::path>& inputs) {
+Result<std::unique_ptr<Source>> open_images(const std::vector<fs::path>& inputs) {
   std::vector<fs::path> files;
   for (const fs::path& input : inputs) {
     std::error_code ignored;
     if (fs::is_directory(input, ignored)) {
-      auto inside = pictures_in(input);
+      auto inside = images_in(input);
       if (!inside) return inside.error();
       files.insert(files.end(), inside->begin(), inside->end());
-    } else if (is_picture(input)) {
+    } else if (is_image_file(input)) {
       files.push_back(input);
     } else if (is_video(input) || is_scene(input)) {
       const Message kind = is_video(input) ? en::say("video") : en::say("scene");
@@ -69,14 +69,14 @@ Result<std::unique_ptr<Source>> open_pictures(const std::vector<fs::path>& input
       return not_an_input(input);
     }
   }
-  return std::unique_ptr<Source>(std::make_unique<PictureSource>(std::move(files)));
+  return std::unique_ptr<Source>(std::make_unique<ImageSource>(std::move(files)));
 }
 
 }  // namespace
 
 bool is_video(const fs::path& file) {
-  static constexpr std::array kEndings{".mkv", ".avi", ".mp4"};
-  return is_one_of(ending_of(file), kEndings);
+  static constexpr std::array kExtensions{".mkv", ".avi", ".mp4"};
+  return is_one_of(extension_of(file), kExtensions);
 }
 
 Result<std::unique_ptr<Source>> open_source(const std::vector<fs::path>& inputs,
@@ -96,8 +96,8 @@ Result<std::unique_ptr<Source>> open_source(const std::vector<fs::path>& inputs,
   }
   std::error_code ignored;
   if (inputs.size() == 1 && !fs::is_directory(inputs.front(), ignored))
-    if (auto alone = open_alone(inputs.front(), options)) return std::move(*alone);
-  return open_pictures(inputs);
+    if (auto single = open_single(inputs.front(), options)) return std::move(*single);
+  return open_images(inputs);
 }
 
 }  // namespace alltact

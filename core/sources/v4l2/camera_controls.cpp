@@ -29,7 +29,7 @@ ControlType type_of(std::uint32_t type) {
   }
 }
 
-/// An automatic mode of what changes brightness, with the values that it has in hand.
+/// An automatic mode that changes brightness, and its value for off.
 struct AutomaticMode {
   std::uint32_t id;
   std::int64_t off;
@@ -106,17 +106,17 @@ bool is_wide(const V4l2Device& device, std::uint32_t id) {
 
 std::vector<MenuItem> menu_of(const V4l2Device& device, const CameraControl& control) {
   std::vector<MenuItem> items;
-  constexpr std::int64_t kMostItems = 256;  // a driver's menu without end is a fault
+  constexpr std::int64_t kMaxItems = 256;  // a driver's menu without end is a fault
   const std::int64_t first = std::max<std::int64_t>(control.low, 0);
   if (control.high < first) return items;
-  const std::int64_t count = std::min(control.high - first, kMostItems - 1) + 1;
+  const std::int64_t count = std::min(control.high - first, kMaxItems - 1) + 1;
   for (std::int64_t n = 0; n < count; ++n) {
     const std::int64_t i = first + n;
     v4l2_querymenu item;
     std::memset(&item, 0, sizeof item);
     item.id = control.id;
     item.index = static_cast<std::uint32_t>(i);
-    if (device.ioctl(VIDIOC_QUERYMENU, &item) != 0) continue;  // menus may have holes
+    if (device.ioctl(VIDIOC_QUERYMENU, &item) != 0) continue;  // menus may have gaps
     if (control.type == ControlType::kIntegerMenu) {
       items.push_back({i, fmt::format("{}", static_cast<std::int64_t>(item.value))});
     } else {
@@ -127,7 +127,7 @@ std::vector<MenuItem> menu_of(const V4l2Device& device, const CameraControl& con
   return items;
 }
 
-/// Manual where the camera has it; of exposure, else the mode that leaves only the aperture to it.
+/// Manual where the camera has it; for exposure, else the mode with only the aperture automatic.
 std::optional<std::int64_t> off_value(const CameraControl& control, const AutomaticMode& mode) {
   if (control.type != ControlType::kMenu) return mode.off;
   const auto has = [&](std::int64_t value) {
@@ -169,8 +169,8 @@ ControlValue* find_control(std::vector<ControlValue>& values, std::uint32_t id) 
   return nullptr;
 }
 
-void merge_controls(std::vector<ControlValue>& values, const std::vector<ControlValue>& news) {
-  for (const ControlValue& value : news) {
+void merge_controls(std::vector<ControlValue>& values, const std::vector<ControlValue>& updates) {
+  for (const ControlValue& value : updates) {
     if (ControlValue* old = find_control(values, value.id)) {
       old->value = value.value;
       continue;
@@ -211,7 +211,7 @@ std::vector<CameraControl> list_controls(const V4l2Device& device) {
                                 control.id,
                                 answer.type == V4L2_CTRL_TYPE_INTEGER64,
                                 control.value) != 0)
-      control.type = ControlType::kOther;  // cannot be read now, so cannot be kept
+      control.type = ControlType::kOther;  // not readable now, so not restorable
     controls.push_back(std::move(control));
   }
   return controls;
@@ -256,10 +256,11 @@ std::vector<ControlValue> settings_of(const std::vector<CameraControl>& controls
   return values;
 }
 
-std::vector<Message> put_back(const V4l2Device& device, const std::vector<ControlValue>& wanted) {
+std::vector<Message> restore_controls(const V4l2Device& device,
+                                      const std::vector<ControlValue>& requested) {
   std::vector<Message> problems;
   for (const bool modes_now : {true, false}) {
-    for (const ControlValue& control : wanted) {
+    for (const ControlValue& control : requested) {
       if ((automatic_mode(control.id) != nullptr) != modes_now) continue;
       const auto now = read_control(device, control);
       if (now.ok() && *now == control.value) continue;
@@ -294,7 +295,7 @@ std::vector<CameraControl> automatic_modes_on(const std::vector<CameraControl>& 
   std::vector<CameraControl> on;
   for (const CameraControl& control : controls) {
     const AutomaticMode* mode = automatic_mode(control.id);
-    // Where the camera has no manual mode, the best that it has counts.
+    // Without a manual mode, the camera's best mode counts as off.
     if (mode != nullptr && control.is_setting() &&
         control.value != off_value(control, *mode).value_or(mode->off))
       on.push_back(control);

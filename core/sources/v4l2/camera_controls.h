@@ -1,5 +1,4 @@
-// A camera's controls: what there is, reading and writing, holding those still that change
-// brightness.
+// A camera's controls: listing, reading, writing, and locking those that change brightness.
 #pragma once
 
 #include "core/result.h"
@@ -26,12 +25,12 @@ struct CameraControl {
   std::string name;
   ControlType type = ControlType::kOther;
   std::int64_t low = 0, high = 0, step = 1, default_value = 0;
-  std::int64_t value = 0;      ///< when it was listed; 0 where it cannot be read
-  std::vector<MenuItem> menu;  ///< kMenu, kIntegerMenu: what can be chosen
+  std::int64_t value = 0;      ///< at the time of the listing; 0 where it cannot be read
+  std::vector<MenuItem> menu;  ///< kMenu, kIntegerMenu: the choices
   bool is_read_only = false;
-  bool is_inactive = false;  ///< an automatic mode has it in hand
+  bool is_inactive = false;  ///< an automatic mode controls it
 
-  /// A value that can be stored and put back.
+  /// True for a value that can be stored and restored.
   [[nodiscard]] bool is_setting() const {
     return !is_read_only && type != ControlType::kButton && type != ControlType::kOther;
   }
@@ -45,43 +44,42 @@ struct ControlValue {
   bool operator==(const ControlValue&) const = default;
 };
 
-/// The one of this control; null where there is none.
+/// The value of this control; null where there is none.
 [[nodiscard]] ControlValue* find_control(std::vector<ControlValue>& values, std::uint32_t id);
-/// `news` take the place of what was known of them; ordered by id, as drivers list them.
-void merge_controls(std::vector<ControlValue>& values, const std::vector<ControlValue>& news);
+/// Replaces known values by `updates` and adds new ones; ordered by id, as drivers list them.
+void merge_controls(std::vector<ControlValue>& values, const std::vector<ControlValue>& updates);
 
 [[nodiscard]] std::vector<CameraControl> list_controls(const V4l2Device& device);
 [[nodiscard]] Result<std::int64_t> read_control(const V4l2Device& device,
                                                 const ControlValue& control);
-/// Error: refused, out of range, or the camera kept another value.
+/// Error: refused, out of range, or the camera set another value.
 [[nodiscard]] Status write_control(const V4l2Device& device, const ControlValue& control);
 
-/// All settings of a camera as they are. Those that an automatic mode has in hand are left out.
+/// All current settings of a camera, without those that an automatic mode controls.
 [[nodiscard]] std::vector<ControlValue> settings_of(const std::vector<CameraControl>& controls);
 
-/// Writes them back, automatic modes first, because they decide what else can be written. Returns a
-/// sentence, without its full stop, for each that could not be.
-[[nodiscard]] std::vector<Message> put_back(const V4l2Device& device,
-                                            const std::vector<ControlValue>& wanted);
+/// Restores values, automatic modes first, because they decide which others are writable. Returns a
+/// sentence, without its full stop, for each failure.
+[[nodiscard]] std::vector<Message> restore_controls(const V4l2Device& device,
+                                                    const std::vector<ControlValue>& requested);
 
-/// Switches off every automatic mode of exposure, gain, white balance and focus, and gives what has
-/// to stay as it is from now on: these modes and their values. `problems` gets a sentence, without
-/// its full stop, for each automatic mode that cannot be switched off.
+/// Switches off every automatic mode of exposure, gain, white balance and focus. Returns the values
+/// to hold from now on: these modes and their values. `problems` receives a sentence, without its
+/// full stop, for each automatic mode that cannot be switched off.
 [[nodiscard]] std::vector<ControlValue> lock_brightness(const V4l2Device& device,
                                                         std::vector<Message>& problems);
 
-/// Those automatic modes of exposure, gain, white balance and focus that are on, by the values of
-/// `controls`: with one of them on, brightness or sharpness are the camera's own.
+/// Automatic modes of exposure, gain, white balance and focus that are on according to `controls`.
+/// With one of them on, the camera changes brightness or sharpness by itself.
 [[nodiscard]] std::vector<CameraControl> automatic_modes_on(
     const std::vector<CameraControl>& controls);
 
-/// Asks to be told of changes that other programs and the camera itself make (POLLPRI, then
-/// next_change()): of controls, and of what the camera sends. Drivers without events are read in
-/// turn instead.
+/// Subscribes to changes by other programs and by the camera itself (POLLPRI, then next_change()):
+/// of controls, and of the signal. Drivers without events are polled instead.
 void watch_changes(const V4l2Device& device, const std::vector<CameraControl>& controls);
-/// The camera sends pictures of another kind than was agreed on (V4L2_EVENT_SOURCE_CHANGE).
+/// The camera's signal differs from the negotiated format (V4L2_EVENT_SOURCE_CHANGE).
 struct SourceChange {};
-/// The next change that was told; empty when there is none. A control comes without its name.
+/// The next reported change; empty when there is none. A control comes without its name.
 [[nodiscard]] std::optional<std::variant<ControlValue, SourceChange>> next_change(
     const V4l2Device& device);
 

@@ -40,7 +40,7 @@ CameraIdentity identity_of(udev_device* device) {
   return identity;
 }
 
-/// Cheap cameras share one serial number, so that udev gives them one name, which then is none.
+/// Clears by-id names that several cameras share, because cheap cameras have one serial number.
 void drop_shared_names(std::vector<CameraIdentity>& nodes, std::string CameraIdentity::*name) {
   std::map<std::string, int> count;
   for (const CameraIdentity& node : nodes) ++count[node.*name];
@@ -64,7 +64,7 @@ std::vector<CameraIdentity> video_nodes() {
     if (fs::path(identity.node).filename().string().starts_with("video"))
       nodes.push_back(std::move(identity));
   }
-  // By number: video10 stands behind video9.
+  // By number: video10 follows video9.
   std::sort(nodes.begin(), nodes.end(), [](const CameraIdentity& a, const CameraIdentity& b) {
     return std::pair(a.node.size(), a.node) < std::pair(b.node.size(), b.node);
   });
@@ -73,8 +73,8 @@ std::vector<CameraIdentity> video_nodes() {
   return nodes;
 }
 
-/// 0, or EBUSY where another program has the stream.
-int take_and_leave(const V4l2Device& device) {
+/// Returns 0, or EBUSY where another program streams.
+int probe_busy(const V4l2Device& device) {
   v4l2_format format;
   std::memset(&format, 0, sizeof format);
   format.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
@@ -103,7 +103,9 @@ std::optional<Error> problem_of(const FoundCamera& camera,
 }
 
 /// Empty for a node that is no camera.
-std::optional<FoundCamera> look_at(V4l2Calls& calls, CameraIdentity identity, bool is_busy_told) {
+std::optional<FoundCamera> probe_camera(V4l2Calls& calls,
+                                        CameraIdentity identity,
+                                        bool check_busy) {
   FoundCamera camera;
   camera.identity = std::move(identity);
   const auto device = V4l2Device::open(calls, camera.identity.node);
@@ -123,93 +125,94 @@ std::optional<FoundCamera> look_at(V4l2Calls& calls, CameraIdentity identity, bo
   camera.formats = device->formats();
   camera.controls = list_controls(*device);
   camera.problem = problem_of(camera, *capability);
-  if (!camera.problem && is_busy_told && take_and_leave(*device) == EBUSY)
+  if (!camera.problem && check_busy && probe_busy(*device) == EBUSY)
     camera.problem = camera_error(en::say("it cannot be used now"), camera.identity.node, EBUSY);
   return camera;
 }
 
-bool answers_to(const CameraIdentity& identity, const std::string& wanted) {
-  return wanted == identity.node || wanted == identity.by_id || wanted == identity.by_path ||
-         wanted == identity.serial;
+bool matches(const CameraIdentity& identity, const std::string& requested) {
+  return requested == identity.node || requested == identity.by_id ||
+         requested == identity.by_path || requested == identity.serial;
 }
 
 Message names_of(const std::vector<const CameraIdentity*>& identities) {
   std::vector<Message> names;
   for (const CameraIdentity* identity : identities)
-    names.push_back(Message::typed(fmt::format("{} ({})", identity->lasting(), identity->node)));
+    names.push_back(
+        Message::typed(fmt::format("{} ({})", identity->stable_name(), identity->node)));
   return en::list(names);
 }
 
-/// What a path below /dev/v4l stands for; other words as they are.
-std::string name_in(const std::string& wanted) {
-  const fs::path path = wanted;
+/// The file name of a path below /dev/v4l; other words unchanged.
+std::string name_in(const std::string& requested) {
+  const fs::path path = requested;
   const fs::path folder = path.parent_path();
   if (folder == "/dev/v4l/by-id" || folder == "/dev/v4l/by-path") return path.filename().string();
-  return wanted;
+  return requested;
 }
 
-CameraPlace place_of(V4l2Calls& calls, const CameraIdentity& identity) {
-  const std::string lasting = identity.lasting();
+CameraAccess access_of(V4l2Calls& calls, const CameraIdentity& identity) {
+  const std::string stable_name = identity.stable_name();
   return {&calls,
-          lasting,
-          [lasting]() -> Result<std::string> {
-            // Without opening anything: this is asked again and again while a camera is away.
+          stable_name,
+          [stable_name]() -> Result<std::string> {
+            // Without opening anything: called repeatedly while a camera is away.
             for (const CameraIdentity& now : video_nodes())
-              if (answers_to(now, lasting)) return now.node;
-            if (lasting.starts_with("/dev/")) return lasting;
-            return Error{en::say("the camera is not there"), lasting, en::say("plug it in")};
+              if (matches(now, stable_name)) return now.node;
+            if (stable_name.starts_with("/dev/")) return stable_name;
+            return Error{en::say("the camera is not there"), stable_name, en::say("plug it in")};
           },
           identity.serial};
 }
 
 }  // namespace
 
-const std::string& CameraIdentity::lasting() const {
+const std::string& CameraIdentity::stable_name() const {
   if (!by_id.empty()) return by_id;
   return by_path.empty() ? node : by_path;
 }
 
-std::vector<FoundCamera> list_cameras(V4l2Calls& calls, bool is_busy_told) {
+std::vector<FoundCamera> list_cameras(V4l2Calls& calls, bool check_busy) {
   std::vector<FoundCamera> cameras;
   for (CameraIdentity& identity : video_nodes())
-    if (auto camera = look_at(calls, std::move(identity), is_busy_told))
+    if (auto camera = probe_camera(calls, std::move(identity), check_busy))
       cameras.push_back(std::move(*camera));
   return cameras;
 }
 
-Result<CameraIdentity> find_camera(const std::string& wanted,
+Result<CameraIdentity> find_camera(const std::string& requested,
                                    const std::vector<FoundCamera>& cameras) {
-  const std::string name = name_in(wanted);
+  const std::string name = name_in(requested);
   std::vector<const CameraIdentity*> all, fitting;
   for (const FoundCamera& camera : cameras) {
     all.push_back(&camera.identity);
-    if (!name.empty() && answers_to(camera.identity, name)) fitting.push_back(&camera.identity);
+    if (!name.empty() && matches(camera.identity, name)) fitting.push_back(&camera.identity);
   }
   if (fitting.size() == 1) return *fitting.front();
   if (!fitting.empty())
     return Error{en::say("several cameras have this name: {}", names_of(fitting)),
-                 wanted,
+                 requested,
                  en::say("the name before the brackets")};
-  // A node of a system that tells nothing of its devices is taken at its word.
-  if (cameras.empty() && wanted.starts_with("/dev/")) {
+  // Without any listed device a node is accepted unchecked.
+  if (cameras.empty() && requested.starts_with("/dev/")) {
     CameraIdentity identity;
-    identity.node = wanted;
+    identity.node = requested;
     return identity;
   }
   return Error{all.empty() ? en::say("no camera was found")
                            : en::say("there is no such camera; there is {}", names_of(all)),
-               wanted,
+               requested,
                all.empty() ? en::say("plug one in; 'alltact devices' lists what is found")
                            : en::say("one of these names")};
 }
 
-Result<std::unique_ptr<V4l2Camera>> open_camera(const std::string& wanted,
-                                                const FormatWish& wish,
+Result<std::unique_ptr<V4l2Camera>> open_camera(const std::string& requested,
+                                                const FormatCriteria& criteria,
                                                 const std::vector<ControlValue>& controls,
                                                 V4l2Calls& calls) {
-  const auto identity = find_camera(wanted, list_cameras(calls));
+  const auto identity = find_camera(requested, list_cameras(calls));
   if (!identity) return identity.error();
-  return V4l2Camera::open(place_of(calls, *identity), wish, controls);
+  return V4l2Camera::open(access_of(calls, *identity), criteria, controls);
 }
 
 }  // namespace alltact

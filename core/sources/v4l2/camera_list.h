@@ -1,5 +1,4 @@
-// Which cameras there are, by names that stay the same, and what is wrong with those that cannot be
-// used.
+// Lists cameras by stable names, with the problem of each unusable one.
 #pragma once
 
 #include "core/result.h"
@@ -13,17 +12,17 @@
 namespace alltact {
 
 struct CameraIdentity {
-  std::string node;   ///< /dev/video0: may be another after the next start
-  std::string name;   ///< what the maker calls it
+  std::string node;   ///< /dev/video0: may change with the next start
+  std::string name;   ///< the maker's name for it
   std::string by_id;  ///< file name below /dev/v4l/by-id: the same camera at any port; empty where
                       ///< several share it
-  std::string by_path;  ///< file name below /dev/v4l/by-path: whatever is at this port
+  std::string by_path;  ///< file name below /dev/v4l/by-path: the camera at this port
   std::string serial;   ///< may be empty or, with cheap cameras, the same for all
-  std::string bus;      ///< what the driver says of the place: usb-0000:00:14.0-2
+  std::string bus;      ///< the driver's port name: usb-0000:00:14.0-2
   std::string driver;
 
-  /// The name that lasts longest: by_id, else by_path, else the node.
-  [[nodiscard]] const std::string& lasting() const;
+  /// The most stable name: by_id, else by_path, else the node.
+  [[nodiscard]] const std::string& stable_name() const;
 };
 
 struct FoundCamera {
@@ -33,20 +32,20 @@ struct FoundCamera {
   std::optional<Error> problem;  ///< why it cannot be used now
 };
 
-/// Every camera, in the order of nodes. Nodes that are no camera (metadata, radio, converters) are
-/// left out. is_busy_told: also finds out whether another program streams from it, by setting the
-/// format that is set already.
-[[nodiscard]] std::vector<FoundCamera> list_cameras(V4l2Calls& calls, bool is_busy_told = false);
+/// Every camera, in the order of nodes, without nodes of other kinds (metadata, radio, converters).
+/// check_busy: also detects a stream of another program, by setting the current format again.
+[[nodiscard]] std::vector<FoundCamera> list_cameras(V4l2Calls& calls, bool check_busy = false);
 
-/// The one camera that `wanted` names: a node, a by-id or by-path name (whole or from
-/// /dev/v4l/...), or a serial number. Errors: none, with what there is; several, with their names.
-[[nodiscard]] Result<CameraIdentity> find_camera(const std::string& wanted,
+/// The one camera that `requested` names: a node, a by-id or by-path name (complete or from
+/// /dev/v4l/...), or a serial number. Errors: none, with a list of cameras; several, with their
+/// names.
+[[nodiscard]] Result<CameraIdentity> find_camera(const std::string& requested,
                                                  const std::vector<FoundCamera>& cameras);
 
-/// Finds, opens and starts. It is found again after re-plugging by its lasting name.
+/// Finds, opens and starts a camera. After re-plugging it is found by its stable name.
 [[nodiscard]] Result<std::unique_ptr<V4l2Camera>> open_camera(
-    const std::string& wanted,
-    const FormatWish& wish = {},
+    const std::string& requested,
+    const FormatCriteria& criteria = {},
     const std::vector<ControlValue>& controls = {},
     V4l2Calls& calls = kernel_calls());
 

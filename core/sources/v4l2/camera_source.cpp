@@ -6,8 +6,8 @@ CameraSource::CameraSource(std::shared_ptr<V4l2Camera> camera, std::size_t capac
     : camera_(std::move(camera)), queue_(camera_->frames().subscribe(capacity)) {}
 
 double CameraSource::frames_per_s() const {
-  const double told = camera_->settings().format.frames_per_second();
-  return told > 0 ? told : Source::frames_per_s();
+  const double rate = camera_->settings().format.frames_per_second();
+  return rate > 0 ? rate : Source::frames_per_s();
 }
 
 Result<FramePtr> CameraSource::next() {

@@ -1,4 +1,4 @@
-// The six system calls through which a camera is driven: the kernel's own, or a rig's in tests.
+// The six system calls that drive a camera: the kernel's own, or a simulation in tests.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace alltact {
 
-/// Each call returns what its namesake returns and sets errno as it does. Any thread may call.
+/// Each call returns the value of its namesake and sets errno likewise. Any thread may call.
 class V4l2Calls {
  public:
   virtual ~V4l2Calls() = default;

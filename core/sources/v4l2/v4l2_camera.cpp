@@ -14,11 +14,11 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
-constexpr std::size_t kMostRemarks = 20;
-constexpr int kBetweenTries_ms = 100;  // to open or start again
-constexpr int kFirstFrame_ms = 3000;   // some cameras take seconds to begin
-constexpr int kLeastPatience_ms = 500;
-constexpr std::uint32_t kMostPlausibleGap = 100'000;  // more: the driver began to count anew
+constexpr std::size_t kMaxRemarks = 20;
+constexpr int kRetryInterval_ms = 100;  // between attempts to open or start
+constexpr int kFirstFrame_ms = 3000;    // some cameras take seconds to begin
+constexpr int kMinFrameTimeout_ms = 500;
+constexpr std::uint32_t kMaxSequenceGap = 100'000;  // above: the driver restarted its count
 
 /// Waits for one descriptor (or none, -1) and for the eventfd that ends waits.
 short wait_for(V4l2Calls& calls, int descriptor, short events, int wake, int timeout_ms) {
@@ -29,20 +29,20 @@ short wait_for(V4l2Calls& calls, int descriptor, short events, int wake, int tim
 
 }  // namespace
 
-V4l2Camera::V4l2Camera(const CameraPlace& place, FormatWish wish)
-    : place_(place),
-      wish_(std::move(wish)),
+V4l2Camera::V4l2Camera(const CameraAccess& access, FormatCriteria criteria)
+    : access_(access),
+      criteria_(std::move(criteria)),
       plug_(HotPlug::watch()),
       wake_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)),
       next_check_(Clock::now()),
       last_frame_(Clock::now()) {}
 
-Result<std::unique_ptr<V4l2Camera>> V4l2Camera::open(const CameraPlace& place,
-                                                     const FormatWish& wish,
+Result<std::unique_ptr<V4l2Camera>> V4l2Camera::open(const CameraAccess& access,
+                                                     const FormatCriteria& criteria,
                                                      const std::vector<ControlValue>& controls) {
-  const auto node = place.find_node();
+  const auto node = access.find_node();
   if (!node) return node.error();
-  auto device = V4l2Device::open(*place.calls, *node);
+  auto device = V4l2Device::open(*access.calls, *node);
   if (!device) return device.error();
   const auto capability = device->capability();
   if (!capability) return capability.error();
@@ -50,8 +50,8 @@ Result<std::unique_ptr<V4l2Camera>> V4l2Camera::open(const CameraPlace& place,
     return Error{en::say("this node gives no pictures that can be read"),
                  *node,
                  en::say("a camera that 'alltact devices' lists as usable")};
-  std::unique_ptr<V4l2Camera> camera(new V4l2Camera(place, wish));
-  camera->wanted_ = controls;
+  std::unique_ptr<V4l2Camera> camera(new V4l2Camera(access, criteria));
+  camera->restore_values_ = controls;
   if (const Status status = camera->start(std::move(*device)); !status) return status.error();
   camera->thread_ = std::thread([camera = camera.get()] { camera->run(); });
   return camera;
@@ -74,7 +74,7 @@ Result<CameraFormat> V4l2Camera::format_for(const V4l2Device& device) const {
   if (!is_format_open_) return format_;
   const auto offered = device.formats();
   if (std::find(offered.begin(), offered.end(), format_) != offered.end()) return format_;
-  return choose_format(offered, wish_, device.node());
+  return choose_format(offered, criteria_, device.node());
 }
 
 Status V4l2Camera::start(V4l2Device device) {
@@ -84,23 +84,23 @@ Status V4l2Camera::start(V4l2Device device) {
   const auto stride = device.configure(format);
   if (!stride) return stride.error();
   const std::lock_guard lock(device_mutex_);
-  for (const Message& problem : put_back(device, wanted_)) remark(problem);
+  for (const Message& problem : restore_controls(device, restore_values_)) remark(problem);
   const auto controls = list_controls(device);
   watch_changes(device, controls);
-  auto kept = std::make_unique<V4l2Device>(std::move(device));
-  auto stream = V4l2Stream::start(*kept);
+  auto opened = std::make_unique<V4l2Device>(std::move(device));
+  auto stream = V4l2Stream::start(*opened);
   if (!stream) return stream.error();
-  // What is put back later: first of all what was asked for, besides it what was found.
+  // Values to restore later: the requested ones first, then those found in the camera.
   std::vector<ControlValue> all = settings_of(controls);
-  merge_controls(all, wanted_);
-  wanted_ = std::move(all);
+  merge_controls(all, restore_values_);
+  restore_values_ = std::move(all);
   stride_bytes_ = *stride;
   format_ = format;
   is_format_open_ = false;
-  device_ = std::move(kept);
+  device_ = std::move(opened);
   stream_ = std::move(*stream);
   has_frame_ = false;
-  is_repeat_told_ = is_mistime_told_ = false;
+  is_repeat_reported_ = is_mistime_reported_ = false;
   last_frame_ = Clock::now();
   return {};
 }
@@ -111,7 +111,7 @@ void V4l2Camera::run() {
       wait_for_plug();
       if (!stopping_) reconnect();
     } else if (stream_ == nullptr) {
-      wait_for(*place_.calls, -1, 0, wake_, kBetweenTries_ms);
+      wait_for(*access_.calls, -1, 0, wake_, kRetryInterval_ms);
       if (!stopping_) restart(*status().trouble);
     } else {
       capture();
@@ -119,17 +119,17 @@ void V4l2Camera::run() {
   }
 }
 
-int V4l2Camera::patience_ms() const {
+int V4l2Camera::frame_timeout_ms() const {
   if (!has_frame_) return kFirstFrame_ms;
   const double rate = format_.frames_per_second();
-  return std::max(kLeastPatience_ms, rate > 0 ? static_cast<int>(5000.0 / rate) : 0);
+  return std::max(kMinFrameTimeout_ms, rate > 0 ? static_cast<int>(5000.0 / rate) : 0);
 }
 
 void V4l2Camera::capture() {
   const bool is_locked = !locked().empty();
-  const int wait_ms = is_locked ? static_cast<int>(kBetweenChecks.count()) : patience_ms();
+  const int wait_ms = is_locked ? static_cast<int>(kCheckInterval.count()) : frame_timeout_ms();
   const short ready =
-      wait_for(*place_.calls, device_->descriptor(), POLLIN | POLLPRI, wake_, wait_ms);
+      wait_for(*access_.calls, device_->descriptor(), POLLIN | POLLPRI, wake_, wait_ms);
   if (stopping_) return;
   if ((ready & POLLPRI) != 0) follow_changes();
   if (stream_ == nullptr) return;
@@ -143,15 +143,15 @@ void V4l2Camera::capture() {
   }
   if (is_locked && Clock::now() >= next_check_) check_next_held();
   const auto silence = std::chrono::duration_cast<milliseconds>(Clock::now() - last_frame_).count();
-  if (silence >= patience_ms())
+  if (silence >= frame_timeout_ms())
     restart({en::say("no picture came for {:.1f} seconds", static_cast<double>(silence) / 1e3),
-             place_.identity,
+             access_.identity,
              en::say("look after the cable and the USB port; the stream is being started again")});
 }
 
 bool V4l2Camera::take_frame() {
   const V4l2Stream::Taken taken = stream_->take();
-  if (means_gone(taken.error_number)) {
+  if (is_gone_error(taken.error_number)) {
     drop_device(unplugged());
     return false;
   }
@@ -168,7 +168,7 @@ bool V4l2Camera::take_frame() {
 
 std::uint64_t V4l2Camera::number_of(std::uint32_t driver_sequence) {
   std::uint32_t step = driver_sequence - last_driver_sequence_;
-  if (!has_frame_ || step == 0 || step > kMostPlausibleGap) step = 1;
+  if (!has_frame_ || step == 0 || step > kMaxSequenceGap) step = 1;
   has_frame_ = true;
   last_driver_sequence_ = driver_sequence;
   if (step > 1) {
@@ -180,31 +180,31 @@ std::uint64_t V4l2Camera::number_of(std::uint32_t driver_sequence) {
   return number;
 }
 
-/// Times by which forces and recordings are placed never run backwards.
+/// Corrects the time of a frame: times that align forces and recordings never run backwards.
 std::int64_t V4l2Camera::time_of(const V4l2Stream::Filled& filled) {
   const auto arrived_ns =
       std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now().time_since_epoch()).count();
-  const PictureCheck::Told told = check_.time_of(filled.time_ns, arrived_ns);
-  if (told.late_ns == 0) return told.time_ns;
+  const FrameCheck::CaptureTime taken_at = check_.time_of(filled.time_ns, arrived_ns);
+  if (taken_at.correction_ns == 0) return taken_at.time_ns;
   {
     const std::lock_guard lock(status_mutex_);
     ++status_.counts.mistimed;
   }
-  if (!std::exchange(is_mistime_told_, true))
+  if (!std::exchange(is_mistime_reported_, true))
     remark(
         en::say("The camera's clock was set by {:+.1f} s: until it is right again, pictures count "
                 "as taken when they come",
-                -1e-9 * static_cast<double>(told.late_ns)));
-  return told.time_ns;
+                -1e-9 * static_cast<double>(taken_at.correction_ns)));
+  return taken_at.time_ns;
 }
 
-void V4l2Camera::look_for_repeat(const FramePtr& frame) {
+void V4l2Camera::check_repeat(const FramePtr& frame) {
   if (!check_.is_repeat(frame)) return;
   {
     const std::lock_guard lock(status_mutex_);
     ++status_.counts.repeated;
   }
-  if (!std::exchange(is_repeat_told_, true))
+  if (!std::exchange(is_repeat_reported_, true))
     remark(
         en::say("The camera sent a picture twice ({}): a mean over several pictures is less sure "
                 "than it says",
@@ -216,7 +216,7 @@ void V4l2Camera::publish(const V4l2Stream::Filled& filled) {
   frame->sequence = number_of(filled.sequence);
   frame->time_ns = time_of(filled);
   frame->name = fmt::format("frame_{:05}", frame->sequence);
-  frame->origin = place_.identity;
+  frame->origin = access_.identity;
   frame->controls = controls_now();
   const auto format = static_cast<PixelFormat>(format_.fourcc);
   const auto decode = [&](std::span<const std::uint8_t> bytes) {
@@ -232,7 +232,7 @@ void V4l2Camera::publish(const V4l2Stream::Filled& filled) {
     is_good = grey.ok();
     if (is_good) frame->grey = std::move(*grey);
   }
-  static_cast<void>(stream_->give_back(filled));  // a failure shows at the next wait
+  static_cast<void>(stream_->requeue(filled));  // a failure shows at the next wait
   if (is_good && frame->jpeg != nullptr) {
     auto grey = decode(*frame->jpeg);
     is_good = grey.ok();
@@ -250,7 +250,7 @@ void V4l2Camera::publish(const V4l2Stream::Filled& filled) {
   }
   if (is_back) remark(en::say("Pictures come again"));
   if (!is_good) return;
-  look_for_repeat(frame);
+  check_repeat(frame);
   hub_.publish(std::move(frame));
 }
 
@@ -268,8 +268,8 @@ void V4l2Camera::restart(const Error& why) {
   if (!stream) return trouble(CameraState::kStalled, stream.error());
   stream_ = std::move(*stream);
   const bool had_frame = std::exchange(has_frame_, false);
-  // A stream that broke at once must not be started again at once.
-  if (!had_frame) wait_for(*place_.calls, -1, 0, wake_, kBetweenTries_ms);
+  // Prevents a busy loop of streams that fail at once.
+  if (!had_frame) wait_for(*access_.calls, -1, 0, wake_, kRetryInterval_ms);
 }
 
 void V4l2Camera::drop_device(const Error& why) {
@@ -287,28 +287,28 @@ void V4l2Camera::drop_device(const Error& why) {
 
 void V4l2Camera::wait_for_plug() {
   const int descriptor = plug_ == nullptr ? -1 : plug_->descriptor();
-  // Also looks without news: a container may hear none.
-  if (wait_for(*place_.calls, descriptor, POLLIN, wake_, kBetweenTries_ms) != 0)
+  // The timeout also covers containers, which may receive no events.
+  if (wait_for(*access_.calls, descriptor, POLLIN, wake_, kRetryInterval_ms) != 0)
     static_cast<void>(plug_->read());
 }
 
 void V4l2Camera::reconnect() {
-  const auto node = place_.find_node();
+  const auto node = access_.find_node();
   if (!node) return;
-  auto device = V4l2Device::open(*place_.calls, *node);
+  auto device = V4l2Device::open(*access_.calls, *node);
   const Status status = device.ok() ? start(std::move(*device)) : Status(device.error());
   if (!status) return trouble(CameraState::kGone, status.error());
   {
     const std::lock_guard lock(status_mutex_);
     status_.state = CameraState::kStalled;
     status_.trouble =
-        Error{en::say("the camera is back and has not sent a picture yet"), place_.identity, ""};
+        Error{en::say("the camera is back and has not sent a picture yet"), access_.identity, ""};
   }
   remark(en::say("The camera was plugged in again at {}", *node));
 }
 
-/// The stream ends; another begins with the format of before where the camera still has it.
-void V4l2Camera::agree_anew() {
+/// Restarts the stream with the previous format where the camera still has it.
+void V4l2Camera::renegotiate() {
   const Message before = format_.text();
   std::optional<V4l2Device> device;
   {
@@ -323,32 +323,32 @@ void V4l2Camera::agree_anew() {
   trouble(
       CameraState::kStalled,
       {en::say("the camera's signal changed: it sent {}, and sends {} now", before, format_.text()),
-       place_.identity,
+       access_.identity,
        en::say("look after what is plugged into it, if this was not meant")});
 }
 
 Error V4l2Camera::unplugged() const {
   return {en::say("the camera was unplugged"),
-          place_.identity,
+          access_.identity,
           en::say("plug it in again; it goes on by itself with the same settings")};
 }
 
 void V4l2Camera::trouble(CameraState state, const Error& error) {
-  bool is_news = false;
+  bool is_new = false;
   {
     const std::lock_guard lock(status_mutex_);
-    is_news = !status_.trouble || status_.trouble->what != error.what;
+    is_new = !status_.trouble || status_.trouble->what != error.what;
     status_.state = state;
     status_.trouble = error;
   }
-  if (is_news) hub_.fault(error);
+  if (is_new) hub_.fault(error);
 }
 
 void V4l2Camera::remark(const Message& what) {
   const std::lock_guard lock(status_mutex_);
   ++status_.remarked;
   remarks_.push_back(en::say("{}.", what));
-  if (remarks_.size() > kMostRemarks) remarks_.pop_front();
+  if (remarks_.size() > kMaxRemarks) remarks_.pop_front();
 }
 
 CameraStatus V4l2Camera::status() const {

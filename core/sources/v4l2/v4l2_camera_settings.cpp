@@ -1,30 +1,30 @@
-// What the camera is set to: told with every frame, changed, and held still.
+// The camera's settings: added to every frame, changed, and locked.
 #include "core/sources/frame_settings.h"
 #include "core/sources/v4l2/v4l2_camera.h"
 
 namespace alltact {
 
-/// As far as they are known without asking the camera for each frame.
+/// Known settings, without a request to the camera for each frame.
 std::shared_ptr<const std::string> V4l2Camera::controls_now() {
   std::string text;
-  add_setting(text, "Camera", place_.identity);
-  if (!place_.serial.empty()) add_setting(text, "Serial number", place_.serial);
+  add_setting(text, "Camera", access_.identity);
+  if (!access_.serial.empty()) add_setting(text, "Serial number", access_.serial);
   add_setting(text, "Format", format_.text().english());
   {
     const std::lock_guard lock(device_mutex_);
-    for (const ControlValue& control : wanted_)
+    for (const ControlValue& control : restore_values_)
       add_setting(text, control.name, fmt::format("{}", control.value));
   }
-  if (told_controls_ == nullptr || *told_controls_ != text)
-    told_controls_ = std::make_shared<const std::string>(std::move(text));
-  return told_controls_;
+  if (frame_controls_ == nullptr || *frame_controls_ != text)
+    frame_controls_ = std::make_shared<const std::string>(std::move(text));
+  return frame_controls_;
 }
 
 CameraSettings V4l2Camera::settings() const {
   const std::lock_guard lock(device_mutex_);
-  return {place_.identity,
+  return {access_.identity,
           format_,
-          device_ == nullptr ? wanted_ : settings_of(list_controls(*device_))};
+          device_ == nullptr ? restore_values_ : settings_of(list_controls(*device_))};
 }
 
 Result<std::vector<CameraControl>> V4l2Camera::controls() const {
@@ -37,7 +37,7 @@ Status V4l2Camera::set_control(const ControlValue& control) {
   const std::lock_guard lock(device_mutex_);
   if (device_ == nullptr) return unplugged();
   if (const Status status = write_control(*device_, control); !status) return status;
-  merge_controls(wanted_, {control});
+  merge_controls(restore_values_, {control});
   if (ControlValue* held = find_control(held_, control.id)) held->value = control.value;
   return {};
 }
@@ -47,7 +47,7 @@ Status V4l2Camera::lock() {
   if (device_ == nullptr) return unplugged();
   std::vector<Message> problems;
   held_ = lock_brightness(*device_, problems);
-  merge_controls(wanted_, held_);
+  merge_controls(restore_values_, held_);
   for (const Message& problem : problems) remark(problem);
   return {};
 }
@@ -71,11 +71,11 @@ void V4l2Camera::follow_changes() {
       is_other_source = true;
     }
   }
-  if (is_other_source) agree_anew();
+  if (is_other_source) renegotiate();
 }
 
 void V4l2Camera::check_next_held() {
-  next_check_ = std::chrono::steady_clock::now() + kBetweenChecks;
+  next_check_ = std::chrono::steady_clock::now() + kCheckInterval;
   const auto held = locked();
   if (held.empty()) return;
   const ControlValue& control = held[next_held_++ % held.size()];
@@ -86,16 +86,16 @@ void V4l2Camera::check_next_held() {
 void V4l2Camera::on_change(const ControlValue& change) {
   const std::lock_guard lock(device_mutex_);
   ControlValue* held = find_control(held_, change.id);
-  ControlValue* wanted = find_control(wanted_, change.id);
+  ControlValue* to_restore = find_control(restore_values_, change.id);
   if (held == nullptr) {
-    if (wanted != nullptr) wanted->value = change.value;
+    if (to_restore != nullptr) to_restore->value = change.value;
     return;
   }
   if (change.value == held->value) return;
   const Status status = write_control(*device_, *held);
   if (status.ok()) {
     const std::lock_guard status_lock(status_mutex_);
-    ++status_.counts.put_back;
+    ++status_.counts.restored;
   }
   const Message changed = en::say(
       "'{}' was changed from {} to {} by something else", held->name, held->value, change.value);

@@ -62,7 +62,7 @@ Request cleared() {
   return request;
 }
 
-constexpr std::uint32_t kMostEntries = 1000;  // of any list: a driver without end is a fault
+constexpr std::uint32_t kMaxEntries = 1000;  // of any list: a driver without end is a fault
 
 void add_rates(const V4l2Device& device, CameraFormat format, std::vector<CameraFormat>& formats) {
   const std::size_t before = formats.size();
@@ -71,7 +71,7 @@ void add_rates(const V4l2Device& device, CameraFormat format, std::vector<Camera
     format.seconds_denominator = seconds.denominator;
     formats.push_back(format);
   };
-  for (std::uint32_t i = 0; i < kMostEntries; ++i) {
+  for (std::uint32_t i = 0; i < kMaxEntries; ++i) {
     auto rate = cleared<v4l2_frmivalenum>();
     rate.index = i;
     rate.pixel_format = format.fourcc;
@@ -115,7 +115,7 @@ void add_stepwise(const V4l2Device& device,
 }
 
 void add_sizes(const V4l2Device& device, std::uint32_t fourcc, std::vector<CameraFormat>& formats) {
-  for (std::uint32_t i = 0; i < kMostEntries; ++i) {
+  for (std::uint32_t i = 0; i < kMaxEntries; ++i) {
     auto size = cleared<v4l2_frmsizeenum>();
     size.index = i;
     size.pixel_format = fourcc;
@@ -126,16 +126,16 @@ void add_sizes(const V4l2Device& device, std::uint32_t fourcc, std::vector<Camer
   }
 }
 
-bool meets(const CameraFormat& format, const FormatWish& wish) {
+bool meets(const CameraFormat& format, const FormatCriteria& criteria) {
   return can_decode(format.fourcc) &&
-         (wish.fourcc.empty() || fourcc_text(format.fourcc) == wish.fourcc) &&
-         (wish.width_px == 0 || format.width_px == wish.width_px) &&
-         (wish.height_px == 0 || format.height_px == wish.height_px) &&
-         (wish.frames_per_second <= 0 ||
-          std::abs(format.frames_per_second() - wish.frames_per_second) < 0.05);
+         (criteria.fourcc.empty() || fourcc_text(format.fourcc) == criteria.fourcc) &&
+         (criteria.width_px == 0 || format.width_px == criteria.width_px) &&
+         (criteria.height_px == 0 || format.height_px == criteria.height_px) &&
+         (criteria.frames_per_second <= 0 ||
+          std::abs(format.frames_per_second() - criteria.frames_per_second) < 0.05);
 }
 
-/// Whole brightness for every pixel before half-rate colours before compression.
+/// Ranks formats: full brightness for every pixel, then half-rate colours, then compression.
 int rank_of(std::uint32_t fourcc) {
   switch (static_cast<PixelFormat>(fourcc)) {
     case PixelFormat::kGrey:
@@ -151,26 +151,27 @@ int rank_of(std::uint32_t fourcc) {
 }
 
 Message listed(const std::vector<CameraFormat>& offered) {
-  constexpr std::size_t kMost = 12;
+  constexpr std::size_t kMaxListed = 12;
   std::vector<Message> formats;
   for (const CameraFormat& format : offered)
-    if (formats.size() < kMost) formats.push_back(format.text());
+    if (formats.size() < kMaxListed) formats.push_back(format.text());
   const Message list = en::list(formats);
-  if (offered.size() > kMost) return en::say("{} and more", list);
+  if (offered.size() > kMaxListed) return en::say("{} and more", list);
   return list.empty() ? en::say("nothing") : list;
 }
 
 }  // namespace
 
 Message CameraFormat::text() const {
-  const std::string picture = fmt::format("{}x{} {}", width_px, height_px, fourcc_text(fourcc));
-  if (frames_per_second() <= 0) return Message::typed(picture);
+  const std::string image_format =
+      fmt::format("{}x{} {}", width_px, height_px, fourcc_text(fourcc));
+  if (frames_per_second() <= 0) return Message::typed(image_format);
   const double rate = std::round(frames_per_second() * 100) / 100;
-  return en::say("{} at {:g} frames per second", picture, rate);
+  return en::say("{} at {:g} frames per second", image_format, rate);
 }
 
 Result<CameraFormat> choose_format(const std::vector<CameraFormat>& offered,
-                                   const FormatWish& wish,
+                                   const FormatCriteria& criteria,
                                    const std::string& node) {
   const auto worth = [](const CameraFormat& format) {
     const double rate = format.frames_per_second();
@@ -181,7 +182,8 @@ Result<CameraFormat> choose_format(const std::vector<CameraFormat>& offered,
   };
   const CameraFormat* best = nullptr;
   for (const CameraFormat& format : offered)
-    if (meets(format, wish) && (best == nullptr || worth(format) > worth(*best))) best = &format;
+    if (meets(format, criteria) && (best == nullptr || worth(format) > worth(*best)))
+      best = &format;
   if (best == nullptr)
     return Error{
         en::say("the camera has no such format that can be read; it offers {}", listed(offered)),
@@ -191,10 +193,10 @@ Result<CameraFormat> choose_format(const std::vector<CameraFormat>& offered,
 }
 
 Error camera_error(const Message& doing, const std::string& node, int error_number) {
-  return told(doing, node, words_for(error_number), error_number);
+  return errno_error(doing, node, words_for(error_number), error_number);
 }
 
-bool means_gone(int error_number) {
+bool is_gone_error(int error_number) {
   return error_number == ENODEV || error_number == ENXIO || error_number == ENOENT;
 }
 
@@ -239,7 +241,7 @@ Result<V4l2Device::Capability> V4l2Device::capability() const {
 
 std::vector<CameraFormat> V4l2Device::formats() const {
   std::vector<CameraFormat> formats;
-  for (std::uint32_t i = 0; i < kMostEntries; ++i) {
+  for (std::uint32_t i = 0; i < kMaxEntries; ++i) {
     auto description = cleared<v4l2_fmtdesc>();
     description.index = i;
     description.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
@@ -257,24 +259,24 @@ std::vector<CameraFormat> V4l2Device::formats() const {
 Result<std::size_t> V4l2Device::configure(CameraFormat& format) const {
   auto request = cleared<v4l2_format>();
   request.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
-  v4l2_pix_format& picture = request.fmt.pix;
-  picture.width = static_cast<std::uint32_t>(format.width_px);
-  picture.height = static_cast<std::uint32_t>(format.height_px);
-  picture.pixelformat = format.fourcc;
-  picture.field = V4L2_FIELD_NONE;
+  v4l2_pix_format& image_format = request.fmt.pix;
+  image_format.width = static_cast<std::uint32_t>(format.width_px);
+  image_format.height = static_cast<std::uint32_t>(format.height_px);
+  image_format.pixelformat = format.fourcc;
+  image_format.field = V4L2_FIELD_NONE;
   if (const int error = ioctl(VIDIOC_S_FMT, &request); error != 0)
     return camera_error(
         en::say("the camera's format cannot be set to {}", format.text()), node_, error);
-  const CameraFormat got{picture.pixelformat,
-                         static_cast<int>(picture.width),
-                         static_cast<int>(picture.height),
+  const CameraFormat got{image_format.pixelformat,
+                         static_cast<int>(image_format.width),
+                         static_cast<int>(image_format.height),
                          format.seconds_numerator,
                          format.seconds_denominator};
   if (got != format)
     return Error{en::say("the camera was asked for {} and chose {}", format.text(), got.text()),
                  node_,
                  en::say("a format that 'alltact devices --details' lists for it")};
-  if (format.seconds_numerator == 0) return picture.bytesperline;
+  if (format.seconds_numerator == 0) return image_format.bytesperline;
 
   auto rate = cleared<v4l2_streamparm>();
   rate.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
@@ -287,7 +289,7 @@ Result<std::size_t> V4l2Device::configure(CameraFormat& format) const {
     format.seconds_numerator = seconds.numerator;
     format.seconds_denominator = seconds.denominator;
   }
-  return picture.bytesperline;
+  return image_format.bytesperline;
 }
 
 }  // namespace alltact

@@ -10,7 +10,7 @@
 namespace alltact {
 namespace {
 
-/// One is being filled, one waits, two bridge a reader that was held up for two frames.
+/// One buffer is being filled, one waits, two cover a reader that is delayed by two frames.
 constexpr std::uint32_t kBuffers = 4;
 
 v4l2_buffer capture_buffer(std::uint32_t index = 0) {
@@ -42,8 +42,8 @@ std::int64_t now_ns() {
 std::int64_t time_of(const v4l2_buffer& buffer) {
   const bool is_monotonic =
       (buffer.flags & V4L2_BUF_FLAG_TIMESTAMP_MASK) == V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC;
-  constexpr std::int64_t kMostSeconds = std::int64_t{1} << 33;  // what is beyond is no time
-  const bool is_time = buffer.timestamp.tv_sec >= 0 && buffer.timestamp.tv_sec < kMostSeconds &&
+  constexpr std::int64_t kMaxSeconds = std::int64_t{1} << 33;  // larger values are invalid times
+  const bool is_time = buffer.timestamp.tv_sec >= 0 && buffer.timestamp.tv_sec < kMaxSeconds &&
                        buffer.timestamp.tv_usec >= 0 && buffer.timestamp.tv_usec < 1'000'000;
   if (!is_monotonic || !is_time) return now_ns();
   return std::int64_t{buffer.timestamp.tv_sec} * 1'000'000'000 +
@@ -101,17 +101,17 @@ V4l2Stream::Taken V4l2Stream::take() {
   if (error == EAGAIN) return {};
   if (error != 0) return {error, std::nullopt};
   if (buffer.index >= buffers_.size()) return {EIO, std::nullopt};
-  const std::span<const std::uint8_t> whole = buffers_[buffer.index];
+  const std::span<const std::uint8_t> buffer_bytes = buffers_[buffer.index];
   Filled filled;
   filled.index = buffer.index;
-  filled.bytes = whole.first(std::min<std::size_t>(buffer.bytesused, whole.size()));
+  filled.bytes = buffer_bytes.first(std::min<std::size_t>(buffer.bytesused, buffer_bytes.size()));
   filled.sequence = buffer.sequence;
   filled.time_ns = time_of(buffer);
   filled.is_damaged = (buffer.flags & V4L2_BUF_FLAG_ERROR) != 0;
   return {0, filled};
 }
 
-int V4l2Stream::give_back(const Filled& filled) {
+int V4l2Stream::requeue(const Filled& filled) {
   return queue(filled.index);
 }
 

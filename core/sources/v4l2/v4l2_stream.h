@@ -1,4 +1,4 @@
-// A running stream: buffers shared with the kernel, one frame taken and given back at a time.
+// A running stream with buffers shared with the kernel.
 #pragma once
 
 #include "core/result.h"
@@ -11,7 +11,7 @@
 
 namespace alltact {
 
-/// Stops streaming and unmaps when it goes away. One thread. The device must outlive it.
+/// Stops streaming and unmaps when destroyed. One thread. The device must outlive it.
 class V4l2Stream {
  public:
   /// The device must have been configured. Error: no buffers, no bandwidth, in use, gone.
@@ -20,13 +20,13 @@ class V4l2Stream {
   V4l2Stream(const V4l2Stream&) = delete;
   V4l2Stream& operator=(const V4l2Stream&) = delete;
 
-  /// A filled buffer; its bytes are valid until give_back().
+  /// A filled buffer; its bytes are valid until requeue().
   struct Filled {
     std::uint32_t index = 0;
     std::span<const std::uint8_t> bytes;
     std::uint32_t sequence = 0;
-    std::int64_t time_ns = 0;  ///< monotonic; when it was taken, if the driver's clock is another
-    bool is_damaged = false;   ///< the driver says that data was lost
+    std::int64_t time_ns = 0;  ///< monotonic; the time of take(), if the driver's clock is another
+    bool is_damaged = false;   ///< the driver reports lost data
   };
   /// error 0 and no buffer: none is filled yet.
   struct Taken {
@@ -35,7 +35,7 @@ class V4l2Stream {
   };
   [[nodiscard]] Taken take();
   /// Returns 0 or the error number.
-  [[nodiscard]] int give_back(const Filled& filled);
+  [[nodiscard]] int requeue(const Filled& filled);
 
  private:
   explicit V4l2Stream(const V4l2Device& device) : device_(&device) {}

@@ -8,7 +8,7 @@ namespace alltact::python {
 namespace {
 
 struct Held {
-  cv::Mat picture;
+  cv::Mat image;
   std::shared_ptr<const void> owner;
 };
 
@@ -25,8 +25,8 @@ py::dtype dtype_of(int depth) {
   }
 }
 
-/// The memory of an array of this kind, whatever its rows' distance.
-cv::Mat picture_over(const py::object& given, const py::dtype& dtype, int type, const char* what) {
+/// The memory of an array of this kind, with any distance between rows.
+cv::Mat image_over(const py::object& given, const py::dtype& dtype, int type, const char* what) {
   const py::array array =
       py::isinstance<py::array>(given) ? py::reinterpret_borrow<py::array>(given) : py::array();
   const auto size = static_cast<py::ssize_t>(CV_ELEM_SIZE(type));
@@ -37,7 +37,7 @@ cv::Mat picture_over(const py::object& given, const py::dtype& dtype, int type, 
     throw Failure({en::say("this is not {}", Message::typed(what)),
                    "",
                    en::say("numpy.ascontiguousarray, and one channel")});
-  // OpenCV's headers know no picture that is only read.
+  // OpenCV's headers have no type for a read-only image.
   return {static_cast<int>(array.shape(0)),
           static_cast<int>(array.shape(1)),
           type,
@@ -45,8 +45,8 @@ cv::Mat picture_over(const py::object& given, const py::dtype& dtype, int type, 
           static_cast<std::size_t>(array.strides(0))};
 }
 
-/// Gives up a Python object on whatever thread; not once the interpreter has gone.
-void give_up(py::object* object) {
+/// Releases a Python object on whatever thread; not once the interpreter has gone.
+void release_object(py::object* object) {
   if (Py_IsInitialized() == 0) return;
   const py::gil_scoped_acquire python;
   delete object;
@@ -54,10 +54,10 @@ void give_up(py::object* object) {
 
 }  // namespace
 
-py::object array_of(const cv::Mat& picture, std::shared_ptr<const void> owner) {
-  if (picture.empty()) return py::none();
-  auto held = std::make_unique<Held>(Held{picture, std::move(owner)});
-  const cv::Mat& mat = held->picture;
+py::object array_of(const cv::Mat& image, std::shared_ptr<const void> owner) {
+  if (image.empty()) return py::none();
+  auto held = std::make_unique<Held>(Held{image, std::move(owner)});
+  const cv::Mat& mat = held->image;
   std::vector<py::ssize_t> shape{mat.rows, mat.cols};
   std::vector<py::ssize_t> strides{static_cast<py::ssize_t>(mat.step[0]),
                                    static_cast<py::ssize_t>(mat.elemSize())};
@@ -67,26 +67,25 @@ py::object array_of(const cv::Mat& picture, std::shared_ptr<const void> owner) {
   }
   const void* data = mat.data;
   const py::capsule base(held.release(), [](void* all) { delete static_cast<Held*>(all); });
-  py::array array(dtype_of(picture.depth()), shape, strides, data, base);
+  py::array array(dtype_of(image.depth()), shape, strides, data, base);
   array.attr("flags").attr("writeable") = false;
   return array;
 }
 
-std::shared_ptr<Frame> frame_over(const py::object& picture) {
-  const cv::Mat grey = picture_over(
-      picture, py::dtype::of<std::uint8_t>(), CV_8UC1, "a grey picture: an array uint8 [v, u]");
-  auto* const held = new py::object(picture);
+std::shared_ptr<Frame> frame_over(const py::object& image) {
+  const cv::Mat grey = image_over(
+      image, py::dtype::of<std::uint8_t>(), CV_8UC1, "a grey picture: an array uint8 [v, u]");
+  auto* const held = new py::object(image);
   std::shared_ptr<Frame> frame(new Frame, [held](Frame* over) {
     delete over;
-    give_up(held);
+    release_object(held);
   });
   frame->grey = grey;
   return frame;
 }
 
 cv::Mat depth_over(const py::object& depth) {
-  return picture_over(
-      depth, py::dtype::of<float>(), CV_32FC1, "depth: an array float32 [v, u], mm");
+  return image_over(depth, py::dtype::of<float>(), CV_32FC1, "depth: an array float32 [v, u], mm");
 }
 
 }  // namespace alltact::python

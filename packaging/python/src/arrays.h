@@ -1,4 +1,4 @@
-// Pictures as NumPy sees them and back, in the same memory.
+// Images as NumPy arrays and back, in the same memory.
 #pragma once
 
 #include "core/frame.h"
@@ -12,17 +12,17 @@ namespace alltact::python {
 
 namespace py = pybind11;
 
-/// A read-only array [v, u] or [v, u, channel] over the picture's memory, which lives as long as
-/// the array. `owner` too, where the memory is another's; None for an empty picture.
-[[nodiscard]] py::object array_of(const cv::Mat& picture,
+/// A read-only array [v, u] or [v, u, channel] over the image's memory, which lives as long as the
+/// array. `owner`: owner of the memory where it is not the image's; None for an empty image.
+[[nodiscard]] py::object array_of(const cv::Mat& image,
                                   std::shared_ptr<const void> owner = nullptr);
 
-/// The array's memory as a frame, which holds the array. Throws Failure for anything but uint8
-/// [v, u] with pixels side by side.
-[[nodiscard]] std::shared_ptr<Frame> frame_over(const py::object& picture);
+/// The array's memory as a frame, which holds the array. Throws Failure for anything but uint8 [v,
+/// u] with contiguous rows.
+[[nodiscard]] std::shared_ptr<Frame> frame_over(const py::object& image);
 
-/// A depth map's memory; nothing holds it. Throws Failure for anything but float32 [v, u] with
-/// pixels side by side.
+/// A depth map's memory, without holding it. Throws Failure for anything but float32 [v, u] with
+/// contiguous rows.
 [[nodiscard]] cv::Mat depth_over(const py::object& depth);
 
 }  // namespace alltact::python

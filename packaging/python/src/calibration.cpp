@@ -1,7 +1,7 @@
-// Calibrating a finger with presses of a ball, and what a study kept with it.
+// Calibrating a finger with presses of a ball, and the presets that a study stored with it.
 #include "calibration/finger/calibrate_finger.h"
 #include "calibration/finger/measuring_presets.h"
-#include "calibration/presses/press_sayings.h"
+#include "calibration/presses/press_note_kinds.h"
 #include "core/program.h"
 
 #include <map>
@@ -19,20 +19,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Long work that tells Python how far it is, and that Ctrl-C stops.
+/// Long work that reports its progress to Python, and that Ctrl-C stops.
 class WatchedJob {
  public:
   explicit WatchedJob(py::object progress)
       : progress_(std::move(progress)),
-        job_([this](double fraction, const Message& what) { tell(fraction, what); }) {}
+        job_([this](double fraction, const Message& what) { report_progress(fraction, what); }) {}
   [[nodiscard]] const Job& job() const { return job_; }
-  /// What Python said while it was told: to be raised once the work has stopped.
+  /// An exception of Python's progress callback, raised once the work has stopped.
   void raise() {
     if (raised_) throw py::error_already_set(std::move(*raised_));
   }
 
  private:
-  void tell(double fraction, const Message& what) {
+  void report_progress(double fraction, const Message& what) {
     const py::gil_scoped_acquire python;
     if (raised_) return;
     try {
@@ -65,7 +65,7 @@ py::list presses_of(const FingerCalibration& done) {
   return presses;
 }
 
-/// Files, or frames that are at hand.
+/// Files, or frames in memory.
 PressInput press_input(const py::object& given, bool bursts) {
   PressInput input;
   input.bursts = bursts;
@@ -89,23 +89,24 @@ void take_settings(const py::kwargs& settings, FingerCalibrationInput& input) {
   }
 }
 
-void take_sayings(const std::map<std::string, std::vector<std::string>>& say, PressSet& said) {
+void add_annotations(const std::map<std::string, std::vector<std::string>>& say,
+                     PressSet& press_set) {
   for (const auto& [flag, texts] : say) {
-    const auto& kinds = press_sayings();
+    const auto& kinds = press_note_kinds();
     const auto kind = std::find_if(
-        kinds.begin(), kinds.end(), [wanted = flag_of(flag)](const PressSaying& known) {
-          return wanted == known.flag;
+        kinds.begin(), kinds.end(), [flag_name = flag_of(flag)](const PressNoteKind& known) {
+          return flag_name == known.flag;
         });
     if (kind == kinds.end()) {
       std::vector<std::string> names;
-      for (const PressSaying& known : kinds) names.emplace_back(known.flag);
+      for (const PressNoteKind& known : kinds) names.emplace_back(known.flag);
       throw Failure({en::say("nothing of this kind can be said of a press: '{}', but {}",
                              flag,
                              one_of(names, flag)),
                      "",
                      ""});
     }
-    for (const std::string& text : texts) check(say_of_press(*kind, text, said));
+    for (const std::string& text : texts) check(set_press_note(*kind, text, press_set));
   }
 }
 
@@ -124,9 +125,9 @@ std::shared_ptr<FingerCalibration> calibrate(const fs::path& folder,
   FingerCalibrationInput input;
   input.folder = folder;
   input.presses = press_input(presses, bursts);
-  input.said.ball_radius_mm = ball_radius_mm;
-  input.said.operator_name = operator_name;
-  take_sayings(say, input.said);
+  input.press_set.ball_radius_mm = ball_radius_mm;
+  input.press_set.operator_name = operator_name;
+  add_annotations(say, input.press_set);
   take_settings(settings, input);
   input.reference = reference;
   input.date = date;
@@ -142,15 +143,15 @@ std::shared_ptr<FingerCalibration> calibrate(const fs::path& folder,
 }
 
 py::dict presets_in(const fs::path& folder) {
-  const MeasuringPresets kept = value_of(presets_of_finger(folder));
+  const MeasuringPresets stored = value_of(presets_of_finger(folder));
   py::dict presets;
-  for (const MeasuringPreset& preset : kept.presets) {
-    py::dict told;
-    told["frame_ms"] = preset.frame_ms;
-    told["median_mm"] = preset.median_mm;
-    told["p95_mm"] = preset.p95_mm;
-    told["settings"] = settings_dict(pipeline_settings(), preset.settings);
-    presets[preset.name.c_str()] = std::move(told);
+  for (const MeasuringPreset& preset : stored.presets) {
+    py::dict fields;
+    fields["frame_ms"] = preset.frame_ms;
+    fields["median_mm"] = preset.median_mm;
+    fields["p95_mm"] = preset.p95_mm;
+    fields["settings"] = settings_dict(pipeline_settings(), preset.settings);
+    presets[preset.name.c_str()] = std::move(fields);
   }
   return presets;
 }

@@ -1,4 +1,4 @@
-// Classes and functions of the module, with what _alltact.pyi says of them.
+// Classes and functions of the module, with the documentation of _alltact.pyi.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace alltact::python {
 
 namespace py = pybind11;
 
-/// "Finger.measure": what the stub says of it; empty where that is nothing.
+/// The stub's documentation of "Finger.measure"; empty where there is none.
 [[nodiscard]] const char* doc_of(const std::string& name);
 
 template <class T>

@@ -1,4 +1,4 @@
-// What went wrong, as Python hears of it: alltact.Error.
+// Errors as Python exceptions: alltact.Error.
 #pragma once
 
 #include "core/result.h"

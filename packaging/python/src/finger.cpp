@@ -1,8 +1,8 @@
-// A finger that measures: single pictures, recordings as the command line does, live sources.
+// A finger that measures: single images, recordings as the command line does, live sources.
 #include "calibration/export/description_json.h"
 #include "calibration/finger/measuring_presets.h"
-#include "calibration/live/followed_finger.h"
-#include "core/batch/frames_in_turn.h"
+#include "calibration/live/watched_finger.h"
+#include "core/batch/sequential_batch.h"
 #include "core/sources/newest_source.h"
 
 #include "packaging/python/src/arrays.h"
@@ -19,8 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Which settings a finger is measured with, as they stand in its folder now.
-struct WantedSettings {
+/// The settings that a finger is measured with, as its folder has them now.
+struct RequestedSettings {
   fs::path folder;
   std::string preset;
   std::vector<std::pair<std::string, std::string>> given;
@@ -47,13 +47,13 @@ struct WantedSettings {
     const auto settings = now();
     if (!settings) return settings.error();
     return finger.finger.reference ? Pipeline::create(finger, *settings, job)
-                                   : Pipeline::before_reference(finger, *settings);
+                                   : Pipeline::without_reference(finger, *settings);
   }
 };
 
 /// A finger as it was when it was loaded.
 struct OpenFinger {
-  WantedSettings wanted;
+  RequestedSettings requested;
   FingerPtr finger;
   std::mutex measuring;  // over:
   std::optional<Pipeline> pipeline;
@@ -67,23 +67,23 @@ std::string words_of(const py::handle& value) {
 
 OpenFingerPtr load(const fs::path& folder, const std::string& preset, const py::kwargs& settings) {
   auto open = std::make_shared<OpenFinger>();
-  open->wanted = {folder, preset, {}};
+  open->requested = {folder, preset, {}};
   for (const auto& [name, value] : settings)
-    open->wanted.given.emplace_back(words_of(name), words_of(value));
+    open->requested.given.emplace_back(words_of(name), words_of(value));
   const py::gil_scoped_release others_may_run;
   open->finger = value_of(alltact::open_finger(folder));
-  open->pipeline = value_of(open->wanted.pipeline(*open->finger, Job()));
+  open->pipeline = value_of(open->requested.pipeline(*open->finger, Job()));
   return open;
 }
 
 /// A frame of its own or one made over an array.
 FramePtr frame_to_measure(OpenFinger& open,
-                          const py::object& picture,
+                          const py::object& image,
                           std::int64_t time_ns,
                           const std::string& name) {
-  if (py::isinstance<Frame>(picture)) return picture.cast<std::shared_ptr<Frame>>();
-  auto frame = frame_over(picture);
-  // What is averaged must stay what it is; the array is the caller's.
+  if (py::isinstance<Frame>(image)) return image.cast<std::shared_ptr<Frame>>();
+  auto frame = frame_over(image);
+  // Averaged frames must not change; the array is the caller's.
   if (open.pipeline->settings().average_frames > 1) frame->grey = frame->grey.clone();
   frame->time_ns = time_ns;
   frame->sequence = open.index;
@@ -92,10 +92,10 @@ FramePtr frame_to_measure(OpenFinger& open,
 }
 
 MeasuredResultPtr measure(OpenFinger& open,
-                          const py::object& picture,
+                          const py::object& image,
                           std::int64_t time_ns,
                           const std::string& name) {
-  FramePtr frame = frame_to_measure(open, picture, time_ns, name);
+  FramePtr frame = frame_to_measure(open, image, time_ns, name);
   const py::gil_scoped_release others_may_run;
   const std::lock_guard lock(open.measuring);
   auto result = value_of((*open.pipeline)(frame));
@@ -109,7 +109,7 @@ class EveryFrame {
   EveryFrame(const OpenFinger& open, OpenSourcePtr source)
       : finger_(open.finger),
         source_(std::move(source)),
-        frames_(value_of(open.wanted.pipeline(*open.finger, Job())),
+        frames_(value_of(open.requested.pipeline(*open.finger, Job())),
                 source_->get().is_continuous()) {}
 
   /// Null after the last one.
@@ -130,19 +130,19 @@ class EveryFrame {
  private:
   FingerPtr finger_;
   OpenSourcePtr source_;
-  FramesInTurn frames_;
+  SequentialBatch frames_;
   std::size_t index_ = 0;
 };
 
-/// The newest frame of a source again and again, measured by the finger as it is then.
+/// The newest frame of a source again and again, measured with the finger's current files.
 class NewestFrame {
  public:
   NewestFrame(const OpenFinger& open, const OpenSourcePtr& source)
       : source_(source),
-        finger_(value_of(FollowedFinger::open(
-            open.wanted.folder,
-            [wanted = open.wanted](const FingerSnapshot& finger, const Job& job) {
-              return wanted.pipeline(finger, job);
+        finger_(value_of(WatchedFinger::open(
+            open.requested.folder,
+            [requested = open.requested](const FingerSnapshot& finger, const Job& job) {
+              return requested.pipeline(finger, job);
             },
             Job()))) {
     static_cast<void>(source->get());  // or throws
@@ -153,7 +153,7 @@ class NewestFrame {
   MeasuredResultPtr next() {
     const std::lock_guard lock(reading_);
     if (!newest_) return nullptr;
-    static_cast<void>(finger_->take_news());
+    static_cast<void>(finger_->take_update());
     const auto now = std::make_shared<const FingerSnapshot>(finger_->finger());
     const auto frame = newest_->next();
     if (frame && !*frame) return nullptr;
@@ -173,14 +173,14 @@ class NewestFrame {
 
  private:
   OpenSourcePtr source_;  // its job
-  std::unique_ptr<FollowedFinger> finger_;
+  std::unique_ptr<WatchedFinger> finger_;
   std::mutex reading_;
   std::optional<NewestSource> newest_;
   std::size_t index_ = 0;
   std::uint64_t skipped_ = 0;
 };
 
-/// Ends with nobody waiting for the interpreter meanwhile.
+/// Destroys it without the interpreter's lock, so that nobody waits for it.
 template <class T>
 std::shared_ptr<T> ended_apart(std::unique_ptr<T> frames) {
   return std::shared_ptr<T>(frames.release(), [](T* ending) {
@@ -221,7 +221,7 @@ void bind_frames(py::module_& module) {
 }
 
 void bind_facts(Documented<OpenFinger>& finger) {
-  finger.property("folder", [](const OpenFinger& f) { return f.wanted.folder; })
+  finger.property("folder", [](const OpenFinger& f) { return f.requested.folder; })
       .property("name", [](const OpenFinger& f) { return f.finger->finger.name; })
       .property("revision", [](const OpenFinger& f) { return f.finger->revision; })
       .property("is_calibrated", [](const OpenFinger& f) { return f.finger->mapping.has_value(); })
@@ -257,7 +257,7 @@ void bind_measuring(Documented<OpenFinger>& finger) {
       .method(
           "reconstruct",
           [](const OpenFinger& f, const py::object& source) {
-            const OpenSourcePtr opened = source_of(source, Pace::kAsked);
+            const OpenSourcePtr opened = source_of(source, Pace::kOnDemand);
             const py::gil_scoped_release others_may_run;
             return std::make_shared<EveryFrame>(f, opened);
           },

@@ -1,4 +1,4 @@
-// The module _alltact: core and calibration for Python. What it says of itself stands in
+// The module _alltact: core and calibration for Python. Its documentation is in
 // alltact/_alltact.pyi.
 #include "core/program.h"
 
@@ -17,11 +17,11 @@ void bind_failure(py::module_& module) {
     try {
       if (thrown) std::rethrow_exception(thrown);
     } catch (const Failure& failure) {
-      const py::object told = error(failure.what());
-      told.attr("what") = failure.error().what.english();
-      told.attr("where") = failure.error().where.english();
-      told.attr("advice") = failure.error().advice.english();
-      PyErr_SetObject(error.ptr(), told.ptr());
+      const py::object raised = error(failure.what());
+      raised.attr("what") = failure.error().what.english();
+      raised.attr("where") = failure.error().where.english();
+      raised.attr("advice") = failure.error().advice.english();
+      PyErr_SetObject(error.ptr(), raised.ptr());
     }
   });
 }
@@ -31,7 +31,7 @@ void bind_failure(py::module_& module) {
 PYBIND11_MODULE(_alltact, module) {
   using namespace alltact;
   using namespace alltact::python;
-  // Decoders' own messages would stand beside our sentences and say less.
+  // Decoders' own messages would mix with this program's sentences.
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   py::options docstrings;
   docstrings.disable_function_signatures();  // the stub has them, in Python's own types

@@ -12,14 +12,14 @@ namespace {
 
 using ResultPtr = MeasuredResultPtr;
 
-py::object told_of(MeasuredResult& result) {
-  if (!result.told) result.told = py::module_::import("json").attr("loads")(result.line);
-  return result.told;
+py::object parsed_line(MeasuredResult& result) {
+  if (!result.parsed) result.parsed = py::module_::import("json").attr("loads")(result.line);
+  return result.parsed;
 }
 
-/// What stands under a key; `absent` where nothing does.
-py::object told_under(MeasuredResult& result, const char* key, py::object absent = py::none()) {
-  return told_of(result).attr("get")(key, std::move(absent));
+/// The value under a key; `absent` where there is none.
+py::object parsed_value(MeasuredResult& result, const char* key, py::object absent = py::none()) {
+  return parsed_line(result).attr("get")(key, std::move(absent));
 }
 
 py::object depth_of(const ResultPtr& r) {
@@ -36,7 +36,7 @@ py::object points_of(const ResultPtr& r) {
   return array_of(r->points, r);
 }
 
-/// Whether both could be made.
+/// Returns whether both could be made.
 bool make_sd_and_limits(MeasuredResult& r) {
   if (!r.result || !r.result->depth || !r.result->reference || !r.finger->mapping) return false;
   if (!r.sd.empty()) return true;
@@ -59,13 +59,13 @@ py::object limits_of_result(const ResultPtr& r) {
 py::object markers_of(const MeasuredResult& r) {
   if (!r.result || !r.result->markers) return py::none();
   const Markers& markers = *r.result->markers;
-  py::array_t<double> places({markers.size(), std::size_t{2}});
-  auto at = places.mutable_unchecked<2>();
+  py::array_t<double> positions({markers.size(), std::size_t{2}});
+  auto at = positions.mutable_unchecked<2>();
   for (py::ssize_t m = 0; m < at.shape(0); ++m) {
     at(m, 0) = markers[static_cast<std::size_t>(m)].u;
     at(m, 1) = markers[static_cast<std::size_t>(m)].v;
   }
-  return places;
+  return positions;
 }
 
 py::object seen_of(const MeasuredResult& r) {
@@ -103,7 +103,7 @@ MeasuredResultPtr not_measured(FingerPtr finger,
   auto made = std::make_shared<MeasuredResult>();
   made->finger = std::move(finger);
   made->line =
-      failure_line(frame ? frame->name : name_of(problem, index), index, {as_sentence(problem)});
+      failure_line(frame ? frame->name : frame_name(problem, index), index, {as_sentence(problem)});
   made->frame = std::move(frame);
   return made;
 }
@@ -113,7 +113,7 @@ void bind_results(py::module_& module) {
       .property("frame",
                 [](const MeasuredResult& r) { return std::const_pointer_cast<Frame>(r.frame); })
       .property("line", [](const MeasuredResult& r) { return r.line; })
-      .property("told", &told_of)
+      .property("told", &parsed_line)
       .property("grey", &grey_of)
       .property("depth", &depth_of)
       .property("flags", &flags_of)
@@ -122,12 +122,14 @@ void bind_results(py::module_& module) {
       .property("limits", &limits_of_result)
       .property("markers", &markers_of)
       .property("markers_seen", &seen_of)
-      .property("contact", [](MeasuredResult& r) { return told_under(r, "finger_contact"); })
-      .property("push", [](MeasuredResult& r) { return told_under(r, "contact"); })
-      .property("regions", [](MeasuredResult& r) { return told_under(r, "regions", py::list()); })
-      .property("force", [](MeasuredResult& r) { return told_under(r, "force"); })
-      .property("problems", [](MeasuredResult& r) { return told_under(r, "problems", py::list()); })
-      .property("times_ms", [](MeasuredResult& r) { return told_under(r, "times_ms", py::dict()); })
+      .property("contact", [](MeasuredResult& r) { return parsed_value(r, "finger_contact"); })
+      .property("push", [](MeasuredResult& r) { return parsed_value(r, "contact"); })
+      .property("regions", [](MeasuredResult& r) { return parsed_value(r, "regions", py::list()); })
+      .property("force", [](MeasuredResult& r) { return parsed_value(r, "force"); })
+      .property("problems",
+                [](MeasuredResult& r) { return parsed_value(r, "problems", py::list()); })
+      .property("times_ms",
+                [](MeasuredResult& r) { return parsed_value(r, "times_ms", py::dict()); })
       .property("finger_revision", [](const MeasuredResult& r) { return r.finger->revision; });
 }
 

@@ -1,4 +1,4 @@
-// What a frame told, as Python holds it.
+// The results of a frame, as Python holds them.
 #pragma once
 
 #include "core/finger/finger_store.h"
@@ -15,14 +15,14 @@ namespace alltact::python {
 
 namespace py = pybind11;
 
-/// One frame's. What is dear is made when it is asked for, and kept.
+/// The results of one frame. Expensive parts are made at first use and cached.
 struct MeasuredResult {
   FingerPtr finger;
-  std::optional<FrameResult> result;  ///< absent: it could not be read or measured
+  std::optional<FrameResult> result;  ///< nullopt: it could not be read or measured
   FramePtr frame;                     ///< null: it could not be read
   std::string line;                   ///< of results.jsonl
   cv::Mat points, sd, limits;
-  py::object told;  ///< the line, parsed; null until it is asked for
+  py::object parsed;  ///< the line, parsed; null until first use
 };
 using MeasuredResultPtr = std::shared_ptr<MeasuredResult>;
 

@@ -1,4 +1,4 @@
-// Settings as Python names them: smoothing_px=1.0 is --smoothing-px 1.0 of the command line.
+// Settings by their Python names: smoothing_px=1.0 is --smoothing-px 1.0 of the command line.
 #pragma once
 
 #include "core/either.h"

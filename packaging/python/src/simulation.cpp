@@ -1,4 +1,4 @@
-// Scenes: pictures of a simulated finger, and the truth beside.
+// Scenes: images of a simulated finger, and the truth.
 #include "calibration/export/description_json.h"
 #include "core/simulation/plan.h"
 
@@ -20,7 +20,7 @@ struct OpenScene {
   Plan plan;
 };
 
-/// Beyond the last frame a scene goes on.
+/// A scene has no last frame, so any number from 0 on is valid.
 void refuse_negative(int number) {
   if (number < 0) throw py::index_error("there is no such frame");
 }
@@ -32,21 +32,21 @@ py::dict truth_of(const OpenScene& open, int number) {
     const py::gil_scoped_release others_may_run;
     truth = open.plan.truth(number);
   }
-  py::dict told = py::module_::import("json").attr("loads")(truth.to_json());
-  told["depth_mm"] = array_of(truth.depth_mm);
-  told["view_z_mm"] = array_of(truth.view_z_mm);
-  told["untouched_z_mm"] = array_of(truth.untouched_z_mm);
-  return told;
+  py::dict fields = py::module_::import("json").attr("loads")(truth.to_json());
+  fields["depth_mm"] = array_of(truth.depth_mm);
+  fields["view_z_mm"] = array_of(truth.view_z_mm);
+  fields["untouched_z_mm"] = array_of(truth.untouched_z_mm);
+  return fields;
 }
 
-py::object picture_of(const OpenScene& open, int number, int threads) {
+py::object image_of(const OpenScene& open, int number, int threads) {
   refuse_negative(number);
-  cv::Mat picture;
+  cv::Mat image;
   {
     const py::gil_scoped_release others_may_run;
-    picture = open.plan.render(number, threads);
+    image = open.plan.render(number, threads);
   }
-  return array_of(picture);
+  return array_of(image);
 }
 
 }  // namespace
@@ -72,7 +72,7 @@ void bind_simulation(py::module_& module) {
                       camera_json(s.plan.finger().camera).dump());
                 })
       .method("__len__", [](const OpenScene& s) { return s.plan.frame_count(); })
-      .method("render", &picture_of, py::arg("frame"), py::kw_only(), py::arg("threads") = 1)
+      .method("render", &image_of, py::arg("frame"), py::kw_only(), py::arg("threads") = 1)
       .method("truth", &truth_of, py::arg("frame"));
 }
 

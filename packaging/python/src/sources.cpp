@@ -153,13 +153,13 @@ void bind_sources(py::module_& module) {
       .method("__next__", [](OpenSource& s) {
         const FramePtr frame = next_of(s);
         if (!frame) throw py::stop_iteration();
-        return std::const_pointer_cast<Frame>(frame);  // nothing of it can be written from Python
+        return std::const_pointer_cast<Frame>(frame);  // Python cannot write any of it
       });
   function(
       module,
       "open_source",
       [](const py::object& inputs, bool live, std::uint64_t seed) {
-        return open(paths_of(inputs), live ? Pace::kRecorded : Pace::kAsked, seed);
+        return open(paths_of(inputs), live ? Pace::kRecorded : Pace::kOnDemand, seed);
       },
       py::arg("inputs"),
       py::kw_only(),

@@ -1,4 +1,4 @@
-// Frames and where they come from, as Python holds them.
+// Frames and their sources, as Python holds them.
 #pragma once
 
 #include "core/frame.h"
@@ -27,10 +27,10 @@ struct OpenSource {
 };
 using OpenSourcePtr = std::shared_ptr<OpenSource>;
 
-/// Of an open source itself, else of what names one: a path, or several. Throws Failure.
+/// Takes an open source, or opens a path or several. Throws Failure.
 [[nodiscard]] OpenSourcePtr source_of(const py::object& given, Pace pace);
 
-/// What Python passes as a path (str or os.PathLike), or several.
+/// A path from Python (str or os.PathLike), or several.
 [[nodiscard]] std::vector<std::filesystem::path> paths_of(const py::object& given);
 
 }  // namespace alltact::python

@@ -34,7 +34,7 @@ class DrawnFingers : public testing::Test {
     options.folder = folder_->path();
     options.seed = kDrawSeed;
     options.recording_every = test::as_many_as(3, 1);
-    options.finger = DrawnFinger::draw(kDrawSeed, number);
+    options.finger = FingerVariant::draw(kDrawSeed, number);
     options.finger.scale = scale;
     options.name = fmt::format("finger_{}_{}", number, scale);
     if (last_ && last_->options().name == options.name) return *last_;
@@ -59,7 +59,7 @@ class DrawnFingers : public testing::Test {
     return (most - least) / least;
   }
   /// The scene's text on a drawn finger.
-  static Plan references_with(const DrawnFinger& finger, const char* from, const char* to) {
+  static Plan references_with(const FingerVariant& finger, const char* from, const char* to) {
     const std::filesystem::path file =
         ALLTACT_SOURCE_DIR "/resources/scenes/experiment_references.yaml";
     std::string text = read_file(file).value();
@@ -87,7 +87,7 @@ TEST_F(DrawnFingers, PlacesAreTheSameInEveryRoomAndAsNearAsAskedFor) {
                       [&](std::size_t, const Truth& truth, const FrameResult& result) {
                         ASSERT_FALSE(result.regions.empty());
                         const ContactTruth& contact = truth.contacts.front();
-                        const double error = place_error_mm(result.regions.front(), contact);
+                        const double error = position_error_mm(result.regions.front(), contact);
                         rooms[room].add(error);
                         if (std::abs(contact.along_mm - 60) <= 20) inner.add(error);
                         if (contact.along_mm >= 100) tip.add(error);
@@ -111,7 +111,7 @@ TEST_F(DrawnFingers, SmallPicturesSayThatTheyDoNotTellAlongWhichThicknessLightGo
   BenchOptions options;
   const test::TemporaryFolder folder;
   options.folder = folder.path();
-  options.finger = DrawnFinger::draw(1, 1);
+  options.finger = FingerVariant::draw(1, 1);
   options.finger.scale = 0.5;
   const auto made = ExperimentBench::make(options, job_);
   ASSERT_TRUE(made) << made.error().sentence();
@@ -123,7 +123,7 @@ TEST_F(DrawnFingers, SmallPicturesSayThatTheyDoNotTellAlongWhichThicknessLightGo
 TEST_F(DrawnFingers, ForcesAreTheSameInEveryRoom) {
   if (!test::is_slow_run()) GTEST_SKIP() << "packaging/test --slow";
   ExperimentBench one = bench(3);
-  const auto table = table_of_pushes(one, kForceScene, kForcePlaces);
+  const auto table = table_of_pushes(one, kForceScene, kForcePositions);
   ASSERT_TRUE(table) << table.error().sentence();
   ASSERT_TRUE(one.learn_force(*table, training_of_experiments()));
   std::array<ErrorSamples, kRoomLevels.size()> rooms;
@@ -172,7 +172,7 @@ TEST_F(DrawnFingers, APoseHasANearReferenceOrIsToldNotToBeRecorded) {
           is_told;
     }
     // The recording bends the finger by 6 mm and sways it by 3 mm.
-    const DrawnFinger& finger = one.options().finger;
+    const FingerVariant& finger = one.options().finger;
     for (const Plan& plan :
          {references_with(finger, "q1_mm: {from: -5.0, to: 5.0}", "q1_mm: {from: 9.0, to: 12.0}"),
           references_with(
@@ -199,13 +199,13 @@ TEST_F(DrawnFingers, APoseHasANearReferenceOrIsToldNotToBeRecorded) {
 
 // Small pictures tell the least force as well, in a quarter of the time.
 TEST_F(DrawnFingers, TheLeastForceIsFeltOnEveryFace) {
-  const auto outcome = run_least_force(bench(6, test::is_slow_run() ? 1 : 0.5));
+  const auto outcome = run_min_force(bench(6, test::is_slow_run() ? 1 : 0.5));
   ASSERT_TRUE(outcome) << outcome.error().sentence();
   EXPECT_EQ(outcome->figures.size(), 4U);  // faces
   for (const ExperimentFigure& figure : outcome->figures) {
-    EXPECT_LT(figure.ours, figure.paper.value()) << figure.what.english();
-    EXPECT_GT(figure.ours, 0);
-    printf("[ figures  ] %s: %.2f N\n", figure.what.english().c_str(), figure.ours);
+    EXPECT_LT(figure.simulated, figure.paper.value()) << figure.what.english();
+    EXPECT_GT(figure.simulated, 0);
+    printf("[ figures  ] %s: %.2f N\n", figure.what.english().c_str(), figure.simulated);
   }
 }
 

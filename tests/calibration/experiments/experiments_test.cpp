@@ -116,11 +116,11 @@ TEST_F(ExperimentsOnAFinger, PoseIsThatOfTheBars) {
   const ExperimentOutcome pose = outcome_of("pose");
   EXPECT_EQ(pose.frames, 12);
   ASSERT_EQ(pose.figures.size(), 3U);
-  EXPECT_LT(pose.figures[0].ours, 0.3);
-  EXPECT_GT(pose.figures[0].ours, 0);  // noise is in the pictures
-  EXPECT_LT(pose.figures[1].ours, 1.0);
-  EXPECT_GE(pose.figures[1].ours, pose.figures[0].ours);
-  EXPECT_EQ(pose.figures[2].ours, 100);
+  EXPECT_LT(pose.figures[0].simulated, 0.3);
+  EXPECT_GT(pose.figures[0].simulated, 0);  // noise is in the pictures
+  EXPECT_LT(pose.figures[1].simulated, 1.0);
+  EXPECT_GE(pose.figures[1].simulated, pose.figures[0].simulated);
+  EXPECT_EQ(pose.figures[2].simulated, 100);
   EXPECT_EQ(pose.figures[0].paper, 3.22);
 }
 
@@ -133,7 +133,7 @@ TEST_F(ExperimentsOnAFinger, LocalisationHoldsAgainstTheBallsOwnCentres) {
       [&](std::size_t, const Truth& truth, const FrameResult& result) {
         ASSERT_FALSE(result.regions.empty());
         const Eigen::Vector3d normal = truth.contacts.front().direction;
-        Eigen::Vector3d off = result.regions.front().place_mm - truth.ball->centre_mm;
+        Eigen::Vector3d off = result.regions.front().position_mm - truth.ball->centre_mm;
         off -= off.dot(normal) * normal;
         greatest_mm = std::max(greatest_mm, off.norm());
       });
@@ -143,29 +143,29 @@ TEST_F(ExperimentsOnAFinger, LocalisationHoldsAgainstTheBallsOwnCentres) {
   if (!test::is_slow_run()) return;  // it makes fingers of its own
   const ExperimentOutcome told = outcome_of("localisation");
   ASSERT_EQ(told.figures.size(), 6U);
-  EXPECT_NEAR(told.figures[2].ours, greatest_mm, 0.01);
-  EXPECT_LE(told.figures[0].ours, told.figures[2].ours);
-  EXPECT_EQ(told.figures[3].ours, 100);
+  EXPECT_NEAR(told.figures[2].simulated, greatest_mm, 0.01);
+  EXPECT_LE(told.figures[0].simulated, told.figures[2].simulated);
+  EXPECT_EQ(told.figures[3].simulated, 100);
   for (const ExperimentFigure& figure : told.figures) EXPECT_TRUE(figure.reaches_aim());
-  EXPECT_GT(told.figures[4].ours, 0);  // fingers of its own
-  EXPECT_NE(told.figures[4].ours, told.figures[0].ours);
+  EXPECT_GT(told.figures[4].simulated, 0);  // fingers of its own
+  EXPECT_NE(told.figures[4].simulated, told.figures[0].simulated);
 }
 
 // What happens to a finger is the scene's; that one reference is worse is what the paper is about.
 TEST_F(ExperimentsOnAFinger, OneReferenceIsWorseThanARecording) {
   if (!test::is_slow_run()) GTEST_SKIP() << "needs whole recordings; packaging/test --slow";
   const ExperimentOutcome references = outcome_of("references");
-  EXPECT_EQ(references.frames, (1 + kDrawnFingers) * 40);
+  EXPECT_EQ(references.frames, (1 + kFingerVariants) * 40);
   ASSERT_EQ(references.figures.size(), 9U);
-  EXPECT_GT(references.figures[0].ours, 90);                          // nearest
-  EXPECT_LT(references.figures[1].ours, references.figures[0].ours);  // single
-  EXPECT_GT(references.figures[3].ours, 1.5 * references.figures[4].ours);
-  EXPECT_GT(references.figures[4].ours, references.figures[5].ours);
-  EXPECT_TRUE(references.figures[2].reaches_aim()) << references.figures[2].ours;
+  EXPECT_GT(references.figures[0].simulated, 90);                               // nearest
+  EXPECT_LT(references.figures[1].simulated, references.figures[0].simulated);  // single
+  EXPECT_GT(references.figures[3].simulated, 1.5 * references.figures[4].simulated);
+  EXPECT_GT(references.figures[4].simulated, references.figures[5].simulated);
+  EXPECT_TRUE(references.figures[2].reaches_aim()) << references.figures[2].simulated;
   // What the frames that the reference combines show together is nearer than any of them.
-  EXPECT_GT(references.figures[7].ours, 90);
-  EXPECT_GT(references.figures[7].ours, references.figures[6].ours + 20);
-  EXPECT_TRUE(references.figures[8].reaches_aim()) << references.figures[8].ours;
+  EXPECT_GT(references.figures[7].simulated, 90);
+  EXPECT_GT(references.figures[7].simulated, references.figures[6].simulated + 20);
+  EXPECT_TRUE(references.figures[8].reaches_aim()) << references.figures[8].simulated;
 }
 
 /// Columns of a row that are higher than their neighbours and than half of what is highest.
@@ -223,7 +223,7 @@ TEST_F(ExperimentsOnAFinger, WaysOfFindingMarkersAreCompared) {
   constexpr std::size_t kOfAWay = 5;  // found, elsewhere, off, hidden, ms
   ASSERT_EQ(markers.figures.size(), 3 * kOfAWay);
   const auto of = [&](std::size_t way, std::size_t figure) {
-    return markers.figures[way * kOfAWay + figure].ours;
+    return markers.figures[way * kOfAWay + figure].simulated;
   };
   for (const std::size_t way : {0, 2}) {  // blobs, network
     EXPECT_GT(of(way, 0), 85) << way;

@@ -6,7 +6,7 @@
 #include "calibration/study/compared_settings.h"
 #include "calibration/study/real_presses.h"
 #include "calibration/study/study_front.h"
-#include "calibration/study/truly_pressed.h"
+#include "calibration/study/truth_limits.h"
 #include "core/numerics/median.h"
 #include "core/numerics/philox.h"
 #include "tests/support/slow_run.h"
@@ -42,7 +42,7 @@ double p95_on_simulated_presses(const ExperimentBench& bench, const PipelineSett
       [&](std::size_t, const Truth& truth, const FrameResult& result) {
         if (!result.depth) return;
         const cv::Mat read =
-            at_whole_size(result.depth->depth_mm, result.reduced_by, truth.depth_mm.size());
+            at_full_size(result.depth->depth_mm, result.reduced_by, truth.depth_mm.size());
         for (int v = 0; v < read.rows; ++v)
           for (int u = 0; u < read.cols; ++u) {
             const float is = read.at<float>(v, u), was = truth.depth_mm.at<float>(v, u);
@@ -60,7 +60,7 @@ void expect_budgets_kept(const StudyWorld& world, const AccuracyStudy& study) {
   const PipelineSettings& base = study.rows.front().settings;
   double error_before_mm = std::numeric_limits<double>::infinity();
   for (const double budget_ms : {1.0, 2.0, 5.0, 10.0, 20.0}) {
-    const auto row = as_good_as_fits(study, budget_ms);
+    const auto row = most_accurate_within(study, budget_ms);
     if (!row) {
       std::printf("[ figures  ] within %.0f ms: nothing fits\n", budget_ms);
       continue;
@@ -70,18 +70,18 @@ void expect_budgets_kept(const StudyWorld& world, const AccuracyStudy& study) {
     error_before_mm = chosen.depth->median_mm;
     std::vector<Pipeline> pipelines;
     for (const PipelineSettings& settings : {base, chosen.settings})
-      pipelines.push_back(
-          Pipeline::over(world.library_for(settings, Job()).value(), *world.finger, settings));
+      pipelines.push_back(Pipeline::with_library(
+          world.library_for(settings, Job()).value(), *world.finger, settings));
     std::vector<double> ratios, times_ms;
     for (int repeat = 0; repeat < 5; ++repeat)
       for (const StudyFrame& frame : world.frames) {
         std::array<double, 2> milliseconds{};
         for (std::size_t i = 0; i < pipelines.size(); ++i) {
           pipelines[i].forget();
-          ASSERT_TRUE(pipelines[i](frame.picture).ok());
-          const double begin_s = computed_s();
-          ASSERT_TRUE(pipelines[i](frame.picture).ok());
-          milliseconds[i] = 1000 * (computed_s() - begin_s);
+          ASSERT_TRUE(pipelines[i](frame.image).ok());
+          const double begin_s = thread_cpu_s();
+          ASSERT_TRUE(pipelines[i](frame.image).ok());
+          milliseconds[i] = 1000 * (thread_cpu_s() - begin_s);
         }
         ratios.push_back(milliseconds[1] / milliseconds[0]);
         times_ms.push_back(milliseconds[1]);
@@ -106,7 +106,7 @@ KeptError kept_by(int number, const test::TemporaryFolder& folder) {
   options.folder = folder / std::to_string(number);
   std::filesystem::create_directory(options.folder);
   options.seed = kKeptSeed;
-  options.finger = DrawnFinger::draw(kKeptSeed, number);
+  options.finger = FingerVariant::draw(kKeptSeed, number);
 
   const auto bench = ExperimentBench::make(options, job);
   EXPECT_TRUE(bench) << number << ": " << bench.error().sentence();
@@ -127,8 +127,8 @@ KeptError kept_by(int number, const test::TemporaryFolder& folder) {
   KeptError kept;
   const double times =
       1 + 1.5 * philox_uniform(kKeptSeed, "error to keep", static_cast<std::uint32_t>(number), 0);
-  kept.asked_mm = times * kept_error_mm(*study, study->rows.front()).value();
-  const auto row = as_fast_as_keeps(*study, kept.asked_mm);
+  kept.asked_mm = times * error_p95_mm(*study, study->rows.front()).value();
+  const auto row = fastest_within(*study, kept.asked_mm);
   EXPECT_TRUE(row) << number << ": the calibration's own settings keep it";
   if (!row) return {kept.asked_mm, 1, 1, "none"};
   kept.flags = flags_of(study->rows[*row].settings, how.base);

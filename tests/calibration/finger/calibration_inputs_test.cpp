@@ -18,8 +18,8 @@ CalibrationInputs some_inputs() {
   CalibrationInputs inputs;
   inputs.date = "2026-01-31T12:00:00Z";
   inputs.program_version = "0.1.0";
-  inputs.said.operator_name = "Ada \"the first\": Lovelace";
-  inputs.said.ball_radius_mm = 3.975;
+  inputs.press_set.operator_name = "Ada \"the first\": Lovelace";
+  inputs.press_set.ball_radius_mm = 3.975;
   inputs.calibration.degree = 3;
   inputs.calibration.along = AlongChoice::kNormal;
   inputs.pipeline.smoothing_px = 1.25;
@@ -29,11 +29,11 @@ CalibrationInputs some_inputs() {
   inputs.presses = {{"press_0", "0000000000000001"},
                     {"12", "1111111111111111"},
                     {"it's, a [press]", "abcdefabcdefabcd"}};
-  auto& notes = inputs.said.notes;
+  auto& notes = inputs.press_set.notes;
   notes["press_0"].ball_radius_mm = 6.25;
-  notes["press_0"].depth = ToldDepth{0.5, 0.02};
+  notes["press_0"].depth = GivenDepth{0.5, 0.02};
   notes["press_0"].ball_mm = {1.5, -2.25, 48.0625};
-  notes["12"].depth = ToldDepth{1.25, 0.0125};
+  notes["12"].depth = GivenDepth{1.25, 0.0125};
   notes["12"].excluded = "glove in view";
   notes["it's, a [press]"].step_mm = 0.5;
   notes["it's, a [press]"].excluded = "";
@@ -47,7 +47,7 @@ TEST(CalibrationInputs, ComeBackAsTheyWereWritten) {
   ASSERT_TRUE(back.ok()) << back.error().sentence();
   EXPECT_TRUE(warnings.empty());
   EXPECT_EQ(back->to_yaml(), inputs.to_yaml());
-  EXPECT_EQ(back->said, inputs.said);
+  EXPECT_EQ(back->press_set, inputs.press_set);
   EXPECT_EQ(back->calibration.degree, 3);
   EXPECT_EQ(back->calibration.along, AlongChoice::kNormal);
   EXPECT_EQ(back->pipeline.smoothing_px, 1.25);
@@ -115,7 +115,7 @@ TEST(CalibrationInputs, TheSameIsTheSameWhateverItsDate) {
   CalibrationInputs a = some_inputs(), b = some_inputs();
   b.date = "2027-01-01T00:00:00Z";
   EXPECT_TRUE(same_but_for_date(a, b));
-  b.said.notes["12"].excluded.reset();
+  b.press_set.notes["12"].excluded.reset();
   EXPECT_FALSE(same_but_for_date(a, b));
 }
 
@@ -124,36 +124,36 @@ RC_GTEST_PROP(CalibrationInputs, AnyNamesAndReasonsComeBack, ()) {
   const auto word = rc::gen::container<std::string>(rc::gen::inRange<char>(' ', '~'));
   std::string name = *word;
   std::erase(name, '/');
-  inputs.said.operator_name = *word;
+  inputs.press_set.operator_name = *word;
   inputs.presses.push_back({"=" + name, "0123456789abcdef"});
-  inputs.said.notes["=" + name].excluded = *word;
+  inputs.press_set.notes["=" + name].excluded = *word;
   const auto back = CalibrationInputs::parse(inputs.to_yaml(), "f");
   RC_ASSERT(back.ok());
-  RC_ASSERT(back->said == inputs.said);
+  RC_ASSERT(back->press_set == inputs.press_set);
   RC_ASSERT(back->presses.back().name == inputs.presses.back().name);
 }
 
 TEST(KeptPresses, AreThePicturesInTheirFolder) {
   const test::TemporaryFolder folder;
-  EXPECT_TRUE(kept_presses(folder.path()).value().empty());
+  EXPECT_TRUE(stored_presses(folder.path()).value().empty());
   std::filesystem::create_directories(folder.path() / kPressFolder);
-  EXPECT_TRUE(kept_presses(folder.path()).value().empty());
+  EXPECT_TRUE(stored_presses(folder.path()).value().empty());
   for (const char* name : {"b.png", "a.png", "notes.txt"})
     ASSERT_TRUE(write_file_atomically(folder.path() / kPressFolder / name, "x").ok());
-  const auto files = kept_presses(folder.path()).value();
+  const auto files = stored_presses(folder.path()).value();
   ASSERT_EQ(files.size(), 2U);
   EXPECT_EQ(files[0].filename(), "a.png");
 }
 
 TEST(PictureChecksum, SeesOnePixelAndTheShape) {
   cv::Mat a(30, 41, CV_8UC1, cv::Scalar(7)), b = a.clone();
-  EXPECT_EQ(picture_checksum(a), picture_checksum(b));
+  EXPECT_EQ(image_checksum(a), image_checksum(b));
   for (const cv::Point place : {cv::Point(0, 0), cv::Point(40, 29), cv::Point(40, 0)}) {
     b = a.clone();
     b.at<std::uint8_t>(place) = 8;
-    EXPECT_NE(picture_checksum(a), picture_checksum(b)) << place;
+    EXPECT_NE(image_checksum(a), image_checksum(b)) << place;
   }
-  EXPECT_NE(picture_checksum(a), picture_checksum(a.reshape(1, 41)));
+  EXPECT_NE(image_checksum(a), image_checksum(a.reshape(1, 41)));
 }
 
 RC_GTEST_PROP(ShellQuoted, IsReadBackByTheShell, ()) {
@@ -172,15 +172,15 @@ TEST(CalibrateCommand, SaysAllThatIsNotAsUsual) {
   FingerCalibrationInput input;
   input.folder = "/data/left 07";
   input.presses.files = {"/data/left 07/presses"};
-  input.said.ball_radius_mm = 3.975;
+  input.press_set.ball_radius_mm = 3.975;
   EXPECT_EQ(calibrate_command(input),
             "alltact calibrate '/data/left 07' '/data/left 07/presses' --ball-radius-mm 3.975");
   input.calibration.degree = 3;
   input.pipeline.smoothing_px = 1.5;
-  input.said.notes["press_2"].excluded = "glove in view";
-  input.said.notes["press_3"].excluded = "";
-  input.said.notes["press_4"].ball_mm = {1.5, -2, 48.25};
-  input.said.operator_name = "Ada";
+  input.press_set.notes["press_2"].excluded = "glove in view";
+  input.press_set.notes["press_3"].excluded = "";
+  input.press_set.notes["press_4"].ball_mm = {1.5, -2, 48.25};
+  input.press_set.operator_name = "Ada";
   input.date = "2026-01-31T12:00:00Z";
   EXPECT_EQ(calibrate_command(input),
             "alltact calibrate '/data/left 07' '/data/left 07/presses' --ball-radius-mm 3.975 "

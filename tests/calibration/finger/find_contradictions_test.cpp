@@ -78,7 +78,7 @@ TEST_F(Contradictions, AnExcludedPressIsNoEvidence) {
   for (const TakenPress& taken : done_.presses) {
     PressNote note;
     note.excluded = "";
-    done_.inputs.said.say(taken.name, note);
+    done_.inputs.press_set.say(taken.name, note);
   }
   EXPECT_TRUE(find_contradictions(done_).empty());
 }
@@ -87,12 +87,12 @@ TEST_F(Contradictions, APressThatIsDeeperThanTheLayer) {
   for (const auto& [name, depth] : depth_mm_) {
     BallFit ball;
     ball.press = name;
-    ball.pressed_in_mm = depth;
+    ball.indentation_mm = depth;
     ball.depth_mm = 1.2 * depth;  // along z, on an inclined face
     done_.calibration.balls.push_back(ball);
   }
   EXPECT_TRUE(find_contradictions(done_).empty()) << "1.3 mm in 1.5 mm, though 1.56 mm along z";
-  done_.calibration.balls[2].pressed_in_mm = 2.086;
+  done_.calibration.balls[2].indentation_mm = 2.086;
   const auto found = find_contradictions(done_);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].kind, ContradictionKind::kContactDeeperThanLayer);
@@ -108,11 +108,11 @@ TEST_F(Contradictions, ADepthThatTheMappingDoesNotReach) {
   done_.calibration.mapping.a_mm = 2;
   done_.calibration.mapping.b = 0;  // 1.0 mm at its end
   PressNote note;
-  note.depth = ToldDepth{1.02, 0.02};
-  done_.inputs.said.say("press_3", note);
+  note.depth = GivenDepth{1.02, 0.02};
+  done_.inputs.press_set.say("press_3", note);
   EXPECT_TRUE(find_contradictions(done_).empty()) << "within what the measured depth is known to";
-  note.depth = ToldDepth{1.3, 0.02};
-  done_.inputs.said.say("press_5", note);
+  note.depth = GivenDepth{1.3, 0.02};
+  done_.inputs.press_set.say("press_5", note);
   const auto found = find_contradictions(done_);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].kind, ContradictionKind::kDepthBeyondMapping);
@@ -141,11 +141,11 @@ TEST_F(Contradictions, SkinThatIsBrighterThanTheReferenceAtOnePlace) {
   brighten(*done_.presses[5].press, spot_px);
   const auto found = find_contradictions(done_);
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_EQ(found[0].kind, ContradictionKind::kReferenceTouched);
+  EXPECT_EQ(found[0].kind, ContradictionKind::kReferenceContact);
   EXPECT_THAT(found[0].presses, testing::Not(testing::Contains("press_2")));
   EXPECT_EQ(found[0].of, 6);
   const FaceShape& shape = done_.presses[1].press->shape;
-  EXPECT_NEAR(found[0].measured_mm, shape.place_mm(spot_px.x, spot_px.y).x(), 0.5);
+  EXPECT_NEAR(found[0].measured_mm, shape.position_mm(spot_px.x, spot_px.y).x(), 0.5);
   EXPECT_FALSE(rules_out_use(found[0].kind));
   EXPECT_THAT(sentence(found[0]).english(), HasSubstr("record it again"));
 }

@@ -67,7 +67,7 @@ class AFingersFiles : public testing::Test {
 };
 
 TEST_F(AFingersFiles, WholeOnesLetItBeGood) {
-  EXPECT_EQ(reference_state(snapshot()), ReferenceState::kWhole);
+  EXPECT_EQ(reference_state(snapshot()), ReferenceState::kIntact);
   EXPECT_EQ(worth().grade, Grade::kGood) << worth().sentence.english();
 }
 

@@ -26,7 +26,7 @@ Forecast four_presses() {
   const made::MadeScene scene = finger_scene(40.0, 20.0);
   made.finger.camera = scene.camera.parameters();
   made.finger.face = scene.face;
-  made.inputs.said.ball_radius_mm = 4.0;
+  made.inputs.press_set.ball_radius_mm = 4.0;
   std::mt19937 random(17);
   for (int i = 0; i < 4; ++i) {
     const Ball ball{340.0 + 80 * i, 225.0 + 25 * i, 4.0, 0.5 + 0.18 * i};
@@ -40,8 +40,8 @@ Forecast four_presses() {
     press.taken.press = std::move(one.press);
     press.taken.press->ball_radius_mm = 0;  // told by what is said
     Reference reference;
-    reference.picture = ReferencePicture(
-        cv::Mat(press.taken.press->difference.x.size(), CV_32FC1, cv::Scalar(150)));
+    reference.image =
+        ReferenceImage(cv::Mat(press.taken.press->difference.x.size(), CV_32FC1, cv::Scalar(150)));
     press.reference = reference;
     made.presses.push_back(std::move(press));
   }
@@ -67,11 +67,11 @@ TEST(ForecastCalibration, TakesWhatIsSaidOfPressesNow) {
   Forecast made = four_presses();
   PressNote note;
   note.excluded = "glove";
-  made.inputs.said.say("p2", note);
+  made.inputs.press_set.say("p2", note);
   const auto without = forecast_calibration(made.finger, made.presses, made.inputs, Job());
   ASSERT_TRUE(without) << without.error().sentence();
   EXPECT_EQ(without->calibration.balls.size(), 3U);
-  for (const char* name : {"p0", "p1", "p2", "p3"}) made.inputs.said.say(name, note);
+  for (const char* name : {"p0", "p1", "p2", "p3"}) made.inputs.press_set.say(name, note);
   const auto none = forecast_calibration(made.finger, made.presses, made.inputs, Job());
   ASSERT_FALSE(none);
   EXPECT_THAT(none.error().what.english(), HasSubstr("no press can be used"));
@@ -94,7 +94,7 @@ TEST(FitOfPress, IsLeastWhereTheBallIsAndTellsWhichWayItIsOff) {
     double sum = 0;
     int count = 0;
     for (const ResidualSample& sample : fit.residuals.samples)
-      if (sample.rim <= kSureRim) sum += sample.residual_mm, ++count;
+      if (sample.rim <= kInnerRim) sum += sample.residual_mm, ++count;
     return sum / count;
   };
   // A ball drawn 0.1 mm too deep: everywhere the mapping seems to read too shallow.

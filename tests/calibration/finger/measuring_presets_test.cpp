@@ -30,7 +30,7 @@ struct KeptFinger {
     CalibrationInputs inputs;
     inputs.date = "2026-01-31T12:00:00Z";
     inputs.program_version = "0.1.0";
-    inputs.said.ball_radius_mm = 4.0;
+    inputs.press_set.ball_radius_mm = 4.0;
     inputs.pipeline.smoothing_px = smoothing_px;
     inputs.finger_checksum = inputs.reference_checksum = "0123456789abcdef";
     inputs.presses = {{"press_0", "0000000000000001"}};
@@ -75,7 +75,7 @@ TEST(MeasuringPresets, AFingerThatKeepsNoneMeasuresAsItWasCalibrated) {
 TEST(MeasuringPresets, ComeBackAsTheyWereKept) {
   const KeptFinger finger;
   const MeasuringPresets kept = found(finger);
-  ASSERT_TRUE(keep_presets(*finger.store, kept).ok());
+  ASSERT_TRUE(save_presets(*finger.store, kept).ok());
   const MeasuringPresets read = finger.presets();
   EXPECT_EQ(read.date, kept.date);
   EXPECT_EQ(read.machine, kept.machine);
@@ -113,8 +113,8 @@ TEST(MeasuringPresets, WhatIsUsedIsMeasuredWithUntilTheWayBack) {
   PipelineSettings now = measuring_settings(finger.folder.path());
   EXPECT_EQ(now.resolution, Resolution::kHalf);
   EXPECT_EQ(now.smoothing_px, 3.0);
-  EXPECT_EQ(calibrated_settings(finger.folder.path()).resolution, Resolution::kWhole);
-  ASSERT_TRUE(keep_presets(*finger.store, kept).ok());
+  EXPECT_EQ(calibrated_settings(finger.folder.path()).resolution, Resolution::kFull);
+  ASSERT_TRUE(save_presets(*finger.store, kept).ok());
   EXPECT_EQ(finger.presets().used, "within 5 ms") << "a new study leaves it as it is";
   // Calibrated anew: the mapping's own smoothing counts, and what was chosen beside it stays.
   finger.calibrate_with_smoothing(1.5);
@@ -123,14 +123,14 @@ TEST(MeasuringPresets, WhatIsUsedIsMeasuredWithUntilTheWayBack) {
   EXPECT_EQ(now.reference_neighbours, 4);
   EXPECT_TRUE(finger.presets().is_stale);
   ASSERT_TRUE(use_calibrated_settings(*finger.store).ok());
-  EXPECT_EQ(measuring_settings(finger.folder.path()).resolution, Resolution::kWhole);
+  EXPECT_EQ(measuring_settings(finger.folder.path()).resolution, Resolution::kFull);
   EXPECT_EQ(finger.presets().presets.size(), 2U) << "they are still kept";
   EXPECT_EQ(told, 3);
 }
 
 TEST(MeasuringPresets, SpoiltFilesAreNamedAndNothingIsWrittenOverThem) {
   const KeptFinger finger;
-  ASSERT_TRUE(keep_presets(*finger.store, found(finger)).ok());
+  ASSERT_TRUE(save_presets(*finger.store, found(finger)).ok());
   const auto file = finger.folder / kMeasuringFile;
   const std::string whole = read_file(file).value();
   const auto with = [&](const std::string& from, const std::string& to) {
@@ -158,14 +158,14 @@ TEST(MeasuringPresets, AStudyKeepsOnlyWhatBringsSomething) {
     row.settings.smoothing_px = smoothing_px;
     row.frames = 9;
     row.depth = ErrorSpread{median_mm, 4 * median_mm};
-    row.place_mm = 0.05;
+    row.position_mm = 0.05;
     row.time_ms = 2.0 * ratio;
     row.time_ratio = ratio;
     study.rows.push_back(row);
   };
   add(1.0, 0.010, 1);
   add(0.5, 0.014, 0);
-  MeasuringPresets kept = presets_to_keep(study, "a machine");
+  MeasuringPresets kept = presets_to_save(study, "a machine");
   EXPECT_EQ(kept.machine, "a machine");
   ASSERT_NE(kept.find("fast"), nullptr);
   EXPECT_EQ(kept.find("fast")->settings.smoothing_px, 0);
@@ -173,7 +173,7 @@ TEST(MeasuringPresets, AStudyKeepsOnlyWhatBringsSomething) {
   EXPECT_NE(kept.find("balanced"), nullptr);
   EXPECT_EQ(kept.find("finest"), nullptr);
   add(3.0, 0.005, 2);
-  kept = presets_to_keep(study, "a machine");
+  kept = presets_to_save(study, "a machine");
   ASSERT_NE(kept.find("finest"), nullptr);
   EXPECT_EQ(kept.find("finest")->settings.smoothing_px, 2);
 }

@@ -1,7 +1,7 @@
 // A drawn finger learns forces and tells them of every frame; what goes wrong with its model spoils
 // nothing else.
 #include "calibration/force/collect_force.h"
-#include "calibration/force/new_force.h"
+#include "calibration/force/finger_force_model.h"
 #include "calibration/reference/reference_recording.h"
 #include "core/finger/force_model.h"
 #include "core/io/atomic_file.h"
@@ -47,12 +47,12 @@ class ForceInFrames : public testing::Test {
     std::mt19937 random(17);
     test::MemorySource source;
     for (int i = 0; i < kPoses; ++i)
-      source.pictures.push_back(f_.with_noise(f_.clean(test::pose(i, kPoses)), random));
+      source.images.push_back(f_.with_noise(f_.clean(test::pose(i, kPoses)), random));
     Finger finger = test::described(f_);
     const auto report = install_reference(source, folder_.path(), finger, Job{});
     ASSERT_TRUE(report) << report.error().sentence();
     ASSERT_TRUE(finger.save(folder_.path()));
-    pictures_ = source.pictures;
+    pictures_ = source.images;
   }
 
   Pipeline pipeline() {
@@ -100,7 +100,7 @@ class ForceInFrames : public testing::Test {
 TEST_F(ForceInFrames, IsLearntKeptMeasuredWrittenAndTakenBack) {
   const CollectedForce table = collected();
   EXPECT_GT(table.table.rows(), kPoses - 6);
-  const auto trained = give_force(folder_.path(), table.table, quick(), Job{});
+  const auto trained = train_finger_force(folder_.path(), table.table, quick(), Job{});
   ASSERT_TRUE(trained) << trained.error().sentence();
   Pipeline with = pipeline();
   const test::Bend bend{0.15, -0.05, 2.5, 0.01};
@@ -119,21 +119,21 @@ TEST_F(ForceInFrames, IsLearntKeptMeasuredWrittenAndTakenBack) {
 
   // The same table again: the same model, and nothing to take back but the first.
   const std::string first = (*FingerStore::of(folder_.path())->snapshot())->finger.force_model;
-  const auto kept = kept_force_table(folder_.path());
+  const auto kept = stored_force_table(folder_.path());
   ASSERT_TRUE(kept) << kept.error().sentence();
-  ASSERT_TRUE(give_force(folder_.path(), *kept, quick(), Job{}));
+  ASSERT_TRUE(train_finger_force(folder_.path(), *kept, quick(), Job{}));
   EXPECT_EQ((*FingerStore::of(folder_.path())->snapshot())->finger.force_model, first);
   ForceTraining other = quick();
   other.kind = ForceKind::kMean;
-  ASSERT_TRUE(give_force(folder_.path(), *kept, other, Job{}));
+  ASSERT_TRUE(train_finger_force(folder_.path(), *kept, other, Job{}));
   const std::string second = (*FingerStore::of(folder_.path())->snapshot())->finger.force_model;
   EXPECT_NE(second, first);
-  EXPECT_EQ((*take_back_force(folder_.path()))->finger.force_model, first);
-  EXPECT_EQ((*take_back_force(folder_.path()))->finger.force_model, second);
+  EXPECT_EQ((*revert_force(folder_.path()))->finger.force_model, first);
+  EXPECT_EQ((*revert_force(folder_.path()))->finger.force_model, second);
 }
 
 TEST_F(ForceInFrames, AModelThatIsBrokenOrOfOtherMarkersIsNamedAndTheRestIsMeasured) {
-  ASSERT_TRUE(give_force(folder_.path(), collected().table, quick(), Job{}));
+  ASSERT_TRUE(train_finger_force(folder_.path(), collected().table, quick(), Job{}));
   const auto store = FingerStore::of(folder_.path());
   const std::string file = (*store->snapshot())->finger.force_model;
   const std::string good = read_file(folder_ / file).value();
@@ -165,7 +165,7 @@ TEST_F(ForceInFrames, ATableOfOtherMarkersIsRefusedAndNothingIsLost) {
   const ForceTable good = collected().table;
   const std::string before = yaml();
   const auto refused = [&](const ForceTable& table) {
-    const auto trained = give_force(folder_.path(), table, quick(), Job{});
+    const auto trained = train_finger_force(folder_.path(), table, quick(), Job{});
     EXPECT_FALSE(trained);
     EXPECT_EQ(yaml(), before);
     EXPECT_FALSE(std::filesystem::exists(folder_ / "force"));
@@ -184,10 +184,10 @@ TEST_F(ForceInFrames, ATableOfOtherMarkersIsRefusedAndNothingIsLost) {
     turned.seen.col(m) = good.seen.col(other);
   }
   EXPECT_NE(refused(turned).find("another finger's"), std::string::npos);
-  const auto none = take_back_force(folder_.path());
+  const auto none = revert_force(folder_.path());
   ASSERT_FALSE(none);
   EXPECT_NE(none.error().sentence().find("no force model to take back"), std::string::npos);
-  EXPECT_FALSE(kept_force_table(folder_.path()));
+  EXPECT_FALSE(stored_force_table(folder_.path()));
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ TEST(ForceTable, ReadsItsColumns) {
   EXPECT_EQ(table->layouts(3, 0), 103);
   EXPECT_EQ(table->layouts(3, 3), 450);
   EXPECT_EQ(table->force_N(10, 1), -2.0);
-  EXPECT_FALSE(table->has_place());
+  EXPECT_FALSE(table->has_position());
 }
 
 TEST(ForceTable, OtherNamesUnitsQuotesAndLineEndsAreUnderstood) {
@@ -59,7 +59,7 @@ TEST(ForceTable, OtherNamesUnitsQuotesAndLineEndsAreUnderstood) {
   ASSERT_TRUE(table) << table.error().sentence();
   EXPECT_EQ(table->layouts(5, 0), 5);
   EXPECT_EQ(table->time_s[7], 7);
-  EXPECT_EQ(table->passed_over, std::vector<std::string>{"temperature"});
+  EXPECT_EQ(table->ignored_columns, std::vector<std::string>{"temperature"});
 }
 
 TEST(ForceTable, HiddenMarkersAreEmptyCells) {
@@ -76,7 +76,7 @@ TEST(ForceTable, HiddenMarkersAreEmptyCells) {
 TEST(ForceTable, WritesWhatItReads) {
   made::BeamFinger finger(3);
   ForceTable table = finger.rows(3, 10);
-  table.place_mm.row(4).setConstant(std::numeric_limits<double>::quiet_NaN());
+  table.position_mm.row(4).setConstant(std::numeric_limits<double>::quiet_NaN());
   table.time_s = Eigen::VectorXd::LinSpaced(table.rows(), 0, 2.9);
   const std::string csv = table.to_csv();
   const auto again = ForceTable::parse(csv, "table.csv");
@@ -86,7 +86,7 @@ TEST(ForceTable, WritesWhatItReads) {
   EXPECT_EQ(again->seen, table.seen);
   EXPECT_EQ(again->force_N, table.force_N);
   EXPECT_EQ(again->block, table.block);
-  EXPECT_TRUE(std::isnan(again->place_mm(4, 0)));
+  EXPECT_TRUE(std::isnan(again->position_mm(4, 0)));
 }
 
 TEST(ForceTable, BadTablesAreRefusedWithLineAndColumn) {
@@ -220,7 +220,7 @@ TEST(CollectForce, TypedReadingsGoByTheFramesNames) {
   EXPECT_EQ(again->table.rows(), 25);
   EXPECT_EQ(again->table.axes, 3);
   EXPECT_EQ(again->table.force_N(4, 2), 7);
-  EXPECT_EQ(again->table.place_mm(4, 0), 44);
+  EXPECT_EQ(again->table.position_mm(4, 0), 44);
   EXPECT_EQ(again->table.indenter[0], "ball");
 }
 
@@ -290,7 +290,7 @@ TEST(ForceTable, TablesOfSeveralRecordingsAreOne) {
   ASSERT_TRUE(both) << both.error().sentence();
   EXPECT_EQ(both->rows(), 30);
   EXPECT_EQ(both->axes, 2) << "an fz that is 0 everywhere was not measured";
-  EXPECT_EQ(both->passed_over, std::vector<std::string>{"fz_n"});
+  EXPECT_EQ(both->ignored_columns, std::vector<std::string>{"fz_n"});
   EXPECT_EQ(both->force_N(14, 0), 14);
   EXPECT_EQ(both->force_N(29, 1), 14);
   EXPECT_EQ(both->block[0], "x press 0");
@@ -319,7 +319,7 @@ TEST(CollectForce, TheTruthOfASimulationIsAGauge) {
   ASSERT_EQ(gauge->readings.size(), 2U) << "the ball's force is not known";
   EXPECT_EQ(gauge->readings[0].force_N.norm(), 0);
   EXPECT_EQ(gauge->readings[1].force_N, Eigen::Vector3d(1.5, 0.5, 0.25));
-  EXPECT_EQ(*gauge->readings[1].place_mm, Eigen::Vector2d(40, 1));
+  EXPECT_EQ(*gauge->readings[1].position_mm, Eigen::Vector2d(40, 1));
 }
 
 TEST(CollectForce, BadGaugesAreRefused) {

@@ -107,7 +107,7 @@ class BeamFinger {
   /// Each block is a press at one place: in, aside, and out again.
   [[nodiscard]] ForceTable rows(int blocks, int rows_a_block) {
     ForceTable table = empty_force_table(blocks * rows_a_block, kMarkers, 2);
-    table.place_mm = Eigen::MatrixXd::Zero(table.rows(), 2);
+    table.position_mm = Eigen::MatrixXd::Zero(table.rows(), 2);
     Eigen::Index row = 0;
     for (int block = 0; block < blocks; ++block) {
       const double along_mm = between(0.45, 1.0) * length_mm_, most_N = between(1.5, 4.0);
@@ -124,7 +124,7 @@ class BeamFinger {
                 table.seen(row, m) * (at[k] + noise_px * normal_(random_));
         }
         table.force_N.row(row) << fx + noise_N * normal_(random_), fy + noise_N * normal_(random_);
-        table.place_mm.row(row) << along_mm + 0.3 * normal_(random_), 0.3 * normal_(random_);
+        table.position_mm.row(row) << along_mm + 0.3 * normal_(random_), 0.3 * normal_(random_);
         table.block.push_back("press " + std::to_string(block));
       }
     }

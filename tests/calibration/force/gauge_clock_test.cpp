@@ -95,7 +95,7 @@ GaugeClock settled(const std::vector<MarkerFrame>& frames,
                    std::vector<Message>& remarks,
                    const CollectOptions& options = {}) {
   remarks.clear();
-  return settle_gauge_clock(frames, gauge, options, remarks);
+  return estimate_gauge_clock(frames, gauge, options, remarks);
 }
 
 TEST(GaugeClock, DelaysOfDrawnFingersAreFoundWithinTheirSd) {

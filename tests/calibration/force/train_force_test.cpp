@@ -179,7 +179,7 @@ TEST(TrainForce, ABlockIsNeverOnBothSides) {
   ForceTable table = finger.rows(13, 20);
   const auto folds = force_folds(table, ForceSplit::kBlock, 1);
   ASSERT_TRUE(folds);
-  EXPECT_EQ(folds->count, kMostFolds);
+  EXPECT_EQ(folds->count, kMaxFolds);
   for (std::size_t i = 0; i < table.block.size(); ++i)
     for (std::size_t k = 0; k < i; ++k) {
       const bool is_same_block = table.block[i] == table.block[k];

@@ -223,7 +223,7 @@ TEST(Calibrate, UnevenLightIsSeenAndAnsweredAndEvenLightIsLeftAlone) {
         const double factor =
             1.0 + uneven.dot(Eigen::Vector2d(2.0 * u / 400 - 1.0, 2.0 * v / 300 - 1.0));
         const double x = 0.6 * mapping->x_max();
-        const double told = mapping->depth_mm(x) * found.at(press.shape.place_mm(u, v));
+        const double told = mapping->depth_mm(x) * found.at(press.shape.position_mm(u, v));
         worst = std::max(worst, std::abs(told - layer.depth_at(x) * factor));
       }
     EXPECT_LT(worst, 0.02) << uneven.transpose();

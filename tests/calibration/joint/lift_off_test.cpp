@@ -126,7 +126,7 @@ struct LiftedWorld {
           sample.pixel = {u + kSide, v + kSide};
           sample.untouched_n = sample.untouched_z = {0.18 * u, 0.18 * v, 40.0};
           sample.normal = Eigen::Vector3d::UnitZ();
-          sample.place_mm = sample.untouched_n.head<2>();
+          sample.position_mm = sample.untouched_n.head<2>();
           sample.by_u = {0.18, 0.0, 0.0};
           sample.by_v = {0.0, 0.18, 0.0};
           const double rho = (sample.untouched_n - centre).head<2>().norm();

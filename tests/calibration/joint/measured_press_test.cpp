@@ -2,7 +2,7 @@
 #include "calibration/joint/calibrate.h"
 #include "calibration/joint/joint_costs.h"
 #include "calibration/joint/step_press.h"
-#include "calibration/presses/press_sayings.h"
+#include "calibration/presses/press_note_kinds.h"
 #include "tests/support/made_press.h"
 #include "tests/support/slow_run.h"
 
@@ -37,7 +37,7 @@ std::vector<Press> ball_presses(int told, double sd_mm, std::mt19937& random, in
                                  random,
                                  fmt::format("p{}", i))
                           .press);
-    if (i >= count - told) presses.back().told_depth = {depth_mm + sd_mm * normal(random), sd_mm};
+    if (i >= count - told) presses.back().given_depth = {depth_mm + sd_mm * normal(random), sd_mm};
   }
   return presses;
 }
@@ -104,14 +104,14 @@ TEST(MeasuredDepth, SettlesTheScale) {
 TEST(MeasuredDepth, ThatContradictsThePicturesIsNotUsed) {
   std::mt19937 random(4);
   auto presses = ball_presses(0, 0.01, random);
-  presses[4].told_depth = {1.4, 0.01};  // it is 0.97
+  presses[4].given_depth = {1.4, 0.01};  // it is 0.97
   const MadeScene scene = flat_scene();
   const auto done = calibrate(presses, scene.camera, scene.face, {}, Job{});
   ASSERT_TRUE(done.ok()) << done.error().sentence();
   EXPECT_THAT(done->left_out,
               testing::Contains(testing::Property(
                   &Message::english, HasSubstr("p4: its measured depth of 1.400 +- 0.010 mm"))));
-  EXPECT_NEAR(done->balls[4].pressed_in_mm, 0.97, 0.03);
+  EXPECT_NEAR(done->balls[4].indentation_mm, 0.97, 0.03);
 }
 
 constexpr int kFewBalls = 3;
@@ -222,14 +222,14 @@ TEST(MeasuredCosts, HaveTheDerivativesThatDifferencesShow) {
   const MadeScene scene = flat_scene();
   const Press press = make_punch_press(scene, kLayer, {200, 150}, 1.0, random, "step");
   const StepSamples step = find_step(press, scene.face).value();
-  Weighted weighted;
+  WeightedPress weighted;
   weighted.ball_radius_mm = 4.0;
-  weighted.told_depth = {0.7, 0.013};
+  weighted.given_depth = {0.7, 0.013};
   for (int round = 0; round < 20; ++round) {
     weighted.plane.normal = Eigen::Vector3d(uniform(random), uniform(random), 2.0).normalized();
     MappingCurve curve({MappingKind::kMoebius, 3}, 0.6);
     curve.values() << 1.8 + 0.3 * uniform(random), 0.2 * uniform(random), 0.06;
-    const ToldDepthCost told(weighted);
+    const GivenDepthCost told(weighted);
     const StepCost punch(step, curve, MappingAlong::kZ);
     for (const ceres::CostFunction* cost : {static_cast<const ceres::CostFunction*>(&told),
                                             static_cast<const ceres::CostFunction*>(&punch)}) {

@@ -76,8 +76,8 @@ OnNewPress on_new_press(const Calibration& calibration, const Made& made, const 
       400;  // as presses left out are compared: the noise of a mean goes with it
   PressSamples press = sample_around(
       made.press, scene.face, made.centre_mm, 1.06 * made.press.ball_radius_mm, kSamples);
-  place_within({calibration.mapping.variation.middle_mm, calibration.mapping.variation.half_mm},
-               &press);
+  set_unit_positions(
+      {calibration.mapping.variation.middle_mm, calibration.mapping.variation.half_mm}, &press);
   JointOptions options;
   options.along = calibration.mapping.along;
   options.zone = kInner;

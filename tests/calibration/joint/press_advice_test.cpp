@@ -48,7 +48,7 @@ TEST(PressAdvice, SaysTheStandardDeviationThatThePressThenGives) {
     presses.push_back(pressed(layer, places[i][0], places[i][1], 0.55 + 0.1 * i, random, i));
   for (int more = 4; more < 6; ++more) {
     const Calibration now = calibration_so_far(presses);
-    ASSERT_TRUE(now.next_press && now.weakness);
+    ASSERT_TRUE(now.next_press && now.weakest);
     const PressAdvice& advice = *now.next_press;
     EXPECT_NEAR(advice.sd_now_mm, depth_sd_mm(now), 0.35 * depth_sd_mm(now));
     if (advice.enough) break;
@@ -92,8 +92,8 @@ TEST(PressAdvice, SaysWhatAWrongRadiusDoesAndThatItCannotBeSeen) {
     return calibrate(presses, scene.camera, scene.face, {}, Job{}).value();
   };
   const Calibration given = run_with(4.0), larger = run_with(4.04);
-  ASSERT_TRUE(given.radius_sense);
-  const RadiusSense& sense = *given.radius_sense;
+  ASSERT_TRUE(given.radius_sensitivity);
+  const RadiusSensitivity& sense = *given.radius_sensitivity;
   // What it says, against a calibration that was really told another radius.
   const double x = given.mapping.x_max;
   const double changed =
@@ -109,11 +109,11 @@ TEST(PressAdvice, SaysWhatAWrongRadiusDoesAndThatItCannotBeSeen) {
 TEST(PressAdvice, TheWeakestDirectionIsNamed) {
   MappingCurve curve({MappingKind::kPolynomial, 2}, 0.5);
   curve.values() << 2.5, 0.3;
-  const Weakness scale = weakest_direction(curve, Eigen::Vector2d(1e-2, 1e-8).asDiagonal());
+  const WeakestDirection scale = weakest_direction(curve, Eigen::Vector2d(1e-2, 1e-8).asDiagonal());
   EXPECT_TRUE(scale.is_scale);
   EXPECT_NEAR(scale.sd_mm, 0.1 * 0.5, 1e-6);  // of c0 times x at the end of the domain
   EXPECT_THAT(scale.sentence.english(), testing::HasSubstr("the scale"));
-  const Weakness bend = weakest_direction(curve, Eigen::Vector2d(1e-8, 1e-2).asDiagonal());
+  const WeakestDirection bend = weakest_direction(curve, Eigen::Vector2d(1e-8, 1e-2).asDiagonal());
   EXPECT_FALSE(bend.is_scale);
   EXPECT_THAT(bend.sentence.english(), testing::HasSubstr("shallow and deep"));
 }

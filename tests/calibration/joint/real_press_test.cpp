@@ -73,7 +73,7 @@ class RealPress : public testing::Test {
     Reference reference;
     cv::Mat levels;
     untouched.convertTo(levels, CV_32FC1);
-    reference.picture = ReferencePicture(levels);
+    reference.image = ReferenceImage(levels);
     FaceShape shape = FaceShape::plane(*camera_, face_);
     Difference x = difference(sample, reference, shape, {});
     return {"press", std::move(x), std::move(shape), kBallRadiusMm};

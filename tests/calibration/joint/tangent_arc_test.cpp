@@ -125,7 +125,7 @@ TEST(TangentArc, TheHidingHorizonIsWhatRaysFind) {
     const MadeScene scene = finger_scene(60.0, incline);
     for (const double depth : {0.3, 0.6, 1.0, 1.3}) {
       const RayTracer tracer(scene, 479.5, 269.5, depth);
-      const auto hiding = hiding_horizon(scene.shape, tracer.centre_mm(), kRadiusMm, 0.1);
+      const auto hiding = occluding_horizon(scene.shape, tracer.centre_mm(), kRadiusMm, 0.1);
       const double arc_deg = 0.1 * static_cast<double>(hiding.size());
       EXPECT_NEAR(arc_deg, traced_arc_deg(scene, tracer), 2.5)
           << "incline " << incline << ", depth " << depth;
@@ -140,10 +140,10 @@ TEST(TangentArc, TheHidingHorizonIsWhatRaysFind) {
 
 TEST(TangentArc, NoneWhereTheFaceIsSeenSteeplyFromAbove) {
   const MadeScene flat = flat_scene();
-  EXPECT_TRUE(hiding_horizon(flat.shape, {10.0, 7.0, 23.0}, kRadiusMm, 1.0).empty());
+  EXPECT_TRUE(occluding_horizon(flat.shape, {10.0, 7.0, 23.0}, kRadiusMm, 1.0).empty());
   const MadeScene scene = finger_scene(60.0, 34.0);  // b = 56 degrees: 1 - h/R must be below 0.56
   for (const double depth : {0.3, 0.8, 1.2})
-    EXPECT_TRUE(hiding_horizon(
+    EXPECT_TRUE(occluding_horizon(
                     scene.shape, RayTracer(scene, 479.5, 269.5, depth).centre_mm(), kRadiusMm, 1.0)
                     .empty())
         << depth;
@@ -208,7 +208,7 @@ TEST(TangentArc, EveryCostAgreesWithDifferences) {
     const double depth = 44.0 + 20.0 * uniform(random);
     std::vector<Sample> samples(12);
     std::vector<OutlinePoint> outline(7);
-    Weighted weighted;
+    WeightedPress weighted;
     for (Sample& sample : samples) {
       sample.normal = Eigen::Vector3d(0.5 * uniform(random), 0.0, 1.0).normalized();
       sample.untouched_n = {uniform(random), uniform(random), depth - 3.0};

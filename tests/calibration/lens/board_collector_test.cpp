@@ -40,25 +40,25 @@ class LiveBoard {
 TEST(BoardCollector, AsksForABoardThatIsNewStillAndSharp) {
   LiveBoard live;
   BoardCollector collector(live.board());
-  BoardLook look = collector.look(live.frame(0));
-  ASSERT_TRUE(look.view) << look.why_none.english();
-  EXPECT_TRUE(look.is_new);
-  EXPECT_TRUE(look.is_sharp);
-  EXPECT_FALSE(look.is_still) << "nothing tells yet";
-  look = collector.look(live.frame(0.02));
-  EXPECT_TRUE(look.is_worth_keeping());
-  collector.keep(look);
+  BoardAnalysis analysis = collector.analyse(live.frame(0));
+  ASSERT_TRUE(analysis.view) << analysis.no_board_reason.english();
+  EXPECT_TRUE(analysis.is_new);
+  EXPECT_TRUE(analysis.is_sharp);
+  EXPECT_FALSE(analysis.is_still) << "nothing tells yet";
+  analysis = collector.analyse(live.frame(0.02));
+  EXPECT_TRUE(analysis.is_useful());
+  collector.add(analysis);
   ASSERT_EQ(collector.views().size(), 1U);
   EXPECT_EQ(collector.views()[0].name, "board_01");
   EXPECT_EQ(collector.frames()[0]->name, "board_01");
-  look = collector.look(live.frame(0.02));
-  EXPECT_TRUE(look.is_still);
-  EXPECT_FALSE(look.is_new) << "it is there already";
-  look = collector.look(live.frame(9));
-  EXPECT_FALSE(look.is_still) << "it moved";
-  EXPECT_TRUE(look.is_new);
-  EXPECT_TRUE(collector.look(live.frame(9)).is_worth_keeping());
-  const BoardLook blurred = collector.look(live.frame(9, 3));
+  analysis = collector.analyse(live.frame(0.02));
+  EXPECT_TRUE(analysis.is_still);
+  EXPECT_FALSE(analysis.is_new) << "it is there already";
+  analysis = collector.analyse(live.frame(9));
+  EXPECT_FALSE(analysis.is_still) << "it moved";
+  EXPECT_TRUE(analysis.is_new);
+  EXPECT_TRUE(collector.analyse(live.frame(9)).is_useful());
+  const BoardAnalysis blurred = collector.analyse(live.frame(9, 3));
   EXPECT_FALSE(blurred.view && blurred.is_sharp);
 }
 
@@ -67,9 +67,9 @@ TEST(BoardCollector, SaysWhyThereIsNoneAndForgetsWhatIsLeftOut) {
   BoardCollector collector(live.board());
   auto empty = std::make_shared<Frame>();
   empty->grey = cv::Mat(480, 640, CV_8UC1, cv::Scalar(90));
-  EXPECT_FALSE(collector.look(empty).view);
-  EXPECT_FALSE(collector.look(empty).why_none.empty());
-  for (const double right : {-9.0, 0.0, 9.0}) collector.keep(collector.look(live.frame(right)));
+  EXPECT_FALSE(collector.analyse(empty).view);
+  EXPECT_FALSE(collector.analyse(empty).no_board_reason.empty());
+  for (const double right : {-9.0, 0.0, 9.0}) collector.add(collector.analyse(live.frame(right)));
   const auto all = collector.cells();
   int corners = 0;
   for (const auto& row : all)
@@ -78,7 +78,7 @@ TEST(BoardCollector, SaysWhyThereIsNoneAndForgetsWhatIsLeftOut) {
   collector.forget("board_02");
   ASSERT_EQ(collector.views().size(), 2U);
   EXPECT_EQ(collector.views()[1].name, "board_03");
-  collector.keep(collector.look(live.frame(0)));
+  collector.add(collector.analyse(live.frame(0)));
   EXPECT_EQ(collector.views().back().name, "board_04") << "no name twice";
 }
 

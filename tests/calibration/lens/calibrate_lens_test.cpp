@@ -94,7 +94,7 @@ TEST(CalibrateLens, ABentViewIsPutAsideAndSaysSo) {
     bent.pixels[i] = camera.project(scene.poses[4](place)).value();
   }
   const LensCalibration found = calibrated(scene.views);
-  EXPECT_THAT(found.views[4].put_aside.english(), HasSubstr("bent"));
+  EXPECT_THAT(found.views[4].rejection.english(), HasSubstr("bent"));
   EXPECT_EQ(found.used.size(), scene.views.size() - 1);
   EXPECT_NEAR(found.fit.lens.fx_px, 521.4, 5 * found.fit.sd(0));
 }
@@ -105,7 +105,7 @@ TEST(CalibrateLens, ABlurredViewIsPutAsideAndSaysSo) {
   std::normal_distribution<double> noise(0, 1.0);
   scene.views[2].edge_px = 6;
   for (Eigen::Vector2d& pixel : scene.views[2].pixels) pixel.x() += noise(random);
-  EXPECT_THAT(calibrated(scene.views).views[2].put_aside.english(), HasSubstr("blurred"));
+  EXPECT_THAT(calibrated(scene.views).views[2].rejection.english(), HasSubstr("blurred"));
 }
 
 TEST(CalibrateLens, ABoardBentInAllViewsIsNoticed) {

@@ -186,8 +186,8 @@ TEST(RenderedBoards, TheCornersWindowDoesNotMoveThem) {
   std::array<PlaceErrors, kParts.size()> others;
   PlaceErrors ours;
   for (std::size_t i = 0; i < scene.poses.size(); ++i) {
-    const cv::Mat picture = picture_of(painter, board, scene.poses[i], 70 + i);
-    const auto view = find_board(picture, board);
+    const cv::Mat image = picture_of(painter, board, scene.poses[i], 70 + i);
+    const auto view = find_board(image, board);
     ASSERT_TRUE(view) << view.error().sentence();
     const auto& truth = scene.views[i].pixels;
     const auto found = in_order(view->pixels, truth);
@@ -197,7 +197,7 @@ TEST(RenderedBoards, TheCornersWindowDoesNotMoveThem) {
         std::vector<cv::Point2f> corner{
             cv::Point2f(static_cast<float>(found[k].x()), static_cast<float>(found[k].y()))};
         const int half = std::max(2, static_cast<int>(kParts[p] * least_distance(truth, k)));
-        cv::cornerSubPix(picture,
+        cv::cornerSubPix(image,
                          corner,
                          {half, half},
                          {-1, -1},

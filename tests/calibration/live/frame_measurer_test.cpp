@@ -1,7 +1,7 @@
 // Frames of a recording measured in any order: a flat sensor's, pressed by a ball of known place.
 #include "calibration/live/frame_measurer.h"
 
-#include "core/io/picture.h"
+#include "core/io/image_file.h"
 #include "tests/support/flat_sensor.h"
 #include "tests/support/temporary_folder.h"
 
@@ -24,11 +24,11 @@ class FrameMeasurerTest : public testing::Test {
  protected:
   void SetUp() override {
     fs::create_directories(recording_);
-    ASSERT_TRUE(write_picture(folder_ / "ref.png", test::untouched_picture(1)).ok());
+    ASSERT_TRUE(write_image(folder_ / "ref.png", test::untouched_picture(1)).ok());
     for (int i = 0; i < kFrames; ++i) {
       const auto depth_mm = test::ball_depth_mm(kBall_u, kBall_v, depth_of(i));
       const fs::path file = recording_ / ("frame_" + std::to_string(i) + ".png");
-      ASSERT_TRUE(write_picture(file, test::pressed_picture(depth_mm, 2 + i)).ok());
+      ASSERT_TRUE(write_image(file, test::pressed_picture(depth_mm, 2 + i)).ok());
     }
     save_finger(true);
   }

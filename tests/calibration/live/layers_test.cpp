@@ -23,20 +23,20 @@ const cv::Rect kDarkReference(30, 40, 60, 48), kBrightReference(200, 30, 48, 60)
 /// Patches of all levels between measurable and not, in the reference and in the live picture.
 FrameResult measured(bool is_calibrated) {
   cv::Mat reference = test::untouched_picture(1), live = test::untouched_picture(2);
-  const auto fill = [](cv::Mat& picture, const cv::Rect& patch, int first) {
+  const auto fill = [](cv::Mat& image, const cv::Rect& patch, int first) {
     for (int u = 0; u < patch.width; ++u) {
       const int level = first + u / kPeriod_px;
-      picture(cv::Rect(patch.x + u, patch.y, 1, patch.height)).setTo(level);
+      image(cv::Rect(patch.x + u, patch.y, 1, patch.height)).setTo(level);
     }
   };
   fill(reference, kDarkReference, 3);      // 3 to 12
   fill(reference, kBrightReference, 246);  // 246 to 253
   fill(live, kBrightLive, 246);
   fill(live, kDarkLive, 0);  // 0 to 7: as dark as it likes
-  Pipeline pipeline =
-      Pipeline::over(ReferenceLibrary::single(reference).value(),
-                     FingerSnapshot::of({}, test::flat_sensor_finger(is_calibrated)).value(),
-                     PipelineSettings{});
+  Pipeline pipeline = Pipeline::with_library(
+      ReferenceLibrary::single(reference).value(),
+      FingerSnapshot::of({}, test::flat_sensor_finger(is_calibrated)).value(),
+      PipelineSettings{});
   auto frame = std::make_shared<Frame>();
   frame->grey = live;
   frame->name = "frame";

@@ -1,7 +1,7 @@
 #include "calibration/presses/held_frames.h"
 
 #include "calibration/presses/press_input.h"
-#include "core/io/picture.h"
+#include "core/io/image_file.h"
 #include "tests/support/temporary_folder.h"
 
 #include <random>
@@ -18,7 +18,7 @@ using testing::HasSubstr;
 
 /// A smooth grey picture with ten bright dots, moved by some pixels, without noise.
 cv::Mat scene(const cv::Size& size, double moved_px) {
-  cv::Mat picture(size, CV_32FC1);
+  cv::Mat image(size, CV_32FC1);
   for (int v = 0; v < size.height; ++v)
     for (int u = 0; u < size.width; ++u) {
       double level = 90.0 + 40.0 * u / size.width;
@@ -27,9 +27,9 @@ cv::Mat scene(const cv::Size& size, double moved_px) {
                                     v - 0.2 * size.height - 0.06 * dot * size.height);
         level += 60.0 / (1.0 + std::exp(2.0 * (r - 5.0)));
       }
-      picture.at<float>(v, u) = static_cast<float>(level);
+      image.at<float>(v, u) = static_cast<float>(level);
     }
-  return picture;
+  return image;
 }
 
 FramePtr frame_of(const cv::Mat& scene, double noise, double light, cv::RNG& random) {
@@ -95,7 +95,7 @@ void write_burst(const std::filesystem::path& folder, int still, cv::RNG& random
   int number = 0;
   const auto write = [&](double moved_px) {
     const FramePtr frame = frame_of(scene({320, 200}, moved_px), 2.0, 1.0, random);
-    ASSERT_TRUE(write_picture(folder / fmt::format("{:03}.png", number++), frame->grey).ok());
+    ASSERT_TRUE(write_image(folder / fmt::format("{:03}.png", number++), frame->grey).ok());
   };
   for (int i = 0; i < 6; ++i) write(-12.0 + 2.0 * i);
   for (int i = 0; i < still; ++i) write(0);
@@ -108,7 +108,7 @@ TEST(BurstSource, AveragesWhatIsHeldStill) {
   write_burst(folder.path() / "press_1", 20, random);
   write_burst(folder.path() / "press.2", 9, random);
   const FramePtr single = frame_of(scene({320, 200}, 3.0), 2.0, 1.0, random);
-  ASSERT_TRUE(write_picture(folder.path() / "alone.png", single->grey).ok());
+  ASSERT_TRUE(write_image(folder.path() / "alone.png", single->grey).ok());
   BurstSource source(
       {folder.path() / "press_1", folder.path() / "press.2", folder.path() / "alone.png"});
   const auto first = source.next(), second = source.next(), third = source.next();

@@ -26,11 +26,11 @@ TEST(PressPlan, SixPlacesInAllThirdsOnBothSidesAtThreeDepthsAllOnTheFace) {
       length = std::max(length, shape.length_at(u));
   int sides = 0;
   for (const PressTarget& target : targets) {
-    ++thirds.at(static_cast<std::size_t>(std::min(2.0, 3 * target.place_mm.x() / length)));
-    sides += target.place_mm.y() > 0 ? 1 : -1;
+    ++thirds.at(static_cast<std::size_t>(std::min(2.0, 3 * target.position_mm.x() / length)));
+    sides += target.position_mm.y() > 0 ? 1 : -1;
     EXPECT_GE(target.depth_mm, 0.4 * shape.face().layer_mm);
     EXPECT_LE(target.depth_mm, 0.7 * shape.face().layer_mm);
-    EXPECT_LT(std::abs(target.place_mm.y()), 0.25 * shape.face().width_mm);
+    EXPECT_LT(std::abs(target.position_mm.y()), 0.25 * shape.face().width_mm);
   }
   EXPECT_EQ(thirds, (std::array{2, 2, 2}));
   EXPECT_EQ(sides, 0);
@@ -39,35 +39,35 @@ TEST(PressPlan, SixPlacesInAllThirdsOnBothSidesAtThreeDepthsAllOnTheFace) {
 TEST(PressPlan, ThePixelOfAPlaceShowsThatPlace) {
   const FaceShape shape = drawn_face();
   for (const PressTarget& target : first_presses(shape)) {
-    const auto pixel = pixel_of_place(shape, target.place_mm);
+    const auto pixel = pixel_of_position(shape, target.position_mm);
     ASSERT_TRUE(pixel);
-    const Eigen::Vector2d back = shape.place_mm(pixel->x(), pixel->y());
-    EXPECT_NEAR(back.x(), target.place_mm.x(), 0.05);
-    EXPECT_NEAR(back.y(), target.place_mm.y(), 0.05);
+    const Eigen::Vector2d back = shape.position_mm(pixel->x(), pixel->y());
+    EXPECT_NEAR(back.x(), target.position_mm.x(), 0.05);
+    EXPECT_NEAR(back.y(), target.position_mm.y(), 0.05);
   }
   // Beyond the face it is the nearest place that is seen.
-  const auto far = pixel_of_place(shape, {1e4, 1e4});
+  const auto far = pixel_of_position(shape, {1e4, 1e4});
   ASSERT_TRUE(far);
   EXPECT_LE(far->x(), shape.width_px());
 }
 
 TEST(PressPlan, TheNextOneIsTheFirstThatNoPressStandsFor) {
   const std::vector<PressTarget> targets{{{10, 3}, 0.6}, {{30, -3}, 0.8}, {{50, 3}, 1.0}};
-  EXPECT_EQ(next_press(targets, {})->place_mm, Eigen::Vector2d(10, 3));
-  EXPECT_EQ(next_press(targets, {{12, 1}})->place_mm, Eigen::Vector2d(30, -3));
-  EXPECT_EQ(next_press(targets, {{12, 1}, {9, 2}})->place_mm, Eigen::Vector2d(30, -3))
+  EXPECT_EQ(next_press(targets, {})->position_mm, Eigen::Vector2d(10, 3));
+  EXPECT_EQ(next_press(targets, {{12, 1}})->position_mm, Eigen::Vector2d(30, -3));
+  EXPECT_EQ(next_press(targets, {{12, 1}, {9, 2}})->position_mm, Eigen::Vector2d(30, -3))
       << "two at one place stand for one";
-  EXPECT_EQ(next_press(targets, {{48, 0}, {11, 0}})->place_mm, Eigen::Vector2d(30, -3));
+  EXPECT_EQ(next_press(targets, {{48, 0}, {11, 0}})->position_mm, Eigen::Vector2d(30, -3));
   EXPECT_FALSE(next_press(targets, {{48, 0}, {11, 0}, {28, -2}}));
   EXPECT_FALSE(next_press({}, {{1, 1}}));
 }
 
 TEST(PressPlan, SaysDeeperEnoughAndTooDeep) {
-  EXPECT_EQ(pressed_so_far(0.5, 0.8, 1.5), PressedSoFar::kDeeper);
-  EXPECT_EQ(pressed_so_far(0.7, 0.8, 1.5), PressedSoFar::kEnough);
-  EXPECT_EQ(pressed_so_far(0.8, 0.8, 1.5), PressedSoFar::kEnough);
-  EXPECT_EQ(pressed_so_far(1.15, 0.8, 1.5), PressedSoFar::kTooDeep);
-  EXPECT_EQ(pressed_so_far(1.25, 1.2, 1.5), PressedSoFar::kTooDeep) << "eight tenths of the layer";
+  EXPECT_EQ(press_progress(0.5, 0.8, 1.5), PressProgress::kDeeper);
+  EXPECT_EQ(press_progress(0.7, 0.8, 1.5), PressProgress::kEnough);
+  EXPECT_EQ(press_progress(0.8, 0.8, 1.5), PressProgress::kEnough);
+  EXPECT_EQ(press_progress(1.15, 0.8, 1.5), PressProgress::kTooDeep);
+  EXPECT_EQ(press_progress(1.25, 1.2, 1.5), PressProgress::kTooDeep) << "eight tenths of the layer";
 }
 
 TEST(DiscDepth, IsThatOfACapWhereItsDepthHasFallenToTheLevel) {

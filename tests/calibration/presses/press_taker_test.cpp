@@ -37,7 +37,7 @@ class PressTakerTest : public testing::Test {
 
 TEST_F(PressTakerTest, TakesAtOnceWhatIsHeldAlready) {
   see_still(20);
-  const auto taken = taker_.want(now_s());
+  const auto taken = taker_.request(now_s());
   ASSERT_TRUE(taken);
   EXPECT_EQ(taken->of, PressTaker::kBurst);
   EXPECT_EQ(taken->frame->sequence, number_);
@@ -49,7 +49,7 @@ TEST_F(PressTakerTest, TakesAtOnceWhatIsHeldAlready) {
 
 TEST_F(PressTakerTest, WaitsForWhatMovesToBeHeld) {
   for (int i = 0; i < 10; ++i) EXPECT_FALSE(see(60 + 4 * i));
-  EXPECT_FALSE(taker_.want(now_s()));
+  EXPECT_FALSE(taker_.request(now_s()));
   for (int i = 10; i < 20; ++i) EXPECT_FALSE(see(60 + 4 * i));
   EXPECT_EQ(taker_.state(), PressTaker::State::kWaits);
   std::optional<PressTaker::Taken> taken;
@@ -61,7 +61,7 @@ TEST_F(PressTakerTest, WaitsForWhatMovesToBeHeld) {
 }
 
 TEST_F(PressTakerTest, TakesWhatWasHeldForAMoment) {
-  EXPECT_FALSE(taker_.want(0));
+  EXPECT_FALSE(taker_.request(0));
   see_still(6);
   const auto taken = see(180);
   ASSERT_TRUE(taken);
@@ -70,7 +70,7 @@ TEST_F(PressTakerTest, TakesWhatWasHeldForAMoment) {
 }
 
 TEST_F(PressTakerTest, RefusesWhatIsNeverHeld) {
-  EXPECT_FALSE(taker_.want(0));
+  EXPECT_FALSE(taker_.request(0));
   for (int i = 0; i < 149; ++i) {
     EXPECT_FALSE(see(60 + 5 * (i % 40)));
     EXPECT_EQ(taker_.state(), PressTaker::State::kWaits);
@@ -78,18 +78,18 @@ TEST_F(PressTakerTest, RefusesWhatIsNeverHeld) {
   EXPECT_FALSE(see(60));
   EXPECT_EQ(taker_.state(), PressTaker::State::kRefused) << "after five seconds";
   // Wanted again, it is waited for again.
-  EXPECT_FALSE(taker_.want(now_s()));
+  EXPECT_FALSE(taker_.request(now_s()));
   EXPECT_EQ(taker_.state(), PressTaker::State::kWaits);
 }
 
 TEST_F(PressTakerTest, BelievesAContactThatHoldsStillInLightThatFlickers) {
   const auto contact = [](double along_mm) {
     DarkPatch patch;
-    patch.place_mm = {along_mm, 0};
+    patch.position_mm = {along_mm, 0};
     patch.darkness = 0.2;
     return patch;
   };
-  EXPECT_FALSE(taker_.want(0));
+  EXPECT_FALSE(taker_.request(0));
   for (int i = 0; i < 30; ++i) EXPECT_FALSE(see(60 + 5 * (i % 40), contact(0.5 * i)));
   const double began_s = now_s();
   std::optional<PressTaker::Taken> taken;
@@ -104,7 +104,7 @@ TEST_F(PressTakerTest, TakesTheLastFrameOfASourceThatHasEnded) {
   EXPECT_FALSE(see(100));
   EXPECT_FALSE(see(140));
   EXPECT_FALSE(taker_.end()) << "nothing is wanted";
-  EXPECT_FALSE(taker_.want(now_s()));
+  EXPECT_FALSE(taker_.request(now_s()));
   const auto taken = taker_.end();
   ASSERT_TRUE(taken);
   EXPECT_EQ(taken->of, 1U);
@@ -115,7 +115,7 @@ TEST_F(PressTakerTest, FramesOfAnotherSourceAreOthers) {
   see_still(8);
   number_ = 2;  // the same source from its beginning
   EXPECT_FALSE(see(100));
-  EXPECT_FALSE(taker_.want(now_s()));
+  EXPECT_FALSE(taker_.request(now_s()));
   EXPECT_EQ(taker_.state(), PressTaker::State::kWaits);
 }
 

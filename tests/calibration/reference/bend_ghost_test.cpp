@@ -62,16 +62,16 @@ TEST(BendGhost, TheTipGoesWhereTheMotionSaysAndTheBaseStays) {
 }
 
 TEST(BendGhost, LeadsFromThePoseNowALittleBeyondWhatIsNeeded) {
-  BendPicture picture;
-  picture.need = {4, 2, 3};
-  EXPECT_EQ(motion_left(picture, BendDirection::kAway).bend_mm, 0) << "no pose is known";
-  picture.now = TipMotion{1, -0.5, 0.3};
-  EXPECT_NEAR(motion_left(picture, BendDirection::kAway).bend_mm, 4.4 - 1, 1e-12);
-  EXPECT_NEAR(motion_left(picture, BendDirection::kTowards).bend_mm, -4.4 - 1, 1e-12);
-  EXPECT_NEAR(motion_left(picture, BendDirection::kDown).sway_mm, 2.2 + 0.5, 1e-12);
-  EXPECT_NEAR(motion_left(picture, BendDirection::kUp).sway_mm, -2.2 + 0.5, 1e-12);
-  EXPECT_NEAR(motion_left(picture, BendDirection::kTwistRight).twist_deg, 3.3 - 0.3, 1e-12);
-  EXPECT_NEAR(motion_left(picture, BendDirection::kTwistLeft).twist_deg, -3.3 - 0.3, 1e-12);
+  BendState image;
+  image.need = {4, 2, 3};
+  EXPECT_EQ(motion_left(image, BendDirection::kAway).bend_mm, 0) << "no pose is known";
+  image.now = TipMotion{1, -0.5, 0.3};
+  EXPECT_NEAR(motion_left(image, BendDirection::kAway).bend_mm, 4.4 - 1, 1e-12);
+  EXPECT_NEAR(motion_left(image, BendDirection::kTowards).bend_mm, -4.4 - 1, 1e-12);
+  EXPECT_NEAR(motion_left(image, BendDirection::kDown).sway_mm, 2.2 + 0.5, 1e-12);
+  EXPECT_NEAR(motion_left(image, BendDirection::kUp).sway_mm, -2.2 + 0.5, 1e-12);
+  EXPECT_NEAR(motion_left(image, BendDirection::kTwistRight).twist_deg, 3.3 - 0.3, 1e-12);
+  EXPECT_NEAR(motion_left(image, BendDirection::kTwistLeft).twist_deg, -3.3 - 0.3, 1e-12);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 // ones are left out. A few by default; `packaging/test --slow` draws a thousand and two hundred
 // clean ones.
 #include "calibration/reference/reference_recording.h"
-#include "core/numerics/parts.h"
+#include "core/numerics/parallel.h"
 #include "tests/support/marked_recording.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/slow_run.h"
@@ -43,10 +43,9 @@ struct Outcome {
 
 test::MemorySource rendered(const TouchedRecording& recording, const Plan& plan) {
   test::MemorySource source;
-  source.pictures.resize(static_cast<std::size_t>(recording.frames));
-  over_parts(recording.frames, all_cores(), [&](int first, int last) {
-    for (int i = first; i < last; ++i)
-      source.pictures[static_cast<std::size_t>(i)] = plan.render(i);
+  source.images.resize(static_cast<std::size_t>(recording.frames));
+  parallel_for(recording.frames, default_threads(), [&](int first, int last) {
+    for (int i = first; i < last; ++i) source.images[static_cast<std::size_t>(i)] = plan.render(i);
   });
   return source;
 }
@@ -76,7 +75,7 @@ Result<ReferenceReport> installed_again(const TouchedRecording& before,
 
 bool is_left_out(const ReferenceReport& report, int frame) {
   return std::any_of(report.stretches.begin(), report.stretches.end(), [&](const auto& stretch) {
-    return !stretch.is_kept && stretch.first <= frame && frame <= stretch.last;
+    return !stretch.is_retained && stretch.first <= frame && frame <= stretch.last;
   });
 }
 
@@ -201,11 +200,11 @@ TEST(CleanReference, StretchesAreNamedAndChoicesHonoured) {
   choices.leave_out = {{100, 119}};
   const auto chosen = installed(recording, finger, choices);
   ASSERT_TRUE(chosen.ok()) << chosen.error().sentence();
-  EXPECT_TRUE(chosen->stretches.front().is_kept);
+  EXPECT_TRUE(chosen->stretches.front().is_retained);
   EXPECT_FALSE(is_left_out(*chosen, 10));
   // Some of the frames that are left out show no face, and are left out in both.
-  EXPECT_NEAR(chosen->frames_kept + chosen->repeated,
-              report->frames_kept + report->repeated + (stretch.last - stretch.first + 1) - 20,
+  EXPECT_NEAR(chosen->frames_retained + chosen->repeated,
+              report->frames_retained + report->repeated + (stretch.last - stretch.first + 1) - 20,
               8);
 }
 
@@ -261,7 +260,7 @@ TEST(CleanReference, ARefusalNamesThePlaceAndLeavesAPicture) {
   choices.skin_was_changed = true;
   const auto kept = installed_again(before, recording, choices);
   ASSERT_TRUE(kept.ok()) << kept.error().sentence();
-  EXPECT_EQ(kept->touched, 0);
+  EXPECT_EQ(kept->contact_frames, 0);
 }
 
 TEST(CleanReference, OtherLightIsNoTouch) {

@@ -43,8 +43,8 @@ TEST(MotionCoverage, CombinationsCountAsWell) {
 }
 
 TEST(MotionCoverage, MotionIsThatOfThePairOfDots) {
-  const TipPlace rest{{30.0, 0.0, 80.0}, Eigen::Vector3d(-0.6, 0.0, 0.8), 0.1};
-  TipPlace now = rest;
+  const TipPose rest{{30.0, 0.0, 80.0}, Eigen::Vector3d(-0.6, 0.0, 0.8), 0.1};
+  TipPose now = rest;
   now.middle_mm += 2.0 * rest.normal + Eigen::Vector3d(0.0, -1.5, 0.0);
   now.turn_rad += 3.0 * M_PI / 180.0;
   const TipMotion motion = motion_between(rest, now);

@@ -83,7 +83,7 @@ Recorded record(const MarkedFinger& f, const Conditions& conditions, unsigned se
       add({u, v, r, r}, upper, 20 + 40 * one(random));
     }
     std::shuffle(frame.bright.begin(), frame.bright.end(), random);
-    place_on_finger(frame.bright, shape, SideEdges(shape));
+    locate_on_finger(frame.bright, shape, SideEdges(shape));
     recorded.frames.push_back(std::move(frame));
     recorded.truth.push_back(f.layout(bend));
   }
@@ -98,7 +98,7 @@ void expect_numbered(const char* what,
                      const std::vector<int>& place_of) {
   const auto numbered = number_recording(recorded.frames, rows);
   ASSERT_TRUE(numbered.ok()) << what << ": " << numbered.error().sentence();
-  ASSERT_FALSE(numbered->places) << what << ": " << numbered->no_markers.english();
+  ASSERT_FALSE(numbered->positions) << what << ": " << numbered->no_markers.english();
   std::vector<int> missing;
   for (std::size_t m = 0; m < place_of.size(); ++m)
     if (place_of[m] < 0) missing.push_back(static_cast<int>(m));
@@ -147,9 +147,9 @@ void expect_numbered(const char* what,
 }
 
 std::vector<int> in_order(int count) {
-  std::vector<int> places(static_cast<std::size_t>(count));
-  std::iota(places.begin(), places.end(), 0);
-  return places;
+  std::vector<int> positions(static_cast<std::size_t>(count));
+  std::iota(positions.begin(), positions.end(), 0);
+  return positions;
 }
 
 /// Steps and sizes that grow along the finger: dots that look alike in the picture.
@@ -199,7 +199,7 @@ TEST(NumberRecording, OneDotARowTellsNoPoseWhereOneIsHiddenSoTheShapeDoes) {
   const auto recorded = record(f, {}, 2);
   const auto numbered = number_recording(recorded.frames, {1, Polarity::kAuto});
   ASSERT_TRUE(numbered.ok());
-  EXPECT_TRUE(numbered->places);
+  EXPECT_TRUE(numbered->positions);
   EXPECT_EQ(numbered->no_markers.english(), "of 2 markers none may be hidden");
 }
 
@@ -222,13 +222,13 @@ TEST(NumberRecording, ADamagedFingerWorksWithTheMarkersItHasAndSaysWhichAreMissi
   conditions.blemishes = {{-1, 0.06 + 0.86 * 0.25, 9, 0.5, 60},
                           {1, 0.06 + 0.86 * 0.5, 9, 0.6, 50},
                           {1, 0.7, 6, 0.8, 80}};
-  auto places = in_order(12);
-  places[3] = places[10] = -1;
+  auto positions = in_order(12);
+  positions[3] = positions[10] = -1;
   expect_numbered("damaged",
                   MarkedFinger{},
                   record(MarkedFinger{}, conditions, 4),
                   {6, Polarity::kAuto},
-                  places);
+                  positions);
 
   Conditions ends;
   ends.absent = {0, 11};
@@ -257,7 +257,7 @@ TEST(NumberRecording, ANumberOfDotsThatIsOffByOne) {
   const auto recorded = record(MarkedFinger{}, {}, 8);
   const auto fewer = number_recording(recorded.frames, {5, Polarity::kAuto});
   ASSERT_TRUE(fewer.ok());
-  ASSERT_FALSE(fewer->places);
+  ASSERT_FALSE(fewer->positions);
   EXPECT_TRUE(fewer->missing.empty());
   for (std::size_t i = 0; i < recorded.frames.size(); ++i) {
     ASSERT_TRUE(fewer->markers[i]) << i;
@@ -294,14 +294,14 @@ TEST(NumberRecording, WithoutMarkersByPlacesOfTheFace) {
   for (const int per_row : {0, 6}) {
     const auto numbered = number_recording(recorded.frames, {per_row, Polarity::kAuto});
     ASSERT_TRUE(numbered.ok()) << numbered.error().sentence();
-    ASSERT_TRUE(numbered->places);
+    ASSERT_TRUE(numbered->positions);
     EXPECT_EQ(numbered->no_markers.empty(), per_row == 0);
     EXPECT_TRUE(numbered->missing.empty());
     for (std::size_t i = 0; i < recorded.frames.size(); ++i) {
       ASSERT_TRUE(numbered->markers[i]) << i;
       // On the true edges, wherever along them.
       const auto upper = f.edge(pose(static_cast<int>(i), 80), -1, 0);
-      for (std::size_t m = 0; m < PosePlaces::kPerEdge; ++m) {
+      for (std::size_t m = 0; m < EdgePositions::kPerEdge; ++m) {
         const Marker& marker = (*numbered->markers[i])[m];
         if (!marker.seen) continue;
         const auto u = static_cast<std::size_t>(marker.u);

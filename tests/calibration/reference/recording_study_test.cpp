@@ -30,9 +30,9 @@ Bend loop(int i, int frames_a_loop) {
 
 /// A disc of the face is darker: something presses there.
 MarkedFinger::Extra dent(
-    const MarkedFinger& f, const cv::Mat& picture, double u, double radius_px, double darker) {
+    const MarkedFinger& f, const cv::Mat& image, double u, double radius_px, double darker) {
   const double v = 0.5 * (f.height - 1);
-  const double level = picture.at<float>(static_cast<int>(v), static_cast<int>(u));
+  const double level = image.at<float>(static_cast<int>(v), static_cast<int>(u));
   return {{u, v, radius_px, radius_px}, level * (1.0 - darker)};
 }
 
@@ -57,7 +57,7 @@ TEST(RecordingStudy, FramesWithSomethingOnTheFaceAreLeftOutAndNoOthers) {
       extras.push_back(dent(f, f.clean(bend), i < 100 ? 180 : 120, 14, 0.12));
       touched.insert(i);
     }
-    source.pictures.push_back(f.with_noise(f.clean(bend, {}, extras), random));
+    source.images.push_back(f.with_noise(f.clean(bend, {}, extras), random));
   }
   Finger finger = described(f);
   const auto report = install_reference(source, scratch_folder("touched"), finger, Job{});
@@ -72,7 +72,7 @@ TEST(RecordingStudy, FramesWithSomethingOnTheFaceAreLeftOutAndNoOthers) {
   for (const int i : found)
     EXPECT_TRUE(touched.contains(i) || touched.contains(i - 1) || touched.contains(i + 1)) << i;
   EXPECT_LE(found.size(), touched.size() + 2);
-  EXPECT_EQ(report->frames_kept + report->repeated + static_cast<int>(found.size()), kFrames);
+  EXPECT_EQ(report->frames_retained + report->repeated + static_cast<int>(found.size()), kFrames);
   // The light falls off smoothly and the poses lie close: the rest is told to a thousandth.
   EXPECT_LT(report->error_median, 0.003);
   // Less noise, both may be nothing at all.
@@ -86,12 +86,12 @@ TEST(RecordingStudy, AFingerAtRestIsKeptOnce) {
   MemorySource source;
   constexpr int kResting = 60, kMoving = 120;
   for (int i = 0; i < kResting + kMoving; ++i)
-    source.pictures.push_back(f.with_noise(f.clean(loop(std::max(0, i - kResting), 120)), random));
+    source.images.push_back(f.with_noise(f.clean(loop(std::max(0, i - kResting), 120)), random));
   Finger finger = described(f);
   const auto report = install_reference(source, scratch_folder("resting"), finger, Job{});
   ASSERT_TRUE(report.ok()) << report.error().sentence();
   EXPECT_GT(report->repeated, kResting / 2);
-  EXPECT_GT(report->frames_kept, kMoving / 2);
+  EXPECT_GT(report->frames_retained, kMoving / 2);
 }
 
 TEST(RecordingStudy, BendingIsMeasuredInMillimetres) {
@@ -100,7 +100,7 @@ TEST(RecordingStudy, BendingIsMeasuredInMillimetres) {
   MemorySource source;
   // Sideways only: 4 mm at the tip each way.
   for (int i = 0; i < 40; ++i)
-    source.pictures.push_back(
+    source.images.push_back(
         f.with_noise(f.clean({0, 0, 4.0 * std::sin(2 * M_PI * i / 40), 0}), random));
   Finger finger = described(f);
   const auto report = install_reference(source, scratch_folder("swaying"), finger, Job{});

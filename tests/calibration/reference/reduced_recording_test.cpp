@@ -97,7 +97,7 @@ TEST_F(RecordedFinger, TellsTheSameMillimetresWithFewerPixels) {
   for (const Resolution resolution : {Resolution::kHalf, Resolution::kQuarter}) {
     PipelineSettings settings;
     settings.resolution = resolution;
-    const int by = pixels_a_side(resolution);
+    const int by = binning_factor(resolution);
     const std::vector<FrameResult> reduced = measured(settings);
     std::vector<double> depths_mm, places_mm, distances_mm;
     for (int i = 0; i < kPressed; ++i) {
@@ -108,7 +108,7 @@ TEST_F(RecordedFinger, TellsTheSameMillimetresWithFewerPixels) {
       ASSERT_FALSE(a.regions.empty()) << i;
       // A small contact near the tip is a few pixels of a quarter of the picture.
       if (b.regions.empty()) continue;
-      places_mm.push_back((a.regions[0].place_mm - b.regions[0].place_mm).norm());
+      places_mm.push_back((a.regions[0].position_mm - b.regions[0].position_mm).norm());
       for (int v = 0; v < b.depth->depth_mm.rows; ++v)
         for (int u = 0; u < b.depth->depth_mm.cols; ++u) {
           const cv::Mat square = a.depth->depth_mm({u * by, v * by, by, by});

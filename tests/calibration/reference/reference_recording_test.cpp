@@ -48,8 +48,8 @@ TEST(InstallReference, NumbersARecordingRejectsWhatIsNoneAndGivesALibraryOfItsFr
     // Now and then two markers are covered; one frame is black.
     const std::vector<int> hidden =
         i % 7 == 3 ? std::vector<int>{i % 12, (i + 5) % 12} : std::vector<int>{};
-    source.pictures.push_back(i == 20 ? cv::Mat(f.height, f.width, CV_8UC1, cv::Scalar(3))
-                                      : f.with_noise(f.clean(pose(i, kFrames), hidden), random));
+    source.images.push_back(i == 20 ? cv::Mat(f.height, f.width, CV_8UC1, cv::Scalar(3))
+                                    : f.with_noise(f.clean(pose(i, kFrames), hidden), random));
     if (i != 20) kept.push_back(i);
   }
   Finger finger = described(f);
@@ -62,8 +62,8 @@ TEST(InstallReference, NumbersARecordingRejectsWhatIsNoneAndGivesALibraryOfItsFr
   EXPECT_EQ(report->frames_read, kFrames);
   for (const auto& line : report->rejected)
     std::printf("[ figures  ] rejected %s\n", line.english().c_str());
-  EXPECT_GE(report->frames_kept, kFrames - 3);
-  EXPECT_EQ(report->frames_kept + static_cast<int>(report->rejected.size()), kFrames);
+  EXPECT_GE(report->frames_retained, kFrames - 3);
+  EXPECT_EQ(report->frames_retained + static_cast<int>(report->rejected.size()), kFrames);
   EXPECT_TRUE(std::any_of(report->rejected.begin(), report->rejected.end(), [](const auto& line) {
     return line.english().find("frame 20: ") == 0;
   }));
@@ -103,12 +103,12 @@ TEST(InstallReference, NumbersARecordingRejectsWhatIsNoneAndGivesALibraryOfItsFr
   cv::Mat first;
   ASSERT_TRUE(video.read(first));
   if (first.channels() == 3) cv::extractChannel(first, first, 0);
-  EXPECT_EQ(cv::norm(first, source.pictures[0], cv::NORM_INF), 0.0);
+  EXPECT_EQ(cv::norm(first, source.images[0], cv::NORM_INF), 0.0);
 
   const Camera camera = Camera::create(finger.camera).value();
   const auto library = ReferenceLibrary::load(FingerSnapshot::of(folder, finger).value(), Job{});
   ASSERT_TRUE(library.ok()) << library.error().sentence();
-  EXPECT_EQ(static_cast<int>(library->frame_count()), report->frames_kept);
+  EXPECT_EQ(static_cast<int>(library->frame_count()), report->frames_retained);
 
   // A pose between the recorded ones: the mixture is nearer to the noiseless truth than the
   // nearest.
@@ -123,7 +123,7 @@ TEST(InstallReference, NumbersARecordingRejectsWhatIsNoneAndGivesALibraryOfItsFr
     const auto error = [&](const Reference& r) {
       // 3 px inside the edge, whose own blur no mixture can follow.
       cv::Mat inner, difference;
-      const cv::Mat grey = r.picture.grey();
+      const cv::Mat grey = r.image.grey();
       cv::erode(grey == grey, inner, cv::Mat(), cv::Point(-1, -1), 3);
       cv::absdiff(grey, truth, difference);
       return cv::mean(difference, inner)[0];
@@ -160,14 +160,14 @@ TEST(InstallReference, NumbersARecordingRejectsWhatIsNoneAndGivesALibraryOfItsFr
 TEST(InstallReference, WhatTheCameraWasSetToIsKeptAndComparedWithThePresses) {
   const MarkedFinger f = small_finger();
   std::mt19937 random(11);
-  std::vector<cv::Mat> pictures;
-  for (int i = 0; i < 8; ++i) pictures.push_back(f.with_noise(f.clean(pose(i, 60)), random));
+  std::vector<cv::Mat> images;
+  for (int i = 0; i < 8; ++i) images.push_back(f.with_noise(f.clean(pose(i, 60)), random));
   Finger finger = described(f);
   finger.provenance["press_settings"] = "Camera=usb-1; Gain=3";
   const fs::path folder = scratch_folder("install_settings");
   const auto install = [&](const char* settings) {
     MemorySource source;
-    source.pictures = pictures;
+    source.images = images;
     if (settings != nullptr) source.settings = std::make_shared<const std::string>(settings);
     return install_reference(source, folder, finger, Job{});
   };
@@ -186,9 +186,9 @@ TEST(InstallReference, RecordingsThatCannotBeOneAreToldApart) {
   const MarkedFinger f = small_finger();
   std::mt19937 random(12);
   const fs::path folder = scratch_folder("refused");
-  const auto install = [&](std::vector<cv::Mat> pictures) {
+  const auto install = [&](std::vector<cv::Mat> images) {
     MemorySource source;
-    source.pictures = std::move(pictures);
+    source.images = std::move(images);
     Finger finger = described(f);
     const auto report = install_reference(source, folder, finger, Job{});
     EXPECT_FALSE(report.ok());
@@ -237,7 +237,7 @@ TEST(InstallReference, AMarkerThatWasNeverEngravedIsSaidToBeMissingAndTheOthersW
   MemorySource source;
   constexpr int kFrames = 40;
   for (int i = 0; i < kFrames; ++i)
-    source.pictures.push_back(f.with_noise(f.clean(pose(i, kFrames), {2, 9}), random));
+    source.images.push_back(f.with_noise(f.clean(pose(i, kFrames), {2, 9}), random));
   Finger finger = described(f);
   const fs::path folder = scratch_folder("missing");
   const auto report = install_reference(source, folder, finger, Job{});
@@ -271,12 +271,12 @@ TEST(InstallReference, WithoutMarkersTheShapeOfTheFaceTellsThePose) {
   std::mt19937 random(22);
   const std::vector<int> all{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
   constexpr int kFrames = 60;
-  std::vector<cv::Mat> pictures;
+  std::vector<cv::Mat> images;
   for (int i = 0; i < kFrames; ++i)
-    pictures.push_back(f.with_noise(f.clean(pose(i, kFrames), all), random));
+    images.push_back(f.with_noise(f.clean(pose(i, kFrames), all), random));
   for (const int per_row : {0, 6}) {
     MemorySource source;
-    source.pictures = pictures;
+    source.images = images;
     Finger finger = described(f);
     finger.markers.per_row = per_row;
     const fs::path folder = scratch_folder("by_shape");
@@ -286,7 +286,7 @@ TEST(InstallReference, WithoutMarkersTheShapeOfTheFaceTellsThePose) {
     // Only who said that there are markers is told that there are none.
     EXPECT_EQ(report->warnings.size(), per_row == 0 ? 0U : 1U);
     const Finger again = read_again(finger);
-    ASSERT_TRUE(again.reference && again.reference->places);
+    ASSERT_TRUE(again.reference && again.reference->positions);
     auto pipeline =
         Pipeline::create(FingerSnapshot::of(folder, again).value(), PipelineSettings{}, Job{});
     ASSERT_TRUE(pipeline.ok()) << pipeline.error().sentence();
@@ -311,7 +311,7 @@ TEST(InstallReference, AFrameWhoseMarkersAreHiddenIsMeasuredByTheShapeOfItsFace)
   MemorySource source;
   constexpr int kFrames = 80;
   for (int i = 0; i < kFrames; ++i)
-    source.pictures.push_back(f.with_noise(f.clean(pose(i, kFrames)), random));
+    source.images.push_back(f.with_noise(f.clean(pose(i, kFrames)), random));
   Finger finger = described(f);
   const fs::path folder = scratch_folder("hidden_markers");
   ASSERT_TRUE(install_reference(source, folder, finger, Job{}).ok());
@@ -360,14 +360,14 @@ TEST(InstallReference, AFrameWhoseMarkersAreHiddenIsMeasuredByTheShapeOfItsFace)
 TEST(InstallReference, RestIsTheMiddleOfTheRecordingOrTheFrameAskedFor) {
   const MarkedFinger f = small_finger();
   std::mt19937 random(23);
-  std::vector<cv::Mat> pictures;
+  std::vector<cv::Mat> images;
   // It starts at one end of its motion and stays there for a while.
   const auto curl = [](int i) { return i < 8 ? 0.3 : 0.3 * std::cos(2 * M_PI * (i - 8) / 32); };
   for (int i = 0; i < 40; ++i)
-    pictures.push_back(f.with_noise(f.clean(Bend{curl(i), 0, 0, 0}), random));
+    images.push_back(f.with_noise(f.clean(Bend{curl(i), 0, 0, 0}), random));
   const auto install = [&](std::optional<int> rest, Finger& finger) {
     MemorySource source;
-    source.pictures = pictures;
+    source.images = images;
     ReferenceChoices choices;
     choices.rest_frame = rest;
     return install_reference(source, scratch_folder("rest"), finger, Job{}, choices);

@@ -28,7 +28,7 @@ void order(std::vector<DotTrack>* tracks) {
 }
 
 /// Places of the numbered dots, NaN where a number has none.
-std::vector<double> places(const std::vector<DotTrack>& tracks, const NumberedRows& rows) {
+std::vector<double> positions(const std::vector<DotTrack>& tracks, const NumberedRows& rows) {
   std::vector<double> along_mm;
   for (const int track : rows.track_of)
     along_mm.push_back(track < 0 ? NAN : tracks[static_cast<std::size_t>(track)].along_mm);
@@ -53,7 +53,7 @@ TEST(RowLaw, AGapIsReadByTheLawOfTheOtherSide) {
   for (const double along : {1.0, 12.0, 23.0, 34.5}) tracks.push_back(dot(true, along));
   for (const double along : {1.0, 30.6, 46.8}) tracks.push_back(dot(false, along));
   order(&tracks);
-  expect_same(places(tracks, choose_rows(tracks, 5)),
+  expect_same(positions(tracks, choose_rows(tracks, 5)),
               {1.0, 12.0, 23.0, 34.5, NAN, 1.0, NAN, 30.6, 46.8, NAN});
 }
 
@@ -64,7 +64,7 @@ TEST(RowLaw, RowsOfDifferentStepsBeginAtTheBase) {
   for (int i = 0; i < 7; ++i) tracks.push_back(dot(true, 2.0 + 8.0 * i));
   for (int i = 0; i < 4; ++i) tracks.push_back(dot(false, 2.0 + 14.0 * i));
   order(&tracks);
-  const auto found = places(tracks, choose_rows(tracks, 7));
+  const auto found = positions(tracks, choose_rows(tracks, 7));
   for (int i = 0; i < 4; ++i)
     EXPECT_EQ(found[static_cast<std::size_t>(7 + i)], 2.0 + 14.0 * i) << "number " << 7 + i;
 }
@@ -94,7 +94,7 @@ TEST(RowLaw, NumbersSurviveMissingDotsUnderAnySmoothLaw) {
       }
     }
     order(&tracks);
-    const auto found = places(tracks, choose_rows(tracks, per_row));
+    const auto found = positions(tracks, choose_rows(tracks, per_row));
     bool same = true;
     for (std::size_t i = 0; i < expected.size(); ++i)
       same = same && (std::isnan(expected[i]) ? std::isnan(found[i]) : found[i] == expected[i]);

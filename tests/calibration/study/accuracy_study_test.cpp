@@ -69,7 +69,7 @@ TEST(PaintedWorld, BallsAreBallsAndAsDarkAsTheMappingSays) {
         if (painted <= 0.05F) continue;
         const double x = painted / (FlatSensor::kA - FlatSensor::kB * painted);
         grey_error +=
-            frame.picture->grey.at<std::uint8_t>(v, u) - (1 - x) * untouched.at<std::uint8_t>(v, u);
+            frame.image->grey.at<std::uint8_t>(v, u) - (1 - x) * untouched.at<std::uint8_t>(v, u);
         ++pressed;
       }
     EXPECT_LT(std::abs(grey_error / pressed), 0.3) << "grey levels in the mean";
@@ -98,8 +98,8 @@ TEST(AccuracyStudy, ErrorsAreTheSameWithAnyNumberOfThreadsAndAreSmallWhereNothin
     // sd of 1 grey level of about 180, smoothed over 12 pixels, at 2.2 mm for all of it
     EXPECT_LT(base.depth->median_mm, 0.01);
     EXPECT_LT(base.depth->p95_mm, 0.06);
-    EXPECT_LT(*base.place_mm, 0.1);
-    EXPECT_GE(*base.place_p95_mm, *base.place_mm);
+    EXPECT_LT(*base.position_mm, 0.1);
+    EXPECT_GE(*base.position_p95_mm, *base.position_mm);
     EXPECT_EQ(base.bars, 2);
     EXPECT_EQ(base.bars_missing, 0);
     EXPECT_LT(*base.angle_deg, 1.0);
@@ -250,7 +250,7 @@ AccuracyStudy random_study(std::mt19937& random) {
     row.time_ms = 3;
     row.time_ratio = i == 0 ? 1 : 2 * some(random);
     if (i % 7 != 3) row.depth = ErrorSpread{some(random), 1 + some(random)};
-    if (i % 5 != 4) row.place_mm = 0.1 * some(random);
+    if (i % 5 != 4) row.position_mm = 0.1 * some(random);
     if (i % 11 == 5) row.frames_missing = 1;
     study.rows.push_back(row);
   }
@@ -266,7 +266,7 @@ TEST(StudyFront, IsWhatNothingBeats) {
     const auto all_three = [&](std::size_t row) {
       const StudyRow& of = study.rows[row];
       return std::array<double, 3>{
-          frame_ms(study, of), of.depth->median_mm, of.place_mm.value_or(1e9)};
+          frame_ms(study, of), of.depth->median_mm, of.position_mm.value_or(1e9)};
     };
     for (std::size_t i = 0; i < front.size(); ++i)
       for (std::size_t k = 0; k < front.size(); ++k) {
@@ -282,7 +282,8 @@ TEST(StudyFront, IsWhatNothingBeats) {
       if (!better) continue;
       EXPECT_LE(frame_ms(study, study.rows[*better]), frame_ms(study, study.rows[row]));
       EXPECT_LE(study.rows[*better].depth->median_mm, study.rows[row].depth->median_mm);
-      EXPECT_LE(study.rows[*better].place_mm.value_or(1e9), study.rows[row].place_mm.value_or(1e9));
+      EXPECT_LE(study.rows[*better].position_mm.value_or(1e9),
+                study.rows[row].position_mm.value_or(1e9));
     }
   }
 }
@@ -293,51 +294,51 @@ TEST(StudyFront, MoreTimeIsNeverWorseAndMoreErrorNeverSlower) {
     const AccuracyStudy study = random_study(random);
     double last_error = 1e9, last_ms = 1e9;
     for (double budget_ms = 0.1; budget_ms < 8; budget_ms += 0.1) {
-      const auto row = as_good_as_fits(study, budget_ms);
+      const auto row = most_accurate_within(study, budget_ms);
       if (!row) continue;
       EXPECT_LE(frame_ms(study, study.rows[*row]), budget_ms);
       EXPECT_LE(study.rows[*row].depth->median_mm, last_error);
-      EXPECT_LE(study.rows[*row].place_mm.value(), usual_place_limit_mm(study).value());
+      EXPECT_LE(study.rows[*row].position_mm.value(), default_position_limit_mm(study).value());
       last_error = study.rows[*row].depth->median_mm;
     }
     for (double error_mm = 1.0; error_mm < 2.2; error_mm += 0.05) {
-      const auto row = as_fast_as_keeps(study, error_mm);
+      const auto row = fastest_within(study, error_mm);
       if (!row) continue;
       EXPECT_LE(study.rows[*row].depth->p95_mm, error_mm);
-      EXPECT_LE(study.rows[*row].place_mm.value(), usual_place_limit_mm(study).value());
+      EXPECT_LE(study.rows[*row].position_mm.value(), default_position_limit_mm(study).value());
       EXPECT_LE(frame_ms(study, study.rows[*row]), last_ms);
       last_ms = frame_ms(study, study.rows[*row]);
     }
-    EXPECT_FALSE(as_good_as_fits(study, 1e-6));
-    EXPECT_FALSE(as_fast_as_keeps(study, 1e-6));
+    EXPECT_FALSE(most_accurate_within(study, 1e-6));
+    EXPECT_FALSE(fastest_within(study, 1e-6));
   }
 }
 
 TEST(StudyFront, FastChoicesThatLoseThePlaceAreNotCalledBest) {
   AccuracyStudy study;
-  const auto add = [&](double ratio, double median_mm, double place_mm) {
+  const auto add = [&](double ratio, double median_mm, double position_mm) {
     StudyRow row;
     row.settings.smoothing_px = 0.1 * static_cast<double>(study.rows.size());
     row.time_ms = 2;
     row.time_ratio = ratio;
     row.depth = ErrorSpread{median_mm, 4 * median_mm};
-    row.place_mm = place_mm;
+    row.position_mm = position_mm;
     study.rows.push_back(row);
   };
   add(1.0, 0.005, 0.010);
   add(0.6, 0.0051, 0.100);  // whole pixels: fast, depth nearly as good, the place lost
   add(0.8, 0.006, 0.012);
   EXPECT_EQ(pareto_front(study), (std::vector<std::size_t>{1, 2, 0}));
-  EXPECT_EQ(as_good_as_fits(study, 1.3), std::nullopt);
-  EXPECT_EQ(as_good_as_fits(study, 1.3, 0.2), 1U);
-  EXPECT_EQ(as_good_as_fits(study, 1.7), 2U);
-  EXPECT_EQ(as_fast_as_keeps(study, 0.03), 2U);
-  EXPECT_EQ(as_fast_as_keeps(study, 0.03, 0.2), 1U);
+  EXPECT_EQ(most_accurate_within(study, 1.3), std::nullopt);
+  EXPECT_EQ(most_accurate_within(study, 1.3, 0.2), 1U);
+  EXPECT_EQ(most_accurate_within(study, 1.7), 2U);
+  EXPECT_EQ(fastest_within(study, 0.03), 2U);
+  EXPECT_EQ(fastest_within(study, 0.03, 0.2), 1U);
   EXPECT_EQ(presets_of(study).fast, 2U);
   // What painted pictures cannot show of the mapping counts, too.
   study.mapping_p95_mm = 0.02;
-  EXPECT_NEAR(kept_error_mm(study, study.rows[2]).value(), std::hypot(0.024, 0.02), 1e-12);
-  EXPECT_EQ(as_fast_as_keeps(study, 0.03), 0U);
+  EXPECT_NEAR(error_p95_mm(study, study.rows[2]).value(), std::hypot(0.024, 0.02), 1e-12);
+  EXPECT_EQ(fastest_within(study, 0.03), 0U);
   const StudyBalance balance = balance_of(study, study.rows[1]);
   ASSERT_EQ(balance.loses.size(), 1U);
   EXPECT_THAT(balance.loses[0].english(), HasSubstr("places told 0.100 instead of 0.010 mm off"));

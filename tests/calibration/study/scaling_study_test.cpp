@@ -28,7 +28,7 @@ TEST(Exponent, IsThatOfThePowerThatMadeTheTimes) {
 }
 
 TEST(CalibratingChoices, AskForOneMoreThanThereIs) {
-  for (const int presses : {1, 6, 9, CalibratingBench::kMostPresses}) {
+  for (const int presses : {1, 6, 9, CalibratingBench::kMaxPresses}) {
     CalibratingChoice base;
     base.presses = presses;
     for (const bool quick : {true, false}) {
@@ -37,14 +37,14 @@ TEST(CalibratingChoices, AskForOneMoreThanThereIs) {
       std::set<int> counts;
       for (const CalibratingChoice& choice : choices) {
         EXPECT_GE(choice.presses, 1);
-        EXPECT_LE(choice.presses, CalibratingBench::kMostPresses);
+        EXPECT_LE(choice.presses, CalibratingBench::kMaxPresses);
         EXPECT_EQ(std::count(choices.begin(), choices.end(), choice), 1);
-        if (choice.pictures == 1 && choice.method == CalibrationMethod::kJoint)
+        if (choice.images == 1 && choice.method == CalibrationMethod::kJoint)
           counts.insert(choice.presses);
       }
-      EXPECT_EQ(counts.count(presses + 1), presses < CalibratingBench::kMostPresses ? 1U : 0U);
+      EXPECT_EQ(counts.count(presses + 1), presses < CalibratingBench::kMaxPresses ? 1U : 0U);
       EXPECT_TRUE(std::any_of(choices.begin(), choices.end(), [&](const auto& choice) {
-        return choice.presses == presses && choice.pictures > 1;
+        return choice.presses == presses && choice.images > 1;
       }));
     }
   }

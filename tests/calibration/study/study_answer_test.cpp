@@ -27,7 +27,7 @@ AccuracyStudy study_to_answer(std::mt19937& random) {
     row.time_ratio = i == 0 ? 1 : 0.3 + 2 * uniform(random);
     const double median_mm = 0.005 + 0.02 * uniform(random);
     row.depth = ErrorSpread{median_mm, median_mm * (1.5 + 3 * uniform(random))};
-    row.place_mm = 0.1;
+    row.position_mm = 0.1;
     study.rows.push_back(row);
   }
   return study;
@@ -40,14 +40,14 @@ TEST(StudyAnswer, IsTheBestOfAllRowsThatDoWhatIsAsked) {
   for (int i = 0; i < 400; ++i) {
     const AccuracyStudy study = study_to_answer(random);
     StudyQuestion question;
-    question.pictures_per_s = 1000 / (2 + 24 * uniform(random));
+    question.frames_per_s = 1000 / (2 + 24 * uniform(random));
     if (i % 2 == 0) question.error_mm = 0.005 + 0.06 * uniform(random);
     const auto answer = answer_to(question, study);
     ASSERT_TRUE(answer);
     kinds.insert(answer->kind);
     const StudyRow& told = study.rows[answer->row];
     const double told_ms = frame_ms(study, told);
-    const auto keeps = [&](const StudyRow& row) {
+    const auto within_error = [&](const StudyRow& row) {
       return !question.error_mm || row.depth->p95_mm <= *question.error_mm;
     };
     const auto fits = [&](const StudyRow& row) {
@@ -56,12 +56,12 @@ TEST(StudyAnswer, IsTheBestOfAllRowsThatDoWhatIsAsked) {
     int fitting = 0, keeping = 0, both = 0;
     for (const StudyRow& row : study.rows) {
       fitting += fits(row);
-      keeping += keeps(row);
-      both += fits(row) && keeps(row);
+      keeping += within_error(row);
+      both += fits(row) && within_error(row);
       if (answer->kind == StudyAnswerKind::kTooSlow) {
         EXPECT_GE(frame_ms(study, row), told_ms);
-      } else if (answer->kind == StudyAnswerKind::kKeepsError) {
-        EXPECT_FALSE(keeps(row) && frame_ms(study, row) < told_ms);
+      } else if (answer->kind == StudyAnswerKind::kErrorMet) {
+        EXPECT_FALSE(within_error(row) && frame_ms(study, row) < told_ms);
       } else {
         EXPECT_FALSE(fits(row) && row.depth->median_mm < told.depth->median_mm);
       }
@@ -71,8 +71,8 @@ TEST(StudyAnswer, IsTheBestOfAllRowsThatDoWhatIsAsked) {
         EXPECT_FALSE(question.error_mm);
         EXPECT_TRUE(fits(told));
         break;
-      case StudyAnswerKind::kKeepsError:
-        EXPECT_TRUE(fits(told) && keeps(told));
+      case StudyAnswerKind::kErrorMet:
+        EXPECT_TRUE(fits(told) && within_error(told));
         break;
       case StudyAnswerKind::kErrorTooSmall:
         EXPECT_EQ(keeping, 0);
@@ -81,8 +81,8 @@ TEST(StudyAnswer, IsTheBestOfAllRowsThatDoWhatIsAsked) {
       case StudyAnswerKind::kErrorTooSlow:
         EXPECT_EQ(both, 0);
         EXPECT_TRUE(fits(told));
-        ASSERT_TRUE(answer->keeps);
-        EXPECT_TRUE(keeps(study.rows[*answer->keeps]));
+        ASSERT_TRUE(answer->within_error);
+        EXPECT_TRUE(within_error(study.rows[*answer->within_error]));
         break;
       case StudyAnswerKind::kTooSlow:
         EXPECT_EQ(fitting, 0);
@@ -115,10 +115,10 @@ class KeptStudy : public testing::Test {
 };
 
 TEST_F(KeptStudy, IsThereOnAnotherDay) {
-  EXPECT_FALSE(kept_study(finger()).value());
+  EXPECT_FALSE(stored_study(finger()).value());
   const auto made = measure();
   ASSERT_TRUE(made) << made.error().sentence();
-  const auto kept = kept_study(finger());
+  const auto kept = stored_study(finger());
   ASSERT_TRUE(kept && *kept);
   EXPECT_TRUE((*kept)->is_of_finger_now);
   EXPECT_TRUE((*kept)->is_of_this_computer);
@@ -142,13 +142,13 @@ TEST_F(KeptStudy, HoldsWhateverSettingsAreUsedAndNotForAnotherMapping) {
   ASSERT_TRUE(made);
   const auto store = FingerStore::of(folder_.path());
   ASSERT_TRUE(use_settings(*store, made->study.rows.back().settings, "other"));
-  EXPECT_TRUE((*kept_study(finger()).value()).is_of_finger_now);
+  EXPECT_TRUE((*stored_study(finger()).value()).is_of_finger_now);
   const auto changed = store->update([](Finger& now) {
     now.mapping->a_mm *= 1.01;
     return Status();
   });
   ASSERT_TRUE(changed);
-  EXPECT_FALSE((*kept_study(finger()).value()).is_of_finger_now);
+  EXPECT_FALSE((*stored_study(finger()).value()).is_of_finger_now);
 }
 
 TEST_F(KeptStudy, GoesOnWhereItWasStopped) {
@@ -162,7 +162,7 @@ TEST_F(KeptStudy, GoesOnWhereItWasStopped) {
   });
   asked = &job;
   EXPECT_FALSE(measure(job));
-  const auto part = kept_study(finger()).value();
+  const auto part = stored_study(finger()).value();
   ASSERT_TRUE(part);
   EXPECT_FALSE(part->has_all_single);
   const auto whole = measure();
@@ -175,9 +175,9 @@ TEST_F(KeptStudy, GoesOnWhereItWasStopped) {
 
 TEST_F(KeptStudy, SaysWhatIsNoStudy) {
   ASSERT_TRUE(write_file_atomically(folder_ / kFingerStudy, "something else\n"));
-  EXPECT_FALSE(kept_study(finger()));
+  EXPECT_FALSE(stored_study(finger()));
   EXPECT_TRUE(measure()) << "and is measured anew";
-  EXPECT_TRUE(kept_study(finger()));
+  EXPECT_TRUE(stored_study(finger()));
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace alltact {
 namespace {
 
 /// A picture from 60 to 180 grey levels with noise of variance read^2 + gain * level and a pattern.
-NoisyPicture noisy(double read_sd, double gain, const cv::Mat_<float>& pattern, unsigned seed) {
+NoisyImage noisy(double read_sd, double gain, const cv::Mat_<float>& pattern, unsigned seed) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
   cv::Mat_<std::uint8_t> grey(240, 320);
@@ -32,7 +32,7 @@ cv::Mat_<float> pattern_of(double prnu) {
 
 TEST(TwinNoise, OfPairsIsToldApartFromAFixedPattern) {
   const cv::Mat_<float> pattern = pattern_of(0.01);
-  const std::vector<NoisyPicture> pair{noisy(0.8, 0.02, pattern, 1), noisy(0.8, 0.02, pattern, 2)};
+  const std::vector<NoisyImage> pair{noisy(0.8, 0.02, pattern, 1), noisy(0.8, 0.02, pattern, 2)};
   const TwinNoise noise = measure_noise(pair, pair, "");
   EXPECT_NEAR(noise.shot_gain, 0.02, 0.002);
   EXPECT_NEAR(noise.read_sd, 0.8, 0.12);
@@ -42,7 +42,7 @@ TEST(TwinNoise, OfPairsIsToldApartFromAFixedPattern) {
 }
 
 TEST(TwinNoise, OfOnePictureHoldsThePatternAndSaysSo) {
-  const std::vector<NoisyPicture> one{noisy(1.0, 0, pattern_of(0), 3)};
+  const std::vector<NoisyImage> one{noisy(1.0, 0, pattern_of(0), 3)};
   const TwinNoise noise = measure_noise({}, one, "");
   EXPECT_EQ(noise.shot_gain, 0);
   EXPECT_EQ(noise.prnu, 0);
@@ -51,7 +51,7 @@ TEST(TwinNoise, OfOnePictureHoldsThePatternAndSaysSo) {
 }
 
 TEST(TwinNoise, DotsAndScratchesAreNoNoise) {
-  NoisyPicture one = noisy(0.7, 0, pattern_of(0), 4);
+  NoisyImage one = noisy(0.7, 0, pattern_of(0), 4);
   for (int i = 0; i < 200; ++i) one.grey.at<std::uint8_t>(11 + i, 20 + i) = 0;
   EXPECT_NEAR(measure_noise({}, {one}, "").read_sd, 0.7, 0.05);
 }

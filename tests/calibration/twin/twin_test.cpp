@@ -1,10 +1,10 @@
 // Twins of fingers whose every number is known: what can be seen in their pictures comes out.
 #include "calibration/twin/twin.h"
 
+#include "calibration/twin/twin_image.h"
 #include "calibration/twin/twin_inputs.h"
-#include "calibration/twin/twin_picture.h"
 #include "core/finger/finger_store.h"
-#include "core/io/picture.h"
+#include "core/io/image_file.h"
 #include "core/simulation/plan.h"
 #include "core/simulation/scene.h"
 #include "tests/support/temporary_folder.h"
@@ -79,7 +79,7 @@ struct HiddenWorld {
     for (int frame = 0; frame < plan.frame_count(); ++frame) {
       const cv::Mat grey = plan.render(frame);
       if (frame == 0) {
-        EXPECT_TRUE(write_picture(untouched(), grey).ok());
+        EXPECT_TRUE(write_image(untouched(), grey).ok());
         continue;
       }
       Frame press;
@@ -88,7 +88,7 @@ struct HiddenWorld {
       files.presses.frames.push_back(std::make_shared<const Frame>(press));
     }
     files.untouched = {untouched()};
-    files.said.ball_radius_mm = truth.balls.front().radius_mm;
+    files.press_set.ball_radius_mm = truth.balls.front().radius_mm;
     finger.name = "hidden";
     finger.camera = truth.camera;
     finger.face = truth.face;
@@ -182,8 +182,8 @@ TEST(Twin, OfHiddenFingersIsFound) {
     for (std::size_t i = 0; i < truth.balls.size(); ++i) {
       EXPECT_NEAR(twin->scene.balls[i].depth_mm, truth.balls[i].depth_mm, 0.05) << seed;
       EXPECT_NEAR(twin->scene.balls[i].y_mm, truth.balls[i].y_mm, 0.1) << seed;
-      const auto real = twin_picture(truth, static_cast<int>(i) + 1);
-      const auto made = twin_picture(twin->scene, static_cast<int>(i) + 1);
+      const auto real = twin_image(truth, static_cast<int>(i) + 1);
+      const auto made = twin_image(twin->scene, static_cast<int>(i) + 1);
       ASSERT_TRUE(real.ok() && made.ok());
       const TwinPress& press = measured->input.presses[i];
       EXPECT_LT(rms_between(*real, *made, press.disc_px, 2 * press.disc_radius_px), 1.0)

@@ -113,7 +113,7 @@ FingerCalibrationInput input_of(const CampaignWorld& world, const fs::path& fold
   input.reference = folder / "reference.png";
   input.program_version = "campaign";
   const double factor = world.faults.radius_factor;
-  input.said.ball_radius_mm = world.presses.front().radius_mm * factor;
+  input.press_set.ball_radius_mm = world.presses.front().radius_mm * factor;
   for (std::size_t i = 0; i < world.presses.size(); ++i) {
     const std::string name = fmt::format("press_{:02}", i);
     input.presses.frames.push_back(
@@ -121,7 +121,7 @@ FingerCalibrationInput input_of(const CampaignWorld& world, const fs::path& fold
     PressNote note;
     if (world.presses[i].radius_mm != world.presses.front().radius_mm)
       note.ball_radius_mm = world.presses[i].radius_mm * factor;
-    if (note != PressNote()) input.said.say(name, note);
+    if (note != PressNote()) input.press_set.say(name, note);
   }
   return input;
 }
@@ -229,7 +229,7 @@ Outcome run_campaign(std::uint64_t seed) {
       (world.faults.scale_factor == 1 || stands(finger.camera.mm_per_px * CampaignWorld::kWidthPx));
   outcome.names_touch = std::any_of(
       done->contradictions.begin(), done->contradictions.end(), [](const Contradiction& one) {
-        return one.kind == ContradictionKind::kReferenceTouched;
+        return one.kind == ContradictionKind::kReferenceContact;
       });
   measure(world, folder.path(), outcome);
   return outcome;

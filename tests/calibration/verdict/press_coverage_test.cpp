@@ -46,7 +46,7 @@ TEST(PressCoverage, LeverageIsThatOfALine) {
   // Two near each other: (L^2 / 12 + (L / 2 - mean)^2) / (2 * half the distance squared).
   const double wanted = 90.0 * 90.0 / 12 + 5.0 * 5.0;
   EXPECT_NEAR(coverage_of(at({30, 50})).leverage, 0.5 + wanted / 200, 1e-9);
-  EXPECT_EQ(coverage_of(at({49, 52})).leverage, kMostLeverage);
+  EXPECT_EQ(coverage_of(at({49, 52})).leverage, kMaxLeverage);
   EXPECT_EQ(coverage_of(at({49})).leverage, 0);
 }
 

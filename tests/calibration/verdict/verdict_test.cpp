@@ -289,7 +289,7 @@ TEST(CheckVerdicts, AClearFailureIsSaidFromOnePressAndNoNumberIsOne) {
 
 TEST(Due, NothingIsDueOnlyWithAllEvidence) {
   const DueEvidence fine{
-      true, true, ReferenceState::kWhole, Grade::kGood, false, CheckVerdict::kPass, 1.0};
+      true, true, ReferenceState::kIntact, Grade::kGood, false, CheckVerdict::kPass, 1.0};
   EXPECT_EQ(due_of(fine), FingerDue::kNothing);
   const std::vector<std::pair<std::function<void(DueEvidence&)>, FingerDue>> lacks{
       {[](auto& e) { e.reference = ReferenceState::kAbsent; }, FingerDue::kRecording},
@@ -298,12 +298,12 @@ TEST(Due, NothingIsDueOnlyWithAllEvidence) {
       {[](auto& e) { e.reference = ReferenceState::kOtherImage; }, FingerDue::kRepair},
       {[](auto& e) { e.has_mapping = false; }, FingerDue::kCalibration},
       {[](auto& e) { e.must_repeat = true; }, FingerDue::kRepeat},
-      {[](auto& e) { e.grade = Grade::kUnfit; }, FingerDue::kAgain},
+      {[](auto& e) { e.grade = Grade::kUnfit; }, FingerDue::kCalibrateAgain},
       {[](auto& e) { e.grade = Grade::kUnproven; }, FingerDue::kEvidence},
       {[](auto& e) { e.grade.reset(); }, FingerDue::kEvidence},
       {[](auto& e) { e.check.reset(); }, FingerDue::kFirstCheck},
-      {[](auto& e) { e.check = CheckVerdict::kRecalibrate; }, FingerDue::kAgain},
-      {[](auto& e) { e.check = CheckVerdict::kDrifting; }, FingerDue::kLook},
+      {[](auto& e) { e.check = CheckVerdict::kRecalibrate; }, FingerDue::kCalibrateAgain},
+      {[](auto& e) { e.check = CheckVerdict::kDrifting; }, FingerDue::kInspect},
       {[](auto& e) { e.check = CheckVerdict::kTooFew; }, FingerDue::kMorePresses},
       {[](auto& e) { e.check_days = 8; }, FingerDue::kCheck},
       {[](auto& e) { e.check_days.reset(); }, FingerDue::kCheck},

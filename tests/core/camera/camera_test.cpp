@@ -280,10 +280,9 @@ TEST(Camera, WordsOfModelsAndOrientationsReadBack) {
 TEST(Camera, OrientationsTurnThePictureAsTheyAreNamed) {
   const cv::Mat raw = (cv::Mat_<unsigned char>(2, 3) << 1, 2, 3, 4, 5, 6);
   const auto turned = [&](Orientation orientation) {
-    const cv::Mat picture = oriented(raw, orientation);
-    return std::pair(
-        picture.cols,
-        std::vector<int>(picture.begin<unsigned char>(), picture.end<unsigned char>()));
+    const cv::Mat image = oriented(raw, orientation);
+    return std::pair(image.cols,
+                     std::vector<int>(image.begin<unsigned char>(), image.end<unsigned char>()));
   };
   using Expected = std::pair<int, std::vector<int>>;
   EXPECT_EQ(turned(Orientation::kNone), Expected(3, {1, 2, 3, 4, 5, 6}));

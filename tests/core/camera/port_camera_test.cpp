@@ -75,7 +75,7 @@ TEST(PortCamera, AWindowOfAirIsNone) {
   const Eigen::Vector3d point(11, -7, 55);
   EXPECT_LT((*none.project(point) - *air.project(point)).norm(), 1e-10);
   EXPECT_NEAR(none.mm_per_px_at(55), air.mm_per_px_at(55), 1e-14);
-  EXPECT_NEAR(none.seen_from_mm(55), 55, 1e-12);
+  EXPECT_NEAR(none.ray_origin_z_mm(55), 55, 1e-12);
   EXPECT_TRUE(air.is_central());
   EXPECT_FALSE(none.is_central());
 }

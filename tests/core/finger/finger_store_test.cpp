@@ -146,7 +146,7 @@ TEST(FingerStore, LeavesNothingBeside) {
   ASSERT_NO_FATAL_FAILURE(make_finger_in(folder.path()));
   ASSERT_TRUE(
       FingerStore::of(folder.path())->update([](Finger& finger) { return add_key(finger, "k"); }));
-  { ASSERT_TRUE(FingerStore::of(folder.path())->hold_for_work("calibrating")); }
+  { ASSERT_TRUE(FingerStore::of(folder.path())->lock_for_work("calibrating")); }
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
     names.push_back(entry.path().filename().string());
@@ -156,9 +156,9 @@ TEST(FingerStore, LeavesNothingBeside) {
 TEST(FingerStore, TheSecondIsToldWhoIsAtWork) {
   const TemporaryFolder folder;
   ASSERT_NO_FATAL_FAILURE(make_finger_in(folder.path()));
-  auto first = FingerStore::of(folder.path())->hold_for_work("calibrating");
+  auto first = FingerStore::of(folder.path())->lock_for_work("calibrating");
   ASSERT_TRUE(first) << first.error().sentence();
-  const auto second = FingerStore::of(folder.path())->hold_for_work("recording the reference");
+  const auto second = FingerStore::of(folder.path())->lock_for_work("recording the reference");
   ASSERT_FALSE(second);
   EXPECT_THAT(second.error().what.english(),
               testing::AllOf(testing::HasSubstr("calibrating"),
@@ -166,8 +166,8 @@ TEST(FingerStore, TheSecondIsToldWhoIsAtWork) {
   // Small changes go on beside long work.
   EXPECT_TRUE(
       FingerStore::of(folder.path())->update([](Finger& finger) { return add_key(finger, "k"); }));
-  { const HeldFile ended = std::move(*first); }
-  EXPECT_TRUE(FingerStore::of(folder.path())->hold_for_work("recording the reference"));
+  { const LockFile ended = std::move(*first); }
+  EXPECT_TRUE(FingerStore::of(folder.path())->lock_for_work("recording the reference"));
 }
 
 TEST(FingerStore, WhoMayNotWriteIsToldSo) {
@@ -216,11 +216,11 @@ TEST(FingerStore, GivesTheSameSnapshotUntilSomethingChanges) {
   ASSERT_TRUE(other.save(folder.path()));
   const FingerPtr seen = store->snapshot().value();
   EXPECT_EQ(seen->finger.name, "other-07");
-  PressSet said;
-  said.ball_radius_mm = 4;
-  ASSERT_TRUE(store->keep_presses(said));
+  PressSet press_set;
+  press_set.ball_radius_mm = 4;
+  ASSERT_TRUE(store->save_presses(press_set));
   const FingerPtr pressed = store->snapshot().value();
-  EXPECT_EQ(pressed->presses, said);
+  EXPECT_EQ(pressed->presses, press_set);
   EXPECT_EQ(pressed->revision, seen->revision);
   EXPECT_NE(pressed, seen);
 }

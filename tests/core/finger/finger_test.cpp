@@ -107,7 +107,7 @@ TEST_F(FingerFile, APlaceInTheGripperComesBackToTheLastDigit) {
     Finger finger = plain;
     RigidTransform& pose = finger.gripper_from_camera.emplace();
     pose.translation_mm = {number(1e4), number(100), number(1e-9)};
-    pose.rotation = rotation_of_degrees({number(180), number(90), number(180)});
+    pose.rotation = rotation_from_rpy_deg({number(180), number(90), number(180)});
     const auto once = finger.to_yaml();
     RC_ASSERT(once.ok());
     const auto again = load(*once);
@@ -119,19 +119,23 @@ TEST_F(FingerFile, APlaceInTheGripperComesBackToTheLastDigit) {
 }
 
 TEST_F(FingerFile, APlaceInTheGripperThatIsNoneIsRefused) {
-  const auto said = [&](const std::string& pose) {
+  const auto press_set = [&](const std::string& pose) {
     const auto finger = load(std::string(kFlat) + "gripper_from_camera: {" + pose + "}\n");
     return finger.ok() ? std::string("accepted") : finger.error().sentence();
   };
-  EXPECT_EQ(said("translation_mm: [1, 2, 3], rotation: [0.7071, 0, 0.7071, 0]"), "accepted");
-  EXPECT_THAT(said("translation_mm: [1, 2, 3], rotation: [1, 1, 0, 0]"), HasSubstr("length 1"));
-  EXPECT_THAT(said("translation_mm: [1, 2, 3], rotation: [0, 0, 0, 0]"), HasSubstr("length 1"));
-  EXPECT_THAT(said("translation_mm: [1, 2, 3], rotation: [1, 0, 0]"), HasSubstr("four numbers"));
-  EXPECT_THAT(said("translation_mm: [1, 2], rotation: [1, 0, 0, 0]"), HasSubstr("three numbers"));
-  EXPECT_THAT(said("translation_mm: [1, 2, 20000], rotation: [1, 0, 0, 0]"),
+  EXPECT_EQ(press_set("translation_mm: [1, 2, 3], rotation: [0.7071, 0, 0.7071, 0]"), "accepted");
+  EXPECT_THAT(press_set("translation_mm: [1, 2, 3], rotation: [1, 1, 0, 0]"),
+              HasSubstr("length 1"));
+  EXPECT_THAT(press_set("translation_mm: [1, 2, 3], rotation: [0, 0, 0, 0]"),
+              HasSubstr("length 1"));
+  EXPECT_THAT(press_set("translation_mm: [1, 2, 3], rotation: [1, 0, 0]"),
+              HasSubstr("four numbers"));
+  EXPECT_THAT(press_set("translation_mm: [1, 2], rotation: [1, 0, 0, 0]"),
+              HasSubstr("three numbers"));
+  EXPECT_THAT(press_set("translation_mm: [1, 2, 20000], rotation: [1, 0, 0, 0]"),
               HasSubstr("gripper_from_camera.translation_mm"));
-  EXPECT_NE(said("translation_mm: [1, 2, .nan], rotation: [1, 0, 0, 0]"), "accepted");
-  EXPECT_NE(said("translation_mm: [1, 2, 3]"), "accepted");
+  EXPECT_NE(press_set("translation_mm: [1, 2, .nan], rotation: [1, 0, 0, 0]"), "accepted");
+  EXPECT_NE(press_set("translation_mm: [1, 2, 3]"), "accepted");
 }
 
 TEST_F(FingerFile, FlatSensorsHaveNoMarkersAndDefaults) {

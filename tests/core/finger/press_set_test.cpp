@@ -13,33 +13,33 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 PressSet some_notes() {
-  PressSet said;
-  said.ball_radius_mm = 3.975;
-  said.operator_name = "Ada \"the first\": Lovelace";
-  PressNote& twelve = said.notes["12"];
+  PressSet press_set;
+  press_set.ball_radius_mm = 3.975;
+  press_set.operator_name = "Ada \"the first\": Lovelace";
+  PressNote& twelve = press_set.notes["12"];
   twelve.ball_radius_mm = 6.0;
-  twelve.depth = ToldDepth{1.25, 0.0125};
+  twelve.depth = GivenDepth{1.25, 0.0125};
   twelve.ball_mm = {0, 0, 1e-3};
-  said.notes["press_1"].step_mm = 0.5;
-  said.notes["press_1"].excluded = "";
-  said.notes["it's, a [press]"].ball_mm = {1.25, -2, 48.0625};
-  said.notes["press_0"].excluded = "glove in view";
-  return said;
+  press_set.notes["press_1"].step_mm = 0.5;
+  press_set.notes["press_1"].excluded = "";
+  press_set.notes["it's, a [press]"].ball_mm = {1.25, -2, 48.0625};
+  press_set.notes["press_0"].excluded = "glove in view";
+  return press_set;
 }
 
 TEST(PressSet, SaysOnlyWhatIsSaid) {
-  PressSet said = some_notes();
-  EXPECT_EQ(said.radius_of("12"), 6.0);
-  EXPECT_EQ(said.radius_of("press_1"), 3.975);
-  EXPECT_TRUE(said.has_other_balls());
-  EXPECT_EQ(said.of("press_9"), PressNote());
-  EXPECT_EQ(said.only({"12", "press_9"}).notes.size(), 1U);
-  PressNote note = said.of("12");
+  PressSet press_set = some_notes();
+  EXPECT_EQ(press_set.radius_of("12"), 6.0);
+  EXPECT_EQ(press_set.radius_of("press_1"), 3.975);
+  EXPECT_TRUE(press_set.has_other_balls());
+  EXPECT_EQ(press_set.of("press_9"), PressNote());
+  EXPECT_EQ(press_set.only({"12", "press_9"}).notes.size(), 1U);
+  PressNote note = press_set.of("12");
   note.ball_radius_mm.reset();
-  said.say("12", note);
-  EXPECT_FALSE(said.has_other_balls());
-  said.say("12", {});
-  EXPECT_FALSE(said.notes.contains("12"));
+  press_set.say("12", note);
+  EXPECT_FALSE(press_set.has_other_balls());
+  press_set.say("12", {});
+  EXPECT_FALSE(press_set.notes.contains("12"));
 }
 
 TEST(PressSet, ComeBackAsTheyWereWritten) {

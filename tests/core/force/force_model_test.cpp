@@ -108,7 +108,7 @@ TEST(CreepMean, FollowsWithItsTimeAndBeginsAnewAfterAGap) {
 
 TEST(ForceModelFile, ReadsBackWhatItWrote) {
   ForceModel model = two_marker_force();
-  model.range.place_mm = {Eigen::Vector2d(10, -5), Eigen::Vector2d(70, 5)};
+  model.range.position_mm = {Eigen::Vector2d(10, -5), Eigen::Vector2d(70, 5)};
   model.missing = {1};
   model.creep_s = 1.5;
   const std::string json = model.to_json();

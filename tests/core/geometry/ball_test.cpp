@@ -23,7 +23,7 @@ TEST(Ball, GrazingRaysKeepTheirDigits) {
       const Eigen::Vector3d aside = u.unitOrthogonal();
       const double radius = 3.0;
       const Eigen::Vector3d centre = u.normalized() * 40.0 + aside * (radius * (1.0 - grazing));
-      const auto hit = meet_ball({Eigen::Vector3d::Zero(), u}, centre, radius);
+      const auto hit = intersect_ball({Eigen::Vector3d::Zero(), u}, centre, radius);
       ASSERT_TRUE(hit);
       const Long3 ul = u.cast<long double>(), cl = centre.cast<long double>();
       const long double a = ul.squaredNorm(), b = ul.dot(cl);
@@ -37,10 +37,10 @@ TEST(Ball, GrazingRaysKeepTheirDigits) {
 }
 
 TEST(Ball, LinesThatMissHitNothing) {
-  EXPECT_FALSE(meet_ball({{0, 0, 0}, {0, 0, 1}}, {3.0 + 1e-12, 0, 40}, 3.0));
-  EXPECT_TRUE(meet_ball({{0, 0, 0}, {0, 0, 1}}, {3.0 - 1e-12, 0, 40}, 3.0));
-  EXPECT_FALSE(meet_ball({{0, 0, 0}, {0, 0, 0}}, {0, 0, 40}, 3.0));
-  const auto behind = meet_ball({{0, 0, 0}, {0, 0, 1}}, {0, 0, -40}, 3.0);
+  EXPECT_FALSE(intersect_ball({{0, 0, 0}, {0, 0, 1}}, {3.0 + 1e-12, 0, 40}, 3.0));
+  EXPECT_TRUE(intersect_ball({{0, 0, 0}, {0, 0, 1}}, {3.0 - 1e-12, 0, 40}, 3.0));
+  EXPECT_FALSE(intersect_ball({{0, 0, 0}, {0, 0, 0}}, {0, 0, 40}, 3.0));
+  const auto behind = intersect_ball({{0, 0, 0}, {0, 0, 1}}, {0, 0, -40}, 3.0);
   ASSERT_TRUE(behind);
   EXPECT_NEAR(behind->near, -43.0, 1e-12);
   EXPECT_NEAR(behind->far, -37.0, 1e-12);

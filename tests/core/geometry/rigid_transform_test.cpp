@@ -15,7 +15,7 @@ class Rigid : public testing::Test {
   double uniform(double scale) { return std::uniform_real_distribution(-scale, scale)(random_); }
   Eigen::Vector3d point(double scale) { return {uniform(scale), uniform(scale), uniform(scale)}; }
   RigidTransform any() {
-    return {rotation_of_degrees({uniform(180), uniform(90), uniform(180)}), point(300)};
+    return {rotation_from_rpy_deg({uniform(180), uniform(90), uniform(180)}), point(300)};
   }
   std::mt19937 random_{7};
 };
@@ -23,7 +23,7 @@ class Rigid : public testing::Test {
 TEST_F(Rigid, TurnsAboutXThenYThenZOfTheGripper) {
   // By hand: x by 90 degrees takes y to z, then y by 90 takes z to x, then z by 90 takes x to y.
   const auto turned = [](const Eigen::Vector3d& degrees, const Eigen::Vector3d& from) {
-    return RigidTransform{rotation_of_degrees(degrees), Eigen::Vector3d::Zero()}.point(from);
+    return RigidTransform{rotation_from_rpy_deg(degrees), Eigen::Vector3d::Zero()}.point(from);
   };
   const Eigen::Vector3d x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
   EXPECT_LT((turned({90, 0, 0}, y) - z).norm(), 1e-15);
@@ -38,14 +38,14 @@ TEST_F(Rigid, TurnsAboutXThenYThenZOfTheGripper) {
 TEST_F(Rigid, AnglesComeBackAlsoWhereTwoOfThemAreOne) {
   for (int i = 0; i < 300; ++i) {
     const Eigen::Vector3d degrees(uniform(180), uniform(89.9), uniform(180));
-    EXPECT_LT((degrees_of(rotation_of_degrees(degrees)) - degrees).norm(), 1e-9);
+    EXPECT_LT((rpy_deg(rotation_from_rpy_deg(degrees)) - degrees).norm(), 1e-9);
   }
   for (const double upright : {90.0, -90.0}) {
-    const auto rotation = rotation_of_degrees({25, upright, 40});
-    const Eigen::Vector3d degrees = degrees_of(rotation);
+    const auto rotation = rotation_from_rpy_deg({25, upright, 40});
+    const Eigen::Vector3d degrees = rpy_deg(rotation);
     EXPECT_NEAR(degrees.y(), upright, 1e-6);
     EXPECT_EQ(degrees.z(), 0);
-    EXPECT_LT(rotation_of_degrees(degrees).angularDistance(rotation), 1e-7);
+    EXPECT_LT(rotation_from_rpy_deg(degrees).angularDistance(rotation), 1e-7);
   }
 }
 

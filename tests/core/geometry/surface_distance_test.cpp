@@ -29,7 +29,7 @@ cv::Mat plane(double z_mm, int columns = 37, int rows = 11) {
 }
 
 RigidTransform moved(const Eigen::Vector3d& degrees, const Eigen::Vector3d& by_mm) {
-  return {rotation_of_degrees(degrees), by_mm};
+  return {rotation_from_rpy_deg(degrees), by_mm};
 }
 
 TEST(SurfaceDistance, OfTwoPlanesIsTheirDistance) {
@@ -42,8 +42,8 @@ TEST(SurfaceDistance, OfTwoPlanesIsTheirDistance) {
 
 TEST(SurfaceDistance, OfPlanesThatFaceEachOtherInTheGripper) {
   // Two cameras 80 mm apart look at each other; each face lies 30 mm before its camera.
-  const PlacedSurface left{plane(30), moved({0, 90, 0}, {-40, 0, 0})};
-  const PlacedSurface right{plane(30), moved({0, -90, 0}, {40, 0, 0})};
+  const PosedSurface left{plane(30), moved({0, 90, 0}, {-40, 0, 0})};
+  const PosedSurface right{plane(30), moved({0, -90, 0}, {40, 0, 0})};
   const auto nearest = nearest_points(left, right);
   ASSERT_TRUE(nearest);
   EXPECT_NEAR(nearest->distance(), 20, 1e-9);
@@ -77,8 +77,8 @@ TEST(SurfaceDistance, OfABallOverAPlane) {
 }
 
 TEST(SurfaceDistance, IsNoneWhereTheyCross) {
-  const PlacedSurface flat{plane(0), {}};
-  const PlacedSurface upright{plane(0), moved({0, 90, 0}, {3.3, 0, 0})};
+  const PosedSurface flat{plane(0), {}};
+  const PosedSurface upright{plane(0), moved({0, 90, 0}, {3.3, 0, 0})};
   const auto nearest = nearest_points(flat, upright);
   ASSERT_TRUE(nearest);
   EXPECT_LT(nearest->distance(), 1e-12);
@@ -111,12 +111,12 @@ class AnyTwo : public testing::Test {
 };
 
 /// Of every triangle with every other.
-double by_trying_all(const PlacedSurface& first, const PlacedSurface& second) {
-  const auto triangles = [](const PlacedSurface& surface) {
+double by_trying_all(const PosedSurface& first, const PosedSurface& second) {
+  const auto triangles = [](const PosedSurface& surface) {
     std::vector<Triangle> all;
     const auto at = [&](int j, int i) {
       const auto& p = surface.points_mm.at<cv::Vec3f>(j, i);
-      return surface.place.point({p[0], p[1], p[2]});
+      return surface.pose.point({p[0], p[1], p[2]});
     };
     for (int j = 0; j + 1 < surface.points_mm.rows; ++j)
       for (int i = 0; i + 1 < surface.points_mm.cols; ++i) {
@@ -134,7 +134,7 @@ double by_trying_all(const PlacedSurface& first, const PlacedSurface& second) {
 
 TEST_F(AnyTwo, IsWhatTryingEverythingGives) {
   for (int i = 0; i < 60; ++i) {
-    const PlacedSurface first{rough(7, 5), any()}, second{rough(4, 9), any()};
+    const PosedSurface first{rough(7, 5), any()}, second{rough(4, 9), any()};
     const auto nearest = nearest_points(first, second);
     ASSERT_TRUE(nearest);
     const double truth = by_trying_all(first, second);
@@ -144,14 +144,14 @@ TEST_F(AnyTwo, IsWhatTryingEverythingGives) {
 
 TEST_F(AnyTwo, IsTheSameFromEverywhereAndEitherWay) {
   for (int i = 0; i < 30; ++i) {
-    const PlacedSurface first{rough(12, 7), any()}, second{rough(9, 8), any()};
+    const PosedSurface first{rough(12, 7), any()}, second{rough(9, 8), any()};
     const double apart = nearest_points(first, second)->distance();
     EXPECT_NEAR(nearest_points(second, first)->distance(), apart, 1e-8);
     const RigidTransform there = any();
-    const auto carried = [&](const PlacedSurface& surface) {
-      return PlacedSurface{
+    const auto carried = [&](const PosedSurface& surface) {
+      return PosedSurface{
           surface.points_mm,
-          {there.rotation * surface.place.rotation, there.point(surface.place.translation_mm)}};
+          {there.rotation * surface.pose.rotation, there.point(surface.pose.translation_mm)}};
     };
     EXPECT_NEAR(nearest_points(carried(first), carried(second))->distance(), apart, 1e-8);
   }
@@ -174,9 +174,9 @@ TEST_F(AnyTwo, TrianglesAgreeWithDenseSamples) {
     double sampled = std::numeric_limits<double>::infinity();
     for (const auto& a : samples(p))
       for (const auto& b : samples(q)) sampled = std::min(sampled, (b - a).norm());
-    const double said = nearest_points(p, q).distance();
-    EXPECT_LE(said, sampled + 1e-12);
-    EXPECT_GT(said, sampled - 0.5) << "steps are up to 10 / 24 mm long";
+    const double press_set = nearest_points(p, q).distance();
+    EXPECT_LE(press_set, sampled + 1e-12);
+    EXPECT_GT(press_set, sampled - 0.5) << "steps are up to 10 / 24 mm long";
   }
 }
 

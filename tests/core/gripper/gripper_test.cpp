@@ -75,7 +75,7 @@ TEST(Gripper, PointsMoveAsTheirRateSaysAndScatterAsTheMotorDoes) {
         return gripper.pose_at(turns)->fingers[i].gripper_from_camera.point(seen);
       };
       const Eigen::Vector3d differences = (at(m + 1e-5) - at(m - 1e-5)) / 2e-5;
-      const PlacedFinger& finger = pose->fingers[i];
+      const FingerPose& finger = pose->fingers[i];
       EXPECT_NEAR((finger.rate_mm(at(m)) - differences).norm(), 0, 1e-7);
       ASSERT_TRUE(finger.angle_sd_rad);
       EXPECT_NEAR(*finger.angle_sd_rad, 0.01 * std::abs(finger.angle.rad_per_turn), 1e-15);
@@ -259,7 +259,7 @@ TEST(GripperFile, DamagedBytesNeverCrash) {
       EXPECT_TRUE(gripper->validate());
       const auto pose = gripper->pose_at(gripper->motor.last_turns);
       if (!pose) continue;
-      for (const PlacedFinger& finger : pose->fingers)
+      for (const FingerPose& finger : pose->fingers)
         EXPECT_TRUE(finger.gripper_from_camera.translation_mm.allFinite());
     }
   }

@@ -30,13 +30,13 @@ double axial_apart(double a_deg, double b_deg) {
 }
 
 /// A contact of a stick of this direction in the gripper, as the finger's camera sees it.
-SeenContact contact_in(const PlacedFinger& finger,
-                       const Vector& at_mm,
-                       const Vector& along,
-                       const Vector& normal) {
+ObservedContact contact_in(const FingerPose& finger,
+                           const Vector& at_mm,
+                           const Vector& along,
+                           const Vector& normal) {
   const RigidTransform camera = finger.gripper_from_camera.inverse();
-  SeenContact contact;
-  contact.place_mm = camera.point(at_mm);
+  ObservedContact contact;
+  contact.position_mm = camera.point(at_mm);
   contact.axis = camera.direction(along.normalized());
   contact.axis_sd_deg = 1.0;
   contact.face_normal = camera.direction(normal);
@@ -55,19 +55,19 @@ TEST(HeldObject, ItsWidthIsAsSureAsItSays) {
     const auto truth = gripper.pose_at(stands), pose = gripper.pose_at(told, kMotorSd);
     ASSERT_TRUE(truth && pose);
     const std::array<Vector, 2> places{Vector(-9, 1, 90), Vector(11, -2, 95)};
-    std::array<SeenContact, 2> contacts;
+    std::array<ObservedContact, 2> contacts;
     for (std::size_t i = 0; i < 2; ++i) {
-      contacts[i].place_mm = truth->fingers[i].gripper_from_camera.inverse().point(places[i]);
+      contacts[i].position_mm = truth->fingers[i].gripper_from_camera.inverse().point(places[i]);
       Eigen::Matrix3d half;
       half << 0.03, 0.01, 0, 0, 0.02, 0.04, -0.02, 0, 0.05;
-      contacts[i].place_covariance_mm2 = half * half.transpose();
-      contacts[i].place_mm += half * Vector(normal(random), normal(random), normal(random));
+      contacts[i].position_covariance_mm2 = half * half.transpose();
+      contacts[i].position_mm += half * Vector(normal(random), normal(random), normal(random));
     }
     const HeldWidth width = held_width(*pose, contacts);
     ASSERT_TRUE(width.sd_mm);
     mean += (width.mm - 20) / kRuns;
     normalised += std::pow((width.mm - 20) / *width.sd_mm, 2) / kRuns;
-    contacts[1].place_covariance_mm2.reset();
+    contacts[1].position_covariance_mm2.reset();
     EXPECT_FALSE(held_width(*pose, contacts).sd_mm) << "absent, never zero";
   }
   std::printf(
@@ -89,7 +89,7 @@ TEST(HeldObject, TheTurnBringsItUpright) {
         up(draw(-0.5, 0.5), draw(-1, 1), draw(-1, 1));
     if (along.tail<2>().norm() < 0.4 || up.tail<2>().norm() < 0.4) continue;
     const Vector across = along.cross(Vector::UnitX()).normalized();
-    const SeenContact contact =
+    const ObservedContact contact =
         contact_in(pose->fingers[finger], {0, 0, 80}, along, along.cross(across).normalized());
     const auto turn = upright_turn_deg(*pose, finger, contact, up);
     ASSERT_TRUE(turn);
@@ -105,7 +105,7 @@ TEST(HeldObject, TheTurnBringsItUpright) {
   }
   // 30 degrees from y towards z, with z up: 60 degrees on.
   const auto pose = gripper.pose_at(5, 0.0);
-  const SeenContact tilted = contact_in(
+  const ObservedContact tilted = contact_in(
       pose->fingers[0], {0, 0, 80}, {0, std::cos(M_PI / 6), std::sin(M_PI / 6)}, Vector::UnitX());
   EXPECT_NEAR(upright_turn_deg(*pose, 0, tilted, {0, 0, 1})->deg, 60, 1e-9);
   EXPECT_NEAR(upright_turn_deg(*pose, 0, tilted, {0, 0, -5})->deg, 60, 1e-9);
@@ -115,11 +115,11 @@ TEST(HeldObject, TheTurnBringsItUpright) {
 
 TEST(HeldObject, WhereThereIsNoAxisThereIsNoTurn) {
   const auto pose = held_gripper().pose_at(5, 0.0);
-  SeenContact contact = contact_in(pose->fingers[0], {0, 0, 80}, {0, 1, 0}, Vector::UnitX());
+  ObservedContact contact = contact_in(pose->fingers[0], {0, 0, 80}, {0, 1, 0}, Vector::UnitX());
   EXPECT_TRUE(upright_turn_deg(*pose, 0, contact, {0, 0, 1}));
   EXPECT_FALSE(upright_turn_deg(*pose, 0, contact, {1, 0, 0})) << "no turn about x brings it there";
   EXPECT_FALSE(upright_turn_deg(*pose, 0, contact, {0, 0, 0}));
-  const SeenContact closing =
+  const ObservedContact closing =
       contact_in(pose->fingers[0], {0, 0, 80}, {1, 0.1, 0}, Vector::UnitZ());
   EXPECT_FALSE(upright_turn_deg(*pose, 0, closing, {0, 0, 1}));
   contact.axis.reset();
@@ -146,7 +146,7 @@ TEST(HeldObject, TurnsOfOneFingerAndOfTwoAreAsSureAsTheySay) {
       Vector along(0, std::cos(beta), std::sin(beta));
       along.x() = -face.tail<2>().dot(along.tail<2>()) / face.x();
       along = Eigen::AngleAxisd((i == 0 ? 0.8 : 2.0) / kToDeg * normal(random), face) * along;
-      SeenContact contact = contact_in(pose->fingers[i], {0, 0, 80}, along, face);
+      ObservedContact contact = contact_in(pose->fingers[i], {0, 0, 80}, along, face);
       contact.axis_sd_deg = i == 0 ? 0.8 : 2.0;
       const auto turn = upright_turn_deg(*pose, i, contact, {0, 0, 1});
       ASSERT_TRUE(turn);
@@ -158,9 +158,9 @@ TEST(HeldObject, TurnsOfOneFingerAndOfTwoAreAsSureAsTheySay) {
     EXPECT_GT(joint->mean.deg, -90.0);
     EXPECT_LE(joint->mean.deg, 90.0);
     both += std::pow(axial_apart(joint->mean.deg, truth) / joint->mean.sd_deg, 2) / kRuns;
-    apart += std::pow(joint->apart_sds, 2) / kRuns;
+    apart += std::pow(joint->difference_sds, 2) / kRuns;
     EXPECT_LT(joint->mean.sd_deg, std::min(turns[0].sd_deg, turns[1].sd_deg));
-    EXPECT_TRUE(joint->agree || joint->apart_sds > 4);
+    EXPECT_TRUE(joint->agree || joint->difference_sds > 4);
   }
   std::printf(
       "[ figures  ] upright turn: normalised error squared %.3f of one finger, %.3f of two; "
@@ -178,23 +178,23 @@ TEST(HeldObject, TheMeanOfAxesHasNoSeamAndSaysWhenTheyDiffer) {
   const auto seam = joint_turn({89.5, 0.5}, {-89.5, 0.5});
   ASSERT_TRUE(seam);
   EXPECT_NEAR(std::abs(seam->mean.deg), 90, 1e-9);
-  EXPECT_NEAR(seam->apart_deg, 1, 1e-9);
+  EXPECT_NEAR(seam->difference_deg, 1, 1e-9);
   EXPECT_TRUE(seam->agree);
   EXPECT_NEAR(seam->mean.sd_deg, 0.5 / std::sqrt(2.0), 1e-12);
   const auto differ = joint_turn({10, 0.5}, {20, 0.5});
   ASSERT_TRUE(differ);
   EXPECT_FALSE(differ->agree);
-  EXPECT_NEAR(differ->apart_sds, 10 / std::hypot(0.5, 0.5), 1e-9);
+  EXPECT_NEAR(differ->difference_sds, 10 / std::hypot(0.5, 0.5), 1e-9);
   EXPECT_FALSE(joint_turn({0, 1}, {90, 1})) << "no mean";
   EXPECT_NEAR(joint_turn({0, 1}, {90, 3})->mean.deg, 0, 1e-9) << "the surer one";
   const auto exact = joint_turn({30, 0}, {30, 0});
   ASSERT_TRUE(exact);
-  EXPECT_TRUE(std::isfinite(exact->mean.deg) && std::isfinite(exact->apart_sds));
+  EXPECT_TRUE(std::isfinite(exact->mean.deg) && std::isfinite(exact->difference_sds));
 }
 
 /// A dome towards the other finger, its top at x in the gripper, as that finger's camera sees it.
 cv::Mat dome(
-    const PlacedFinger& finger, double top_x, double way, const cv::Mat& noise_mm, double z_error) {
+    const FingerPose& finger, double top_x, double way, const cv::Mat& noise_mm, double z_error) {
   constexpr int kSide = 90;
   const RigidTransform camera = finger.gripper_from_camera.inverse();
   cv::Mat points(kSide, kSide, CV_32FC3);
@@ -224,7 +224,7 @@ TEST(FaceGap, IsThatOfTwoDomesAndAsSureAsItSays) {
     const auto truth = gripper.pose_at(told + kMotorSd * normal(random)),
                pose = gripper.pose_at(told, kMotorSd);
     std::array<GapFace, 2> faces;
-    std::array<PlacedSurface, 2> surfaces;
+    std::array<PosedSurface, 2> surfaces;
     for (std::size_t i = 0; i < 2; ++i) {
       const double side = i == 0 ? -1.0 : 1.0;
       cv::Mat grain(90, 90, CV_32FC1);

@@ -38,10 +38,10 @@ TEST(RecordedContacts, ReadsWhatTheProgramWrites) {
   EXPECT_EQ(one.frame, "frame_00003");
   EXPECT_EQ(one.time_ns, 123456789012345678);
   ASSERT_TRUE(one.contact && one.contact->axis && one.contact->face_normal);
-  EXPECT_EQ(one.contact->place_mm, Eigen::Vector3d(3.1, -0.2, 48.0));
+  EXPECT_EQ(one.contact->position_mm, Eigen::Vector3d(3.1, -0.2, 48.0));
   EXPECT_NEAR((*one.contact->axis - Eigen::Vector3d(0.6, 0, 0.8)).norm(), 0, 1e-6);
   EXPECT_EQ(one.contact->axis_sd_deg, 0.25);
-  EXPECT_NEAR((*one.contact->place_covariance_mm2)(1, 1), 0.02, 1e-9);
+  EXPECT_NEAR((*one.contact->position_covariance_mm2)(1, 1), 0.02, 1e-9);
   EXPECT_FALSE(one.z_sd_mm(100)) << "nothing was said of the face";
   EXPECT_NE(line.find("polygon_mm"), std::string::npos);
 }
@@ -49,15 +49,15 @@ TEST(RecordedContacts, ReadsWhatTheProgramWrites) {
 TEST(RecordedContacts, AreWhatTheFrameItselfTells) {
   const auto read = parse_recorded_contacts(written_line(5), "results.jsonl");
   ASSERT_TRUE(read);
-  const SeenContact told = seen_contact(written_region()), &kept = *read->front().contact;
-  EXPECT_NEAR((told.place_mm - kept.place_mm).norm(), 0, 1e-4);
-  EXPECT_NEAR((*told.place_covariance_mm2 - *kept.place_covariance_mm2).norm(), 0, 1e-8);
+  const ObservedContact told = observed_contact(written_region()), &kept = *read->front().contact;
+  EXPECT_NEAR((told.position_mm - kept.position_mm).norm(), 0, 1e-4);
+  EXPECT_NEAR((*told.position_covariance_mm2 - *kept.position_covariance_mm2).norm(), 0, 1e-8);
   EXPECT_NEAR((*told.axis - *kept.axis).norm(), 0, 1e-5);
   EXPECT_NEAR((*told.face_normal - *kept.face_normal).norm(), 0, 1e-5);
   EXPECT_EQ(told.axis_sd_deg, kept.axis_sd_deg);
   ContactRegion round = written_region();
   round.axis.reset();
-  EXPECT_FALSE(seen_contact(round).axis_sd_deg) << "a round contact has no axis to be sure of";
+  EXPECT_FALSE(observed_contact(round).axis_sd_deg) << "a round contact has no axis to be sure of";
 }
 
 TEST(RecordedContacts, OlderLinesAreReadAsFarAsTheyGo) {
@@ -114,7 +114,7 @@ TEST(RecordedContacts, EveryTruncationAndDamageIsReadOrRefused) {
     if (!read) continue;
     for (const RecordedContacts& one : *read)
       if (one.contact) {
-        EXPECT_TRUE(one.contact->place_mm.allFinite());
+        EXPECT_TRUE(one.contact->position_mm.allFinite());
       }
   }
 }
@@ -130,8 +130,8 @@ TEST(PairedFrames, AreTheNearestOfEachOtherWithinTheTolerance) {
       paired_frames(frames_at({0, 33, 66, 100, 400}), frames_at({5, 36, 61, 70, 250}), 10000000);
   EXPECT_TRUE(paired.by_time);
   EXPECT_THAT(paired.pairs, ElementsAre(Pair(0, 0), Pair(1, 1), Pair(2, 3)));
-  EXPECT_THAT(paired.alone_first, ElementsAre(3, 4));
-  EXPECT_THAT(paired.alone_second, ElementsAre(2, 4));
+  EXPECT_THAT(paired.unpaired_first, ElementsAre(3, 4));
+  EXPECT_THAT(paired.unpaired_second, ElementsAre(2, 4));
 }
 
 TEST(PairedFrames, AreEachUsedOnceAndMeetWhatTryingAllFinds) {
@@ -149,8 +149,8 @@ TEST(PairedFrames, AreEachUsedOnceAndMeetWhatTryingAllFinds) {
       for (const auto other : b) EXPECT_GE(std::abs(other - a[i]), std::abs(b[j] - a[i]));
       for (const auto other : a) EXPECT_GE(std::abs(b[j] - other), std::abs(b[j] - a[i]));
     }
-    for (const std::size_t i : paired.alone_first) ++used_a[i];
-    for (const std::size_t j : paired.alone_second) ++used_b[j];
+    for (const std::size_t i : paired.unpaired_first) ++used_a[i];
+    for (const std::size_t j : paired.unpaired_second) ++used_b[j];
     EXPECT_THAT(used_a, testing::Each(1));
     EXPECT_THAT(used_b, testing::Each(1));
   }
@@ -162,7 +162,7 @@ TEST(PairedFrames, WithoutTimesGoByTheirOrderAndSaySo) {
   const auto paired = paired_frames(first, frames_at({7, 8}), 1);
   EXPECT_FALSE(paired.by_time);
   EXPECT_THAT(paired.pairs, ElementsAre(Pair(0, 0), Pair(1, 1)));
-  EXPECT_THAT(paired.alone_first, ElementsAre(2));
+  EXPECT_THAT(paired.unpaired_first, ElementsAre(2));
   EXPECT_TRUE(paired_frames({}, frames_at({1}), 1).pairs.empty());
 }
 

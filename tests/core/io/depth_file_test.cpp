@@ -1,7 +1,7 @@
 #include "core/io/depth_file.h"
 
 #include "core/io/atomic_file.h"
-#include "core/io/picture.h"
+#include "core/io/image_file.h"
 #include "tests/support/temporary_folder.h"
 
 #include <cmath>
@@ -35,7 +35,7 @@ cv::Mat dent(int width, int height) {
 TEST(DepthFile, SixteenBitsAreWithinHalfAMicrometre) {
   const test::TemporaryFolder folder;
   const cv::Mat depth_mm = dent(61, 37);
-  ASSERT_TRUE(write_file_of_many(folder / "a.depth16.png", depth_png(depth_mm)).ok());
+  ASSERT_TRUE(write_file_unsynced(folder / "a.depth16.png", depth_png(depth_mm)).ok());
   const auto read = read_depth_png(folder / "a.depth16.png");
   ASSERT_TRUE(read.ok()) << read.error().sentence();
   for (int v = 0; v < depth_mm.rows; ++v)
@@ -72,8 +72,8 @@ TEST(DepthFile, TheTiffIsExactAndSmallerAndNothingOfItMayBeMissing) {
   for (const auto& [width, height] : {std::pair(61, 37), std::pair(1, 1), std::pair(960, 54)}) {
     const cv::Mat depth_mm = dent(width, height);
     const std::string bytes = depth_tiff(depth_mm);
-    ASSERT_TRUE(write_file_of_many(folder / "a.depth.tiff", bytes).ok());
-    for (const cv::Mat& read : {*read_float_picture(folder / "a.depth.tiff"),
+    ASSERT_TRUE(write_file_unsynced(folder / "a.depth.tiff", bytes).ok());
+    for (const cv::Mat& read : {*read_float_image(folder / "a.depth.tiff"),
                                 cv::imread(folder / "a.depth.tiff", cv::IMREAD_UNCHANGED)}) {
       ASSERT_EQ(read.type(), CV_32FC1);
       ASSERT_EQ(read.size(), depth_mm.size());
@@ -85,8 +85,8 @@ TEST(DepthFile, TheTiffIsExactAndSmallerAndNothingOfItMayBeMissing) {
       EXPECT_LT(bytes.size(), 0.9 * 4 * width * height);  // noise stays
     }
     for (std::size_t size = 0; size < bytes.size(); size += 1 + bytes.size() / 30) {
-      ASSERT_TRUE(write_file_of_many(folder / "cut.tiff", bytes.substr(0, size)).ok());
-      EXPECT_FALSE(read_float_picture(folder / "cut.tiff").ok()) << size;
+      ASSERT_TRUE(write_file_unsynced(folder / "cut.tiff", bytes.substr(0, size)).ok());
+      EXPECT_FALSE(read_float_image(folder / "cut.tiff").ok()) << size;
     }
   }
 }
@@ -96,7 +96,7 @@ TEST(DepthFile, OtherPicturesAreNotTakenForDepth) {
   const cv::Mat depth_mm = dent(61, 37);
   const std::string png = depth_png(depth_mm);
   const auto refused = [&](const std::string& content) {
-    EXPECT_TRUE(write_file_of_many(folder / "b.png", content).ok());
+    EXPECT_TRUE(write_file_unsynced(folder / "b.png", content).ok());
     return !read_depth_png(folder / "b.png").ok();
   };
   EXPECT_FALSE(refused(png));

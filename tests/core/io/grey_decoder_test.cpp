@@ -12,15 +12,15 @@ namespace {
 constexpr int kWidth = 96, kHeight = 64;
 
 cv::Mat smooth_colours() {
-  cv::Mat picture(kHeight, kWidth, CV_8UC3);
-  cv::randu(picture, 0, 256);
-  cv::GaussianBlur(picture, picture, {0, 0}, 5);
-  return picture;
+  cv::Mat image(kHeight, kWidth, CV_8UC3);
+  cv::randu(image, 0, 256);
+  cv::GaussianBlur(image, image, {0, 0}, 5);
+  return image;
 }
 
-std::vector<std::uint8_t> jpeg_of(const cv::Mat& picture) {
+std::vector<std::uint8_t> jpeg_of(const cv::Mat& image) {
   std::vector<std::uint8_t> bytes;
-  cv::imencode(".jpg", picture, bytes, {cv::IMWRITE_JPEG_QUALITY, 90});
+  cv::imencode(".jpg", image, bytes, {cv::IMWRITE_JPEG_QUALITY, 90});
   return bytes;
 }
 
@@ -65,8 +65,8 @@ TEST(GreyDecoder, AColourJpegGivesTheGreyThatOpenCvGives) {
 }
 
 TEST(GreyDecoder, StrayBytesBehindAWholeJpegAreNoFault) {
-  const cv::Mat picture = smooth_colours();
-  auto bytes = jpeg_of(picture);
+  const cv::Mat image = smooth_colours();
+  auto bytes = jpeg_of(image);
   const cv::Mat whole = *decode(PixelFormat::kMjpeg, bytes);
   bytes.insert(bytes.end(), 100, 0);  // a padded buffer
   ASSERT_TRUE(decode(PixelFormat::kMjpeg, bytes).ok());

@@ -16,11 +16,11 @@ class Contact {
   int hold(double seconds, const Eigen::Vector2d& speed_mm_s = {0, 0}, double deeper_part_s = 0) {
     int told = 0;
     for (double t = 0; t < seconds; t += kFrame_s) {
-      patch_.place_mm += kFrame_s * speed_mm_s;
+      patch_.position_mm += kFrame_s * speed_mm_s;
       patch_.darkness *= 1 + kFrame_s * deeper_part_s;
       // What noise does to it.
       DarkPatch seen = patch_;
-      seen.place_mm.x() += (frame_ % 2 != 0 ? 0.03 : -0.03);
+      seen.position_mm.x() += (frame_ % 2 != 0 ? 0.03 : -0.03);
       seen.darkness *= frame_ % 3 == 0 ? 1.01 : 0.995;
       ++frame_;
       told += watch_.add(seen, time_ += kFrame_s) ? 1 : 0;
@@ -86,11 +86,11 @@ TEST(StationaryContactDetector, TellsWhyItWaits) {
   EXPECT_EQ(state_after(DarkPatch{{30, 2}, 0.3}, 0.1), HoldState::kHolds);
   EXPECT_EQ(state_after(DarkPatch{{31, 2}, 0.3}, 0.2), HoldState::kMoves);
   EXPECT_NEAR(watch.hold().moved_mm, 1, 1e-12);
-  EXPECT_EQ(watch.hold().part, 0);
+  EXPECT_EQ(watch.hold().hold_fraction, 0);
   EXPECT_EQ(state_after(DarkPatch{{31, 2}, 0.2}, 0.3), HoldState::kMoves) << "it is lifted";
   EXPECT_EQ(state_after(DarkPatch{{31, 2}, 0.2}, 0.4), HoldState::kHolds);
   EXPECT_EQ(state_after(DarkPatch{{31, 2}, 0.2}, 0.55), HoldState::kHolds);
-  EXPECT_NEAR(watch.hold().part, 0.5, 1e-9);
+  EXPECT_NEAR(watch.hold().hold_fraction, 0.5, 1e-9);
   EXPECT_TRUE(watch.add(DarkPatch{{31, 2}, 0.2}, 0.81));
   EXPECT_EQ(state_after(DarkPatch{{31, 2}, 0.2}, 0.9), HoldState::kTaken);
 }
@@ -101,7 +101,7 @@ TEST(StationaryContactDetector, WaitsLongerWhereFramesAreFew) {
   int told = 0, frames = 0;
   for (double time_s = 0; told == 0 && frames < 20; time_s += 0.8, ++frames)
     told += watch.add(patch, time_s) ? 1 : 0;
-  EXPECT_EQ(frames, static_cast<int>(StationaryContactDetector::kFewest))
+  EXPECT_EQ(frames, static_cast<int>(StationaryContactDetector::kMinFrames))
       << "a loaded computer shows few frames, and a contact that holds still all the same";
 }
 
@@ -120,7 +120,7 @@ FrameResult capped(double depth_mm, double radius_mm) {
   face.plane_z_mm = 20;
   FrameResult result;
   result.shape = FaceShape::plane(Camera::create(parameters).value(), face);
-  result.touch = FaceTouch::kTouched;
+  result.touch = FaceContact::kInContact;
   DepthMap depth;
   depth.depth_mm = cv::Mat(300, 400, CV_32FC1, cv::Scalar(0));
   for (int v = 0; v < 300; ++v)
@@ -144,7 +144,7 @@ TEST(DarkPatch, TellsHowLargeTheDiscIsAndSoHowDeepTheBallIs) {
     EXPECT_NEAR(disc_depth_mm(patch->disc_radius_mm, 4), depth, 0.12 * depth);
   }
   FrameResult free = capped(0.5, 4);
-  free.touch = FaceTouch::kFree;
+  free.touch = FaceContact::kFree;
   EXPECT_FALSE(dark_patch(free));
 }
 

@@ -16,12 +16,12 @@ TEST(ChecksumTest, HasTheValuesThatFilesKeep) {
 }
 
 TEST(ChecksumTest, NoticesEveryBitOfAPicture) {
-  std::string picture(1003, '\x40');
+  std::string image(1003, '\x40');
   Checksum before;
-  before.add(picture.data(), picture.size());
-  for (std::size_t at = 0; at < picture.size(); at += 13)
+  before.add(image.data(), image.size());
+  for (std::size_t at = 0; at < image.size(); at += 13)
     for (int bit = 0; bit < 8; ++bit) {
-      std::string other = picture;
+      std::string other = image;
       other[at] = static_cast<char>(other[at] ^ (1 << bit));
       Checksum after;
       after.add(other.data(), other.size());

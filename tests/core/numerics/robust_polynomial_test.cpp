@@ -42,7 +42,7 @@ TEST(RobustPolynomial, GrossErrorsDoNotMoveIt) {
   const auto fit = fit_robust_polynomial(p.x, p.y, p.sd, p.valid, 5);
   ASSERT_TRUE(fit);
   for (const double x : p.x) EXPECT_NEAR(fit->value(x), curve(x), 0.15);
-  EXPECT_LT(fit->believed, static_cast<int>(p.x.size()) - 10);
+  EXPECT_LT(fit->inliers, static_cast<int>(p.x.size()) - 10);
 }
 
 TEST(RobustPolynomial, PredictsItsOwnSpread) {

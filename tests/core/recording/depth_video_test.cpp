@@ -35,11 +35,11 @@ cv::Mat ramp(int width, int height, unsigned seed) {
 struct DepthVideoOfFive : testing::Test {
   TemporaryFolder folder;
   const cv::Size size{97, 54};
-  std::vector<cv::Mat> pictures;
+  std::vector<cv::Mat> images;
   std::filesystem::path file = folder / "depth.mkv";
 
   DepthVideoOfFive() {
-    for (unsigned i = 0; i < 5; ++i) pictures.push_back(ramp(size.width, size.height, i));
+    for (unsigned i = 0; i < 5; ++i) images.push_back(ramp(size.width, size.height, i));
   }
   /// Each picture by another of so many makers.
   void write(const std::filesystem::path& to, std::size_t makers, std::size_t first = 0) {
@@ -47,8 +47,8 @@ struct DepthVideoOfFive : testing::Test {
     for (std::size_t i = 0; i < makers; ++i) packets.push_back(DepthPackets::create(size).value());
     auto writer = DepthVideoWriter::create(to, size, 25);
     ASSERT_TRUE(writer.ok()) << writer.error().sentence();
-    for (std::size_t i = first; i < pictures.size(); ++i)
-      ASSERT_TRUE(writer->add(packets[i % makers].packet(depth_steps(pictures[i])).value()).ok());
+    for (std::size_t i = first; i < images.size(); ++i)
+      ASSERT_TRUE(writer->add(packets[i % makers].packet(depth_steps(images[i])).value()).ok());
     ASSERT_TRUE(writer->finish().ok());
   }
 };
@@ -61,7 +61,7 @@ TEST_F(DepthVideoOfFive, AnotherProgramReadsTheSameValuesAndWhatTheyMean) {
   if (decode.status == 127) GTEST_SKIP() << "ffmpeg is not here";
   ASSERT_EQ(decode.status, 0) << decode.errors;
   std::string expected;
-  for (const cv::Mat& depth_mm : pictures) {
+  for (const cv::Mat& depth_mm : images) {
     const cv::Mat steps = depth_steps(depth_mm);
     expected.append(reinterpret_cast<const char*>(steps.data), 2 * steps.total());
   }
@@ -78,7 +78,7 @@ TEST_F(DepthVideoOfFive, IsReadBackWithinHalfAMicrometre) {
   ASSERT_TRUE(video.ok()) << video.error().sentence();
   EXPECT_EQ(video->size(), size);
   EXPECT_NEAR(video->frames_per_s(), 25, 0.01);
-  for (const cv::Mat& was : pictures) {
+  for (const cv::Mat& was : images) {
     const auto is = video->next_mm();
     ASSERT_TRUE(is.ok()) << is.error().sentence();
     ASSERT_EQ(is->size(), size);
@@ -110,26 +110,25 @@ TEST_F(DepthVideoOfFive, IsTheSameByAnyNumberOfMakersAndJoined) {
 TEST_F(DepthVideoOfFive, OtherAndDamagedFilesAreNotTakenForDepth) {
   write(file, 1);
   const std::string bytes = text_of(file);
-  const auto pictures_in = [&](const std::string& content) {
+  const auto images_in = [&](const std::string& content) {
     write_text(folder / "b.mkv", content);
     auto video = DepthVideo::open(folder / "b.mkv");
     if (!video) return -1;
     int count = 0;
-    for (auto picture = video->next_mm(); picture && !picture->empty(); picture = video->next_mm())
-      ++count;
+    for (auto image = video->next_mm(); image && !image->empty(); image = video->next_mm()) ++count;
     return count;
   };
-  EXPECT_EQ(pictures_in(bytes), 5);
+  EXPECT_EQ(images_in(bytes), 5);
   std::string other = bytes;
   other.replace(bytes.find("ALLTACT_DEPTH"), 7, "ANOTHER");
-  EXPECT_EQ(pictures_in(other), -1);
-  EXPECT_EQ(pictures_in("nothing"), -1);
+  EXPECT_EQ(images_in(other), -1);
+  EXPECT_EQ(images_in("nothing"), -1);
   // A damaged picture is no picture: the check sums of its slices say so.
   std::string flipped = bytes;
   flipped[bytes.size() / 2] = static_cast<char>(flipped[bytes.size() / 2] ^ 0x10);
-  EXPECT_LT(pictures_in(flipped), 5);
+  EXPECT_LT(images_in(flipped), 5);
   for (std::size_t size = 0; size < bytes.size(); size += 1 + bytes.size() / 20)
-    EXPECT_LT(pictures_in(bytes.substr(0, size)), 5) << size;
+    EXPECT_LT(images_in(bytes.substr(0, size)), 5) << size;
 }
 
 }  // namespace

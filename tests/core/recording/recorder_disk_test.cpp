@@ -1,6 +1,6 @@
 // A recording whose disk is full or read-only, or whose folder is removed or moved.
 #include "core/recording/journal.h"
-#include "core/recording/mend.h"
+#include "core/recording/repair.h"
 #include "tests/core/recording/recorder_use.h"
 #include "tests/support/small_disk.h"
 #include "tests/support/temporary_folder.h"
@@ -38,7 +38,7 @@ TEST(Recorder, EndsWholeBeforeTheDiskIsFull) {
   ASSERT_TRUE(recorder->problem());
   EXPECT_THAT(recorder->problem()->sentence(), HasSubstr("the disk is nearly full: 2 MB are left"));
   EXPECT_GT(fs::space(folder / "disk").available, 2'500'000U);
-  const Result<bool> mended = mend_recording(file, Job());
+  const Result<bool> mended = repair_recording(file, Job());
   ASSERT_TRUE(mended.ok());
   EXPECT_FALSE(*mended) << "it is whole";
   EXPECT_EQ(exact_frames(file, false, {320, 240}), recorder->counts().recorded);
@@ -97,9 +97,9 @@ TEST(Recorder, PutsBackARecordingThatWasRemovedMeanwhile) {
 std::unique_ptr<Recorder> long_and_removed(const TemporaryFolder& folder, std::uint32_t count) {
   fs::create_directory(folder / "day");
   auto recorder = started(folder / "day/v.mkv", settings_for(VideoCodec::kMagicYuv));
-  const FramePtr picture = camera_frame(0, false, {1280, 960});
+  const FramePtr image = camera_frame(0, false, {1280, 960});
   for (std::uint32_t i = 0; i < count; ++i) {
-    auto frame = std::make_shared<Frame>(*picture);
+    auto frame = std::make_shared<Frame>(*image);
     frame->sequence = i;
     frame->time_ns += kPeriodNs * i;
     EXPECT_TRUE(recorder->add_waiting(std::move(frame)));

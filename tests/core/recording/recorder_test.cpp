@@ -1,5 +1,5 @@
 // A recording under way.
-#include "core/recording/mend.h"
+#include "core/recording/repair.h"
 #include "tests/core/recording/recorder_use.h"
 #include "tests/support/program.h"
 #include "tests/support/sanitized.h"
@@ -153,7 +153,7 @@ TEST(Recorder, CanBeReadWhileItRecordsAndIsNotMendedThen) {
   auto recorder = started(file, settings_for(VideoCodec::kMagicYuv));
   for (std::uint32_t i = 0; i < 10; ++i) ASSERT_TRUE(recorder->add_waiting(camera_frame(i, false)));
   while (recorder->counts().recorded < 10) std::this_thread::yield();
-  const Result<bool> mended = mend_recording(file, Job());
+  const Result<bool> mended = repair_recording(file, Job());
   ASSERT_FALSE(mended.ok());
   EXPECT_THAT(mended.error().sentence(), HasSubstr("being recorded or mended right now"));
   EXPECT_EQ(exact_frames(file, false), 10U);

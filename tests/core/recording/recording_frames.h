@@ -15,23 +15,23 @@ namespace alltact::test {
 
 /// A smooth picture with noise over it, as a camera gives; a pure function of its number.
 inline cv::Mat camera_picture(std::uint32_t number, cv::Size size = {64, 48}) {
-  cv::Mat picture(size, CV_8UC1);
+  cv::Mat image(size, CV_8UC1);
   for (int v = 0; v < size.height; ++v) {
     for (int u = 0; u < size.width; u += 4) {
       const auto bits = philox({static_cast<std::uint32_t>(u), static_cast<std::uint32_t>(v), 0, 0},
                                {number, fnv1a("camera_picture")});
       for (int i = 0; i < 4 && u + i < size.width; ++i)
-        picture.at<std::uint8_t>(v, u + i) =
+        image.at<std::uint8_t>(v, u + i) =
             static_cast<std::uint8_t>((u + i + 2 * v + 5 * static_cast<int>(number)) / 2 % 200 +
                                       static_cast<int>(bits[static_cast<std::size_t>(i)] % 16));
     }
   }
-  return picture;
+  return image;
 }
 
-inline std::vector<std::uint8_t> jpeg_of(const cv::Mat& picture, int quality = 90) {
+inline std::vector<std::uint8_t> jpeg_of(const cv::Mat& image, int quality = 90) {
   std::vector<std::uint8_t> packet;
-  cv::imencode(".jpg", picture, packet, {cv::IMWRITE_JPEG_QUALITY, quality});
+  cv::imencode(".jpg", image, packet, {cv::IMWRITE_JPEG_QUALITY, quality});
   return packet;
 }
 

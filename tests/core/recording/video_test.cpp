@@ -110,13 +110,13 @@ TEST_P(Video, OtherProgramsReadTheSameBytes) {
   if (is_jpeg()) return;  // OpenCV would turn its decoder's colours to grey in its own way
   cv::VideoCapture capture(file.string(), cv::CAP_FFMPEG);
   EXPECT_EQ(capture.get(cv::CAP_PROP_FRAME_COUNT), kFrames);
-  cv::Mat picture, grey;
+  cv::Mat image, grey;
   for (std::uint32_t i = 0; i < kFrames; ++i) {
-    ASSERT_TRUE(capture.read(picture)) << i;
-    cv::extractChannel(picture, grey, 0);
+    ASSERT_TRUE(capture.read(image)) << i;
+    cv::extractChannel(image, grey, 0);
     EXPECT_EQ(different_pixels(grey, camera_frame(i, false)->grey), 0U);
   }
-  EXPECT_FALSE(capture.read(picture));
+  EXPECT_FALSE(capture.read(image));
 }
 
 TEST_P(Video, TheSameFramesMakeTheSameBytes) {

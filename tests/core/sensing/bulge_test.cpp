@@ -26,8 +26,8 @@ FramePtr frame_of(const cv::Mat& grey) {
 
 FrameResult measured(const cv::Mat& untouched, const cv::Mat& pressed, const Finger& finger) {
   const FingerSnapshot snapshot = FingerSnapshot::of({}, finger).value();
-  Pipeline pipeline =
-      Pipeline::over(ReferenceLibrary::single(untouched).value(), snapshot, PipelineSettings{});
+  Pipeline pipeline = Pipeline::with_library(
+      ReferenceLibrary::single(untouched).value(), snapshot, PipelineSettings{});
   auto result = pipeline(frame_of(pressed));
   EXPECT_TRUE(result.ok());
   return std::move(result).value();

@@ -6,19 +6,18 @@ namespace alltact {
 namespace {
 
 TEST(PictureFault, NamesABlackASaturatedAndABlankPictureAndNoOther) {
-  cv::Mat picture(300, 480, CV_8UC1, cv::Scalar(3));
-  EXPECT_NE(picture_fault(picture).value().english().find("black"), std::string::npos);
-  picture(cv::Rect(100, 100, 120, 80)).setTo(120);  // a face with nothing around it
-  EXPECT_FALSE(picture_fault(picture));
-  picture(cv::Rect(0, 0, 480, 90)).setTo(255);  // a third but for a little
-  EXPECT_FALSE(picture_fault(picture));
-  picture(cv::Rect(0, 0, 480, 120)).setTo(255);
-  EXPECT_NE(picture_fault(picture).value().english().find("% of it is saturated"),
-            std::string::npos);
-  picture.setTo(120);
-  EXPECT_NE(picture_fault(picture).value().english().find("blank"), std::string::npos);
-  cv::randn(picture, 120, 1.0);  // an even field, with the noise of a quiet camera
-  EXPECT_FALSE(picture_fault(picture));
+  cv::Mat image(300, 480, CV_8UC1, cv::Scalar(3));
+  EXPECT_NE(image_fault(image).value().english().find("black"), std::string::npos);
+  image(cv::Rect(100, 100, 120, 80)).setTo(120);  // a face with nothing around it
+  EXPECT_FALSE(image_fault(image));
+  image(cv::Rect(0, 0, 480, 90)).setTo(255);  // a third but for a little
+  EXPECT_FALSE(image_fault(image));
+  image(cv::Rect(0, 0, 480, 120)).setTo(255);
+  EXPECT_NE(image_fault(image).value().english().find("% of it is saturated"), std::string::npos);
+  image.setTo(120);
+  EXPECT_NE(image_fault(image).value().english().find("blank"), std::string::npos);
+  cv::randn(image, 120, 1.0);  // an even field, with the noise of a quiet camera
+  EXPECT_FALSE(image_fault(image));
 }
 
 TEST(IsSameFrame, IsTheOneReadAgainAndNotTheCamerasNext) {
@@ -37,33 +36,33 @@ TEST(IsSameFrame, IsTheOneReadAgainAndNotTheCamerasNext) {
 }
 
 TEST(IsSamePicture, SeesOneGreyLevelOfOnePixel) {
-  cv::Mat picture(40, 60, CV_8UC1);
-  cv::randu(picture, 0, 256);
-  cv::Mat other = picture.clone();
-  EXPECT_TRUE(is_same_picture(picture, other));
+  cv::Mat image(40, 60, CV_8UC1);
+  cv::randu(image, 0, 256);
+  cv::Mat other = image.clone();
+  EXPECT_TRUE(is_same_image(image, other));
   other.at<std::uint8_t>(39, 59) ^= 1;
-  EXPECT_FALSE(is_same_picture(picture, other));
-  EXPECT_FALSE(is_same_picture(picture, picture.rowRange(0, 39)));
-  EXPECT_FALSE(is_same_picture({}, {}));
+  EXPECT_FALSE(is_same_image(image, other));
+  EXPECT_FALSE(is_same_image(image, image.rowRange(0, 39)));
+  EXPECT_FALSE(is_same_image({}, {}));
 }
 
-TEST(FlagShares, AreOfTheFaceAlone) {
+TEST(FlagFractions, AreOfTheFaceAlone) {
   cv::Mat flags(10, 10, CV_8UC1, cv::Scalar(kOffFace));
   flags.rowRange(0, 4).setTo(kMeasured);
   flags.row(4).setTo(kSaturated);
-  const FlagShares shares = flag_shares(flags);
+  const FlagFractions shares = flag_fractions(flags);
   EXPECT_DOUBLE_EQ(shares.of[kMeasured], 0.8);
   EXPECT_DOUBLE_EQ(shares.of[kSaturated], 0.2);
   EXPECT_EQ(shares.of[kOffFace], 0.0);
-  EXPECT_EQ(flag_shares(cv::Mat(3, 3, CV_8UC1, cv::Scalar(kOffFace))).of[kMeasured], 0.0);
+  EXPECT_EQ(flag_fractions(cv::Mat(3, 3, CV_8UC1, cv::Scalar(kOffFace))).of[kMeasured], 0.0);
 }
 
 TEST(FaceFaults, TellsEachFaultByItsName) {
-  FlagShares good{};
+  FlagFractions good{};
   good.of[kMeasured] = 0.99;
   good.of[kSaturated] = 0.01;
   const cv::Rect face(0, 0, 100, 100);
-  const auto told = [&](const FlagShares& shares, double q, double brighter) {
+  const auto told = [&](const FlagFractions& shares, double q, double brighter) {
     std::string all;
     for (const Message& fault :
          face_faults(shares, LightGain(face, {q - 1.0, 0, 0, 0, 0, 0}, 0.9, brighter)))
@@ -75,13 +74,13 @@ TEST(FaceFaults, TellsEachFaultByItsName) {
   EXPECT_NE(told(good, 1.0 / 1.6, 0.0).find("60 % brighter"), std::string::npos);
   EXPECT_NE(told(good, 1.0 / 0.4, 0.0).find("60 % darker"), std::string::npos);
   EXPECT_NE(told(good, 1.0, 0.3).find("another finger"), std::string::npos);
-  FlagShares bright{};
+  FlagFractions bright{};
   bright.of[kSaturated] = 0.64;
   EXPECT_NE(told(bright, 1.0, 0.0).find("64 % of the face is too bright"), std::string::npos);
-  FlagShares unknown{};
+  FlagFractions unknown{};
   unknown.of[kNoReference] = 0.1;
   EXPECT_NE(told(unknown, 1.0, 0.0).find("10 % of the face was never"), std::string::npos);
-  FlagShares hidden{};
+  FlagFractions hidden{};
   hidden.of[kHiddenEnd] = 0.004;  // however little: nothing can be said of it
   EXPECT_NE(told(hidden, 1.0, 0.0).find("0.4 % of the face, at its end, is hidden"),
             std::string::npos);

@@ -23,7 +23,7 @@ using test::random_bend;
 using ::testing::HasSubstr;
 
 std::string own_network() {
-  return (std::filesystem::path(ALLTACT_SOURCE_DIR) / "resources" / kOwnMarkerNetwork).string();
+  return (std::filesystem::path(ALLTACT_SOURCE_DIR) / "resources" / kBuiltInMarkerNetwork).string();
 }
 
 MarkerModel learnt_from(const MarkedFinger& finger, std::mt19937& random) {
@@ -66,7 +66,7 @@ TEST(MarkerMethods, EveryWayNumbersTheSameMarkers) {
        {MarkerMethod::kBlobs, MarkerMethod::kPaper, MarkerMethod::kNetwork}) {
     auto made = make_marker_finder(method, own_network(), finger, model);
     if (method == MarkerMethod::kPaper)
-      made = make_marker_finder(method, kOwnNetwork, finger, model);
+      made = make_marker_finder(method, kBuiltInNetwork, finger, model);
     ASSERT_TRUE(made.ok()) << made.error().sentence();
     const Bend bend{0.1, 0.05, 2, 0};
     const cv::Mat grey = drawn.with_noise(drawn.clean(bend, {3}), random);

@@ -1,6 +1,6 @@
 // Pictures that are reduced, averaged or measured in part: a flat sensor with balls of closed
 // formulas.
-#include "core/camera/reduced_picture.h"
+#include "core/camera/reduced_image.h"
 #include "core/finger/reduced_finger.h"
 #include "core/numerics/median.h"
 #include "core/sensing/pipeline.h"
@@ -40,8 +40,8 @@ PipelineSettings with(const std::string& name, const std::string& value) {
 Pipeline pipeline_with(const PipelineSettings& settings) {
   const FingerSnapshot finger = FingerSnapshot::of({}, flat_sensor_finger(true)).value();
   const cv::Mat untouched =
-      reduced_picture(untouched_picture(1), pixels_a_side(settings.resolution));
-  return Pipeline::over(ReferenceLibrary::single(untouched).value(), finger, settings);
+      reduced_image(untouched_picture(1), binning_factor(settings.resolution));
+  return Pipeline::with_library(ReferenceLibrary::single(untouched).value(), finger, settings);
 }
 
 FrameResult pressed_once(const PipelineSettings& settings, std::uint64_t seed = 2) {
@@ -86,7 +86,7 @@ TEST(Resolution, TellsTheSameMillimetresOfFewerPixels) {
                 whole.regions[0].volume_mm3,
                 0.05 * whole.regions[0].volume_mm3);
     // A third of the whole picture's pixel: centres are where they were.
-    EXPECT_LT((result.regions[0].place_mm - whole.regions[0].place_mm).norm(), 0.02) << word;
+    EXPECT_LT((result.regions[0].position_mm - whole.regions[0].position_mm).norm(), 0.02) << word;
     const std::string line = result_line(result, 0, ReferenceMethod::kLocal);
     EXPECT_THAT(line, testing::HasSubstr(fmt::format("\"reduced_by\":{}", by)));
     EXPECT_THAT(line, testing::HasSubstr(fmt::format("\"size_px\":[{},{}]", 320 / by, 240 / by)));
@@ -97,7 +97,7 @@ TEST(Resolution, TellsTheSameMillimetresOfFewerPixels) {
 
 TEST(Resolution, RefusesPicturesOfAnotherSizeThanTheCameras) {
   Pipeline pipeline = pipeline_with(with("resolution", "half"));
-  const cv::Mat half = reduced_picture(untouched_picture(1), 2);
+  const cv::Mat half = reduced_image(untouched_picture(1), 2);
   const auto refused = pipeline(picture_frame(half));
   ASSERT_FALSE(refused.ok()) << "it is to come whole";
   EXPECT_THAT(refused.error().what.english(), testing::HasSubstr("320 x 240"));
@@ -106,15 +106,15 @@ TEST(Resolution, RefusesPicturesOfAnotherSizeThanTheCameras) {
 TEST(Resolution, MovesWhatAFingerKnowsInPixels) {
   Finger finger = flat_sensor_finger(true);
   finger.contact = ContactSettings{12.0, {{0.5, 0.5}, {101.0, 20.0}}};
-  finger.reference = ReferenceFiles{"r.mkv", "r.csv", "", PosePlaces{10.5, 2.0}};
+  finger.reference = ReferenceFiles{"r.mkv", "r.csv", "", EdgePositions{10.5, 2.0}};
   const FingerSnapshot whole = FingerSnapshot::of({}, finger).value();
   const FingerSnapshot half = reduced_finger(whole, 2);
   EXPECT_EQ(half.reduced_by, 2);
   EXPECT_DOUBLE_EQ(half.finger.contact->threshold_px, 6.0);
   EXPECT_EQ(half.finger.contact->rest_markers[0], Eigen::Vector2d(0.0, 0.0));
   EXPECT_EQ(half.finger.contact->rest_markers[1], Eigen::Vector2d(50.25, 9.75));
-  EXPECT_DOUBLE_EQ(half.finger.reference->places->from_u_px, 5.0);
-  EXPECT_DOUBLE_EQ(half.finger.reference->places->step_mm, 2.0);
+  EXPECT_DOUBLE_EQ(half.finger.reference->positions->from_u_px, 5.0);
+  EXPECT_DOUBLE_EQ(half.finger.reference->positions->step_mm, 2.0);
   EXPECT_EQ(reduced_finger(half, 2).camera.size(), half.camera.size()) << "once is enough";
 }
 
@@ -226,7 +226,7 @@ TEST(Rays, ParallelOnesTellDepthAtTheSamePixelByTheSlopeAlone) {
   const auto along = [&](LayerRays rays) {
     PipelineSettings settings;
     settings.rays = rays;
-    return Pipeline::over(
+    return Pipeline::with_library(
                ReferenceLibrary::single(untouched_picture(1)).value(), snapshot, settings)
         .finger()
         .mapping->along;
@@ -234,7 +234,7 @@ TEST(Rays, ParallelOnesTellDepthAtTheSamePixelByTheSlopeAlone) {
   EXPECT_EQ(along(LayerRays::kExact), MappingAlong::kNormal);
   EXPECT_EQ(along(LayerRays::kParallel), MappingAlong::kProjected);
   // What presses are read with, and thus the mapping, does not depend on it.
-  EXPECT_EQ(for_presses(with("rays", "parallel")).rays, LayerRays::kExact);
+  EXPECT_EQ(settings_for_presses(with("rays", "parallel")).rays, LayerRays::kExact);
 }
 
 TEST(Undistortion, NoneTakesTheLensAsOneThatBendsNothing) {
@@ -255,7 +255,7 @@ TEST(Undistortion, NoneTakesTheLensAsOneThatBendsNothing) {
   const FingerSnapshot plain = finger_as_measured(snapshot, settings);
   EXPECT_TRUE(plain.camera.is_linear());
   EXPECT_EQ(plain.camera.size(), cv::Size(480, 270));
-  EXPECT_EQ(plain.whole_camera.distortion, finger.camera.distortion) << "pictures come as before";
+  EXPECT_EQ(plain.full_camera.distortion, finger.camera.distortion) << "pictures come as before";
   // By hand: x / z = (u - cx) / fx, at half the pixels a side.
   const auto ray = plain.camera.unproject({400, 30}).value();
   EXPECT_NEAR(ray.direction.x() / ray.direction.z(), (2 * 400 + 0.5 - 479.5) / 500, 1e-12);

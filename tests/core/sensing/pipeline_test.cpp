@@ -43,15 +43,15 @@ cv::Mat smaller(const cv::Mat& grey) {
 }
 
 TEST(PipelineOfAnUnknownFinger, TellsTheEdgesAloneOfPicturesOfAnySize) {
-  Pipeline pipeline = Pipeline::of_unknown_finger();
+  Pipeline pipeline = Pipeline::without_finger();
   EXPECT_FALSE(pipeline.has_reference());
   const cv::Mat grey = plan_of("studio_finger.yaml").render(70);
-  for (const cv::Mat& picture : {grey, smaller(grey), grey}) {
-    const FrameResult result = measured(pipeline, picture);
-    EXPECT_EQ(result.grey.data, picture.data);
+  for (const cv::Mat& image : {grey, smaller(grey), grey}) {
+    const FrameResult result = measured(pipeline, image);
+    EXPECT_EQ(result.grey.data, image.data);
     EXPECT_TRUE(result.edges);
     EXPECT_FALSE(result.shape || result.markers || result.reference || result.depth);
-    EXPECT_EQ(result.touch, FaceTouch::kUnknown);
+    EXPECT_EQ(result.touch, FaceContact::kUnknown);
     EXPECT_THAT(result.problems, testing::IsEmpty()) << "the same picture again is none";
     EXPECT_GT(result.times_ms.edges, 0);
     EXPECT_GE(result.times_ms.total, result.times_ms.edges);
@@ -59,7 +59,7 @@ TEST(PipelineOfAnUnknownFinger, TellsTheEdgesAloneOfPicturesOfAnySize) {
 }
 
 TEST(PipelineOfAnUnknownFinger, SaysOnceThatThereIsNoFace) {
-  Pipeline pipeline = Pipeline::of_unknown_finger();
+  Pipeline pipeline = Pipeline::without_finger();
   const FrameResult result = measured(pipeline, cv::Mat(120, 160, CV_8UC1, cv::Scalar(0)));
   EXPECT_FALSE(result.edges);
   EXPECT_THAT(result.problems, testing::SizeIs(1));
@@ -70,8 +70,8 @@ class PipelineWithoutReference : public testing::Test {
   FrameResult look(int frame) { return measured(pipeline_, plan_.render(frame)); }
 
   Plan plan_ = plan_of("studio_finger.yaml");
-  Pipeline pipeline_ = Pipeline::before_reference(FingerSnapshot::of({}, plan_.finger()).value(),
-                                                  PipelineSettings{});
+  Pipeline pipeline_ = Pipeline::without_reference(FingerSnapshot::of({}, plan_.finger()).value(),
+                                                   PipelineSettings{});
 };
 
 TEST_F(PipelineWithoutReference, TellsShapeAndMarkersAndNothingThatNeedsTheReference) {
@@ -101,11 +101,11 @@ TEST_F(PipelineWithoutReference, TellsDotsThatAreNoMarkersYet) {
 
 TEST_F(PipelineWithoutReference, TellsTouchAfterItsFirstFramesAndAnewWhenItForgets) {
   // Frame 70: the ball is in by 0.84 mm; before frame 46 nothing presses.
-  for (int i = 0; i < 4; ++i) EXPECT_EQ(look(i).touch, FaceTouch::kUnknown) << i;
-  for (int i = 4; i < 20; ++i) EXPECT_EQ(look(i).touch, FaceTouch::kFree) << i;
-  EXPECT_EQ(look(70).touch, FaceTouch::kTouched);
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(look(i).touch, FaceContact::kUnknown) << i;
+  for (int i = 4; i < 20; ++i) EXPECT_EQ(look(i).touch, FaceContact::kFree) << i;
+  EXPECT_EQ(look(70).touch, FaceContact::kInContact);
   pipeline_.forget();
-  EXPECT_EQ(look(70).touch, FaceTouch::kUnknown);
+  EXPECT_EQ(look(70).touch, FaceContact::kUnknown);
 }
 
 TEST_F(PipelineWithoutReference, RefusesAPictureOfAnotherSizeAndGoesOnAfterIt) {
@@ -115,7 +115,7 @@ TEST_F(PipelineWithoutReference, RefusesAPictureOfAnotherSizeAndGoesOnAfterIt) {
   EXPECT_EQ(refused.error().where.english(), "/dev/video9");
   EXPECT_EQ(refused.error().advice.english(),
             "the finger that belongs to this camera, or this finger's camera");
-  EXPECT_EQ(look(7).touch, FaceTouch::kFree) << "it remembers the frames before";
+  EXPECT_EQ(look(7).touch, FaceContact::kFree) << "it remembers the frames before";
 }
 
 TEST_F(PipelineWithoutReference, SaysNothingOfACameraThatStandsStill) {
@@ -127,17 +127,17 @@ TEST_F(PipelineWithoutReference, SaysNothingOfACameraThatStandsStill) {
 TEST(PipelineOfAFlatSensor, TellsItsShapeWithTheReferenceAlone) {
   const Plan pressed = plan_of("flat_press.yaml"), untouched = plan_of("flat_reference.yaml");
   const FingerSnapshot finger = FingerSnapshot::of({}, pressed.finger()).value();
-  Pipeline without = Pipeline::before_reference(finger, PipelineSettings{});
+  Pipeline without = Pipeline::without_reference(finger, PipelineSettings{});
   EXPECT_FALSE(measured(without, pressed.render(2)).shape);
 
   const cv::Mat free = untouched.render(0);
   Pipeline pipeline =
-      Pipeline::over(ReferenceLibrary::single(free).value(), finger, PipelineSettings{});
+      Pipeline::with_library(ReferenceLibrary::single(free).value(), finger, PipelineSettings{});
   EXPECT_TRUE(pipeline.has_reference());
   const FrameResult result = measured(pipeline, pressed.render(2));
   EXPECT_TRUE(result.shape && result.difference);
-  EXPECT_EQ(result.touch, FaceTouch::kTouched);
-  EXPECT_EQ(measured(pipeline, free).touch, FaceTouch::kFree);
+  EXPECT_EQ(result.touch, FaceContact::kInContact);
+  EXPECT_EQ(measured(pipeline, free).touch, FaceContact::kFree);
   EXPECT_THAT(measured(pipeline, free.clone()).problems, testing::SizeIs(2))
       << "not calibrated, and the camera stands still";
   pipeline.forget();

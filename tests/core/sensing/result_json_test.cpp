@@ -20,8 +20,8 @@ FrameResult empty_result() {
 
 ContactRegion region_at_origin() {
   ContactRegion region;
-  region.place_mm.setZero();
-  region.place_px.setZero();
+  region.position_mm.setZero();
+  region.position_px.setZero();
   region.deepest_point_mm.setZero();
   return region;
 }
@@ -59,7 +59,7 @@ TEST(ResultLine, ContactsStandWithTheirPlaceOrWhyThereIsNone) {
   FrameResult result = empty_result();
   FingerContact& contact = result.contact.emplace();
   contact.direction = Eigen::Vector3d(0.6, 0, -0.8);
-  contact.place = PlaceOnFinger{52.3, -1.5, 0.4, 0.05, 0.06, 0.01};
+  contact.position = PositionOnFinger{52.3, -1.5, 0.4, 0.05, 0.06, 0.01};
   contact.is_new = true;
   contact.held_s = 0.0;
   const auto line = [&] {
@@ -72,7 +72,7 @@ TEST(ResultLine, ContactsStandWithTheirPlaceOrWhyThereIsNone) {
   contact = {};
   contact.face = PushedFace::kUpper;
   contact.direction_sd_deg = 1.25;
-  contact.no_place = en::say("nobody knows");
+  contact.no_position = en::say("nobody knows");
   contact.is_slipping = true;
   EXPECT_EQ(line(),
             Json::parse(R"({"face": "upper", "direction_sd_deg": 1.25, "no_place": "nobody knows",
@@ -94,9 +94,9 @@ TEST(ResultLine, CarriesEverythingUnderTheDesignsNames) {
   result.depth.emplace();
   result.depth->flags = (cv::Mat_<std::uint8_t>(1, 4) << kMeasured, kSaturated, kOffFace, kOffFace);
   ContactRegion region = region_at_origin();
-  region.place_mm = {3.1, -0.2, 48.0};
+  region.position_mm = {3.1, -0.2, 48.0};
   region.deepest_mm = 0.83;
-  region.place_on_face_mm = {31.5, -0.2};
+  region.position_on_face_mm = {31.5, -0.2};
   region.area_mm2 = 11.9;
   region.volume_mm3 = 4.1;
   result.regions = {region};
@@ -126,7 +126,7 @@ TEST(ResultLine, NumbersThatAreNoneAreLeftOut) {
   result.depth.emplace();
   result.depth->flags = (cv::Mat_<std::uint8_t>(1, 4) << kMeasured, kSaturated, kOffFace, kOffFace);
   ContactRegion region = region_at_origin();
-  region.place_mm = {0, 0, std::numeric_limits<double>::quiet_NaN()};
+  region.position_mm = {0, 0, std::numeric_limits<double>::quiet_NaN()};
   region.deepest_mm = std::numeric_limits<double>::infinity();
   region.area_mm2 = 1;
   result.regions = {region};

@@ -27,10 +27,10 @@ TEST(FaceCurve, WithoutBendingIsTheStraightLine) {
     EXPECT_EQ(p.theta_s, 0.0);
     EXPECT_EQ(p.shift_mm, 0.5);
     const Real direction = p.x_mm / Real{p.z_mm};
-    EXPECT_NEAR(curve.meet(0, static_cast<double>(direction)), s, 1e-12);
+    EXPECT_NEAR(curve.intersect(0, static_cast<double>(direction)), s, 1e-12);
   }
-  EXPECT_TRUE(std::isnan(curve.meet(0, 1.5)));     // steeper than the face
-  EXPECT_TRUE(std::isnan(curve.meet(-200, 0.0)));  // behind the camera
+  EXPECT_TRUE(std::isnan(curve.intersect(0, 1.5)));     // steeper than the face
+  EXPECT_TRUE(std::isnan(curve.intersect(-200, 0.0)));  // behind the camera
 }
 
 TEST(FaceCurve, SwayShiftsAStraightFaceAndLeavesItStraight) {
@@ -61,31 +61,31 @@ TEST(FaceCurve, BentByNothingTheCurveIsTheLine) {
     EXPECT_NEAR(curve.at(s).z_mm, line.at(s).z_mm, 1e-12);
   }
   for (double direction = -0.85; direction < 1.2; direction += 0.01)
-    EXPECT_NEAR(curve.meet(0, direction), line.meet(0, direction), 1e-11);
+    EXPECT_NEAR(curve.intersect(0, direction), line.intersect(0, direction), 1e-11);
 }
 
 TEST(BallPress, HasNoProfileUnlessSomethingGivesItOne) {
-  PressPlace place;
-  place.depth_mm = 0.8;
-  place.luf_mm = {0, 0, 30};
-  place.normal = Eigen::Vector3d::UnitZ();
-  place.along = Eigen::Vector3d::UnitX();
-  const BallPress press = make_ball_press(place, 4);
+  PressPose pose;
+  pose.depth_mm = 0.8;
+  pose.luf_mm = {0, 0, 30};
+  pose.normal = Eigen::Vector3d::UnitZ();
+  pose.along = Eigen::Vector3d::UnitX();
+  const BallPress press = make_ball_press(pose, 4);
   EXPECT_TRUE(press.profile_mm.empty());
   EXPECT_GE(press.reach_mm(), press.rim_mm);
 }
 
 // cos^lobe: the light of a lobe over that without is the same power of what lobe 1 makes of it.
 TEST(Leds, EveryLobeIsItsPowerOfTheCosine) {
-  const auto picture = [](const std::string& aim) {
+  const auto image = [](const std::string& aim) {
     return plan_of(
                scene_text(fmt::format(
                    "  - {{use: leds, lamps: [{{at_mm: [4, 0, -20], power: 2000000{}}}]}}\n", aim)))
         .render(0);
   };
-  const cv::Mat plain = picture("");
+  const cv::Mat plain = image("");
   for (const int lobe : {1, 2, 4, 8}) {
-    const cv::Mat aimed = picture(fmt::format(", aim_mm: [71, 0, 93], lobe: {}", lobe));
+    const cv::Mat aimed = image(fmt::format(", aim_mm: [71, 0, 93], lobe: {}", lobe));
     const Eigen::Vector3d lamp(4, 0, -20), aim = (Eigen::Vector3d(71, 0, 93) - lamp).normalized();
     int compared = 0;
     for (int u = 20; u < 240; u += 3)

@@ -310,9 +310,9 @@ TEST(TruthMaps, TellWhatTouchesAndHowItLies) {
       const int contact = maps.contact.at<std::uint8_t>(v, u);
       ++pixels.at(static_cast<std::size_t>(contact));
       const cv::Vec3f n = maps.normal.at<cv::Vec3f>(v, u);
-      const auto seen = static_cast<Seen>(maps.seen.at<std::uint8_t>(v, u));
-      EXPECT_EQ(std::isnan(depth), seen != Seen::kFace);
-      EXPECT_EQ(std::isnan(n[0]), seen != Seen::kFace);
+      const auto labels = static_cast<PixelLabel>(maps.labels.at<std::uint8_t>(v, u));
+      EXPECT_EQ(std::isnan(depth), labels != PixelLabel::kFace);
+      EXPECT_EQ(std::isnan(n[0]), labels != PixelLabel::kFace);
       if (contact == 0) continue;
       const Truth::Ball& ball = truth.balls[static_cast<std::size_t>(contact) - 1];
       const double z = truth.view_z_mm.at<float>(v, u);
@@ -332,11 +332,11 @@ TEST(TruthMaps, TellWhatTouchesAndHowItLies) {
   EXPECT_GT(pixels[2], 10);
   const auto at = [&](std::size_t marker) {
     const Truth::Dot& dot = truth.markers[marker];
-    return static_cast<Seen>(maps.seen.at<std::uint8_t>(static_cast<int>(std::lround(dot.v)),
-                                                        static_cast<int>(std::lround(dot.u))));
+    return static_cast<PixelLabel>(maps.labels.at<std::uint8_t>(
+        static_cast<int>(std::lround(dot.v)), static_cast<int>(std::lround(dot.u))));
   };
-  EXPECT_EQ(at(1), Seen::kDot);
-  EXPECT_EQ(at(2), Seen::kFoldOverDot);
+  EXPECT_EQ(at(1), PixelLabel::kDot);
+  EXPECT_EQ(at(2), PixelLabel::kFoldOverDot);
 }
 
 }  // namespace

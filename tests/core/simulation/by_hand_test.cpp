@@ -16,9 +16,9 @@ TEST(TwoEffects, AreTheSameBytesAsAHandWrittenLoop) {
   const auto camera = Camera::create(plan.finger().camera);
   ASSERT_TRUE(camera);
   const cv::Mat by_hand = two_effects_by_hand(PixelRays(*camera), plan.finger().face);
-  const cv::Mat picture = plan.render(0);
-  EXPECT_GT(cv::countNonZero(picture), 500000);
-  EXPECT_TRUE(same_bytes(by_hand, picture));
+  const cv::Mat image = plan.render(0);
+  EXPECT_GT(cv::countNonZero(image), 500000);
+  EXPECT_TRUE(same_bytes(by_hand, image));
   EXPECT_TRUE(same_bytes(by_hand, plan.render(0, 3)));
 }
 
@@ -30,8 +30,8 @@ TEST(SensorEffects, AreAllInTheSceneThatIsMeasured) {
     if (kind->stage == Stage::kSensor) {
       EXPECT_THAT(plan.effects(), testing::Contains(kind->name));
     }
-  const cv::Mat picture = plan.render(7);
-  for (const int threads : {2, 3}) EXPECT_TRUE(same_bytes(plan.render(7, threads), picture));
+  const cv::Mat image = plan.render(7);
+  for (const int threads : {2, 3}) EXPECT_TRUE(same_bytes(plan.render(7, threads), image));
 }
 
 }  // namespace

@@ -74,10 +74,10 @@ TEST(EffectExample, AllOfThemGoTogether) {
     if (!bodies.contains(kind->name)) names.push_back(kind->name);
   const Plan plan = plan_of(example_scene(names));
   EXPECT_EQ(plan.effects().size(), names.size());
-  const cv::Mat picture = plan.render(3, 2);
-  EXPECT_TRUE(same(plan.render(3), picture));
+  const cv::Mat image = plan.render(3, 2);
+  EXPECT_TRUE(same(plan.render(3), image));
   cv::Scalar mean, deviation;
-  cv::meanStdDev(picture, mean, deviation);
+  cv::meanStdDev(image, mean, deviation);
   EXPECT_GT(deviation[0], 5);
 }
 

@@ -53,10 +53,10 @@ TEST(EffectParameters, AreThoseOfTheReader) {
 TEST(EffectParameters, TellOfThoseThatMayBeSeveral) {
   for (const EffectDescription& effect : describe_effects()) {
     if (effect.kind->name == "ball") {
-      EXPECT_TRUE(effect.may_be_several);
+      EXPECT_TRUE(effect.is_repeatable);
     }
     if (effect.kind->name == "layer") {
-      EXPECT_FALSE(effect.may_be_several);
+      EXPECT_FALSE(effect.is_repeatable);
     }
   }
 }

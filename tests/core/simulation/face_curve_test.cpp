@@ -29,9 +29,9 @@ TEST(FaceCurve, IsMetByManyLinesAsByEachOfThem) {
       origins.push_back(parallel ? -40 + 0.25 * u : 0);
       directions.push_back(parallel ? 0 : -1.2 + 0.0048 * u);
     }
-    const FaceCurve::Meetings all = curve.meet_all(origins, directions);
+    const FaceCurve::Intersections all = curve.intersect_all(origins, directions);
     for (std::size_t i = 0; i < directions.size(); ++i) {
-      const double s = curve.meet(origins[i], directions[i]);
+      const double s = curve.intersect(origins[i], directions[i]);
       ASSERT_EQ(std::isnan(all.s_mm[i]), std::isnan(s)) << run << ' ' << i;
       const FaceCurve::Node p = curve.at(std::isnan(s) ? length : s);
       if (!std::isnan(s)) {

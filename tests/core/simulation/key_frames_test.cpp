@@ -44,8 +44,8 @@ TEST(KeyFrames, GoStraightOrSoftlyAsComputedByHand) {
   EXPECT_NEAR(smooth.at(1, 30), 57.0, 1e-13);
   EXPECT_NEAR(smooth.at(1, 45), 40 + 34 * (2 + std::numbers::sqrt2) / 4, 1e-13);
   EXPECT_EQ(smooth.at(1, 60), 74.0);
-  EXPECT_EQ(smooth.least(), 40.0);
-  EXPECT_EQ(smooth.greatest(), 74.0);
+  EXPECT_EQ(smooth.min_value(), 40.0);
+  EXPECT_EQ(smooth.max_value(), 74.0);
 }
 
 TEST(KeyFrames, EachSaysHowItIsReachedAndTheEndsStay) {
@@ -125,16 +125,16 @@ TEST(KeyFrames, StayBetweenTheirNeighboursForAnyNumbers) {
       double is;
     };
     std::vector<Key> keys;
-    std::vector<std::string> said;
+    std::vector<std::string> press_set;
     for (int at = step(random); at < 290 && keys.size() < 12; at += step(random)) {
       keys.push_back({at, value(random)});
-      said.push_back(
+      press_set.push_back(
           fmt::format("{{at: {}, is: {}{}}}",
                       kind(random) == 0 ? fmt::format("{}", at) : fmt::format("{} s", at / 30.0),
                       keys.back().is,
                       kind(random) == 0 ? "" : ", by: smooth"));
     }
-    const Varying varying = read_varying(fmt::format("[{}]", fmt::join(said, ", "))).value();
+    const Varying varying = read_varying(fmt::format("[{}]", fmt::join(press_set, ", "))).value();
     for (std::size_t i = 0; i < keys.size(); ++i) {
       EXPECT_NEAR(varying.at(1, keys[i].at), keys[i].is, 1e-9);
       if (i == 0) continue;

@@ -50,10 +50,10 @@ using Field = cv::Mat_<float>;
 Field noise_of(const std::string& effect, double level, double sd, int frame = 0) {
   const std::string leak =
       level > 1 ? fmt::format("  - {{use: leak, grey: {}}}\n", level - 1) : std::string();
-  Field picture = rendered(million_text(leak + "  - {use: " + effect + "}\n"), frame);
-  picture -= static_cast<float>(level);
-  picture *= static_cast<float>(1 / sd);
-  return picture;
+  Field image = rendered(million_text(leak + "  - {use: " + effect + "}\n"), frame);
+  image -= static_cast<float>(level);
+  image *= static_cast<float>(1 / sd);
+  return image;
 }
 
 void expect_standard_normal(const Field& field, const std::string& what) {
@@ -171,9 +171,9 @@ void expect_share(double count, double n, double p, const std::string& what) {
 // As many as a coin for each pixel gives, on the whole, in rows and side by side.
 TEST(NoiseLaw, OfDeadPixelsIsACoinForEachOfThem) {
   for (const double p : {1e-3, 0.02, 0.3}) {
-    const Field picture = rendered(million_text(
+    const Field image = rendered(million_text(
         fmt::format("  - {{use: leak, grey: 9}}\n  - {{use: dead-pixels, dead: {}}}\n", p)));
-    const cv::Mat dead = (picture == 0) / 255;
+    const cv::Mat dead = (image == 0) / 255;
     const double n = 1e6;
     expect_share(cv::countNonZero(dead), n, p, "dead pixels");
     const auto both = [&](int u, int v) {

@@ -127,7 +127,7 @@ TEST(Plan, WithoutNoiseEqualsTheFormula) {
     text +=
         "}\n  - {use: leds, lamps: [{at_mm: [1, -3, -2], power: 500000}, "
         "{at_mm: [4, 5, 0], power: 2000000, aim_mm: [71, 0, 93], lobe: 4}]}\n";
-    const cv::Mat picture = plan_of(scene_text(text)).render(0);
+    const cv::Mat image = plan_of(scene_text(text)).render(0);
     const long double theta = 34.0L * std::numbers::pi_v<long double> / 180;
     const long double thickness = 1.5L / std::cos(theta), scatter = 0.6L;
     long double reflectance = scatter * thickness / (1 + scatter * thickness);
@@ -139,8 +139,8 @@ TEST(Plan, WithoutNoiseEqualsTheFormula) {
     using Vector = Eigen::Matrix<long double, 3, 1>;
     const Vector normal(std::sin(theta), 0, -std::cos(theta));
     int compared = 0;
-    for (int v = 0; v < picture.rows; v += 3)
-      for (int u = 0; u < picture.cols; u += 3) {
+    for (int v = 0; v < image.rows; v += 3)
+      for (int u = 0; u < image.cols; u += 3) {
         const long double t = (u - 158.5L) / 170, w = (v - 90.25L) / 172;
         const long double z =
             (28 * std::cos(theta) + 25 * std::sin(theta)) / (std::cos(theta) - t * std::sin(theta));
@@ -155,7 +155,7 @@ TEST(Plan, WithoutNoiseEqualsTheFormula) {
         const long double lobe = std::pow(aim.dot((p - two).normalized()), 4);
         const long double expected =
             reflectance * (500000 * shine(one) + 2000000 * lobe * shine(two));
-        EXPECT_NEAR(picture.at<float>(v, u) / static_cast<double>(expected), 1, 1e-6);
+        EXPECT_NEAR(image.at<float>(v, u) / static_cast<double>(expected), 1, 1e-6);
         ++compared;
       }
     EXPECT_GT(compared, 1000);

@@ -145,7 +145,7 @@ Listed listed(const std::filesystem::path& path) {
   Listed listed;
   YamlFile file(path);
   const Status read = file.load([&](YamlSection& top) {
-    listed.frames = top.whole_number_or("frames", 1, 1, 1000000);
+    listed.frames = top.integer_or("frames", 1, 1, 1000000);
     const double per_s = top.number_or("frames_per_s", 30, {0, 1e9});
     listed.present.resize(static_cast<std::size_t>(listed.frames));
     for (YamlSection& effect : top.sections("effects")) {
@@ -201,7 +201,7 @@ TEST(Presence, EveryFrameOfEveryShippedSceneBuildsWhatIsPresentAndNothingElse) {
         rows += stages.at(name) == Stage::kRadiance ? number : 0;
       }
       const long steps_before = count.steps, rows_before = count.rows;
-      const cv::Mat picture = plan.render(frame, 2);
+      const cv::Mat image = plan.render(frame, 2);
       ASSERT_EQ(count.steps - steps_before, steps) << frame;
       // What works on whole pictures makes the light anew for each thread and moment, and so that
       // of nothing else.

@@ -30,27 +30,27 @@ std::vector<Ray> row_of_rays(double direction_y) {
 void expect_as_one_by_one(const RuledSurface& surface,
                           const std::vector<Ray>& rays,
                           const std::vector<char>& wanted) {
-  const RuledSurface::MeetingRow row = surface.meet_row(rays, wanted);
-  int met = 0;
+  const RuledSurface::IntersectionRow row = surface.intersect_row(rays, wanted);
+  int is_hit = 0;
   for (std::size_t i = 0; i < rays.size(); ++i) {
     if (wanted[i] == 0) {
-      EXPECT_FALSE(row.met(i)) << i;
+      EXPECT_FALSE(row.is_hit(i)) << i;
       continue;
     }
     // Looked for alone it is found up to an eighth of the length beyond the curve's ends.
-    const auto alone = surface.meet(rays[i]);
+    const auto alone = surface.intersect(rays[i]);
     if (!alone) continue;
-    ASSERT_TRUE(row.met(i)) << i;
-    ++met;
-    const RuledSurface::Meeting here = row.at(i);
+    ASSERT_TRUE(row.is_hit(i)) << i;
+    ++is_hit;
+    const RuledSurface::Intersection here = row.at(i);
     EXPECT_NEAR(here.s_mm, alone->s_mm, 1e-7) << i;
     EXPECT_NEAR(here.r_mm, alone->r_mm, 1e-7) << i;
     EXPECT_NEAR(here.z_mm, alone->z_mm, 1e-7) << i;
     EXPECT_LT((here.normal - alone->normal).norm(), 1e-5) << i;
-    EXPECT_LT((here.s_way - alone->s_way).norm(), 1e-4) << i;
-    EXPECT_LT((here.r_way - alone->r_way).norm(), 1e-4) << i;
+    EXPECT_LT((here.point_s - alone->point_s).norm(), 1e-4) << i;
+    EXPECT_LT((here.point_r - alone->point_r).norm(), 1e-4) << i;
   }
-  EXPECT_GT(met, 100);
+  EXPECT_GT(is_hit, 100);
 }
 
 TEST(RuledSurface, RaysSideBySideMeetItWhereOneByOneTheyDo) {

@@ -46,7 +46,7 @@ TEST(Several, TwoBallsPressTheGreaterOfTheirDepths) {
     const Truth a = plan_of(scene_text(one + rest)).truth(0);
     const Truth b = plan_of(scene_text(other + rest)).truth(0);
     const Truth got = both.truth(0);
-    const cv::Mat picture = both.render(0, 2);
+    const cv::Mat image = both.render(0, 2);
     int pressed = 0;
     for (int v = 0; v < got.depth_mm.rows; ++v)
       for (int u = 0; u < got.depth_mm.cols; ++u) {
@@ -58,7 +58,7 @@ TEST(Several, TwoBallsPressTheGreaterOfTheirDepths) {
             got.untouched_z_mm.at<float>(v, u) - got.view_z_mm.at<float>(v, u) - deeper;
         const float light = 0.6F * thickness / (1 + 0.6F * thickness);
         if (u > 10 && u < 230 && v > 60 && v < 120) {
-          ASSERT_NEAR(picture.at<float>(v, u), light, 1e-5) << u << ' ' << v;
+          ASSERT_NEAR(image.at<float>(v, u), light, 1e-5) << u << ' ' << v;
         }
       }
     EXPECT_GT(pressed, 100);
@@ -99,9 +99,9 @@ TEST(Several, NoiseThatIsHandedOverDrawsAnew) {
   for (int v = 0; v < 10; ++v) {
     for (int frame = 0; frame < 2; ++frame) {
       RowNoise("read").normals(seed, frame, v, 320, draws.data());
-      const cv::Mat& picture = frame == 0 ? first : second;
+      const cv::Mat& image = frame == 0 ? first : second;
       for (int u = 0; u < 320; ++u) {
-        const float drawn = draws[static_cast<std::size_t>(u)], got = picture.at<float>(v, u);
+        const float drawn = draws[static_cast<std::size_t>(u)], got = image.at<float>(v, u);
         if (frame == 0) {
           ASSERT_EQ(got, drawn);
         } else {
@@ -135,8 +135,8 @@ TEST(Several, GiveTheSameBytesWithAnyThreads) {
       "  - {use: relief, shape: t_bar, size_mm: 9, bar_mm: 2, s_mm: 80, y_mm: 0, depth_mm: 0.5}\n";
   for (const std::uint64_t seed : {1, 5}) {
     const Plan plan = plan_of(scene_text(kDrawnBall + kDrawnBall + rest), seed);
-    const cv::Mat picture = plan.render(2);
-    for (const int threads : {2, 3, 7}) EXPECT_TRUE(same_bytes(plan.render(2, threads), picture));
+    const cv::Mat image = plan.render(2);
+    for (const int threads : {2, 3, 7}) EXPECT_TRUE(same_bytes(plan.render(2, threads), image));
     EXPECT_FALSE(plan.truth(2).markers[3].visible);
   }
 }

@@ -110,14 +110,14 @@ TEST(Truth, FaceIsWhereTheRaysMeetTheBentSurface) {
 // Brightness 1 on the face and 0 beside it: a column's sum is the face's length in it.
 TEST(Render, EdgesLieWhereTheWidthSays) {
   for (const Pose& pose : random_poses(3)) {
-    const cv::Mat picture = plan_of(text_of(pose, "")).render(0);
+    const cv::Mat image = plan_of(text_of(pose, "")).render(0);
     const auto curve = bent(pose);
     for (int u = 12; u < 260; u += 5) {
       const CurvePoint p = cross(curve, (u - 158.5L) / 170);
       Real length = 0, moment = 0;
       for (int v = 0; v < 180; ++v) {
-        length += picture.at<float>(v, u);
-        moment += v * Real{picture.at<float>(v, u)};
+        length += image.at<float>(v, u);
+        moment += v * Real{image.at<float>(v, u)};
       }
       EXPECT_NEAR(length, 172 * 24 / p.z, 2e-4);
       // The middle follows the sway; what partly covered pixels add to it is below 0.01 px.
@@ -212,7 +212,7 @@ TEST(Truth, MarkersAreTheImagesOfTheDots) {
     const Plan plan = plan_of(text_of(
         pose, effects, "model: pinhole, size: [1920, 1080], fx: 1020, fy: 1020, cx: 951, cy: 539"));
     const Truth truth = plan.truth(0);
-    const cv::Mat picture = plan.render(0, 2);
+    const cv::Mat image = plan.render(0, 2);
     const auto curve = bent(pose);
     ASSERT_EQ(truth.markers.size(), 12U);
     for (int i = 0; i < 12; ++i) {
@@ -234,7 +234,7 @@ TEST(Truth, MarkersAreTheImagesOfTheDots) {
         for (int u = std::max(0, static_cast<int>(dot.u) - reach_u);
              u <= std::min(1919, static_cast<int>(dot.u) + reach_u);
              ++u) {
-          const Real value = (picture.at<float>(v, u) - 0.001L) / 0.999L;
+          const Real value = (image.at<float>(v, u) - 0.001L) / 0.999L;
           if (value <= 0) continue;
           sum += value;
           sum_u += u * value;

@@ -137,7 +137,7 @@ TEST(TwistedFace, LiesWhereItsSectionsLie) {
 TEST(TwistedFace, EndsWhereItsEdgesAre) {
   for (const TwistPose& pose : random_twists(3)) {
     const TwistedFinger finger(pose);
-    const cv::Mat_<float> picture = plan_of(text_of(pose, "")).render(0);
+    const cv::Mat_<float> image = plan_of(text_of(pose, "")).render(0);
     for (long double s = 12; s < 100; s += 9) {
       const Section section = finger.at(s);
       for (const int side : {-1, 1}) {
@@ -152,7 +152,7 @@ TEST(TwistedFace, EndsWhereItsEdgesAre) {
         for (int column = left; column <= left + 1; ++column) {
           long double rows = 0;
           for (int row = inner; row >= 0 && row < 180 && row != inner + side * 13; row += side)
-            rows += picture(row, column);
+            rows += image(row, column);
           const long double end = inner + side * (rows - 0.5L);
           here += (column == left ? left + 1 - u : u - left) * end;
         }
@@ -195,7 +195,7 @@ void expect_the_same(const Plan& a, const Plan& b) {
   const cv::Mat_<float> left = a.render(0), right = b.render(0);
   const cv::Mat differs = cv::abs(left - right) > 0.1;
   EXPECT_LT(cv::countNonZero(differs), 0.02 * static_cast<double>(left.total()));
-  const cv::Mat face = a.truth_maps(0).seen == static_cast<int>(Seen::kFace);
+  const cv::Mat face = a.truth_maps(0).labels == static_cast<int>(PixelLabel::kFace);
   cv::Mat inner;
   cv::erode(face, inner, cv::Mat());
   EXPECT_GT(cv::countNonZero(inner), 5000);

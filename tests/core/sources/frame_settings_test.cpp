@@ -32,7 +32,7 @@ TEST(FrameSettings, OnlyWhatBothTellCanDiffer) {
 }
 
 TEST(FrameSettings, ARecordingsAreThoseOfItsFirstFrameAndTheFirstChangeIsKept) {
-  SettingsSeen seen;
+  SettingsMonitor seen;
   seen.add(*frame_with(nullptr));
   EXPECT_EQ(seen.first(), "");
   for (const char* text : {"Gain=3", "Gain=3", "Gain=4", "Gain=9"}) seen.add(*frame_with(text));

@@ -20,9 +20,9 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 cv::Mat noise(int width = 64, int height = 48) {
-  cv::Mat picture(height, width, CV_8UC1);
-  cv::randu(picture, 0, 256);
-  return picture;
+  cv::Mat image(height, width, CV_8UC1);
+  cv::randu(image, 0, 256);
+  return image;
 }
 
 std::vector<std::string> names_of(Source& source) {
@@ -46,10 +46,10 @@ std::vector<cv::Mat> write_video(const fs::path& file, int fourcc, int frames, b
   EXPECT_TRUE(writer.isOpened());
   std::vector<cv::Mat> written;
   for (int i = 0; i < frames; ++i) {
-    cv::Mat picture = noise();
-    if (is_smooth) cv::GaussianBlur(picture, picture, {0, 0}, 4);
-    writer.write(picture);
-    written.push_back(picture);
+    cv::Mat image = noise();
+    if (is_smooth) cv::GaussianBlur(image, image, {0, 0}, 4);
+    writer.write(image);
+    written.push_back(image);
   }
   return written;
 }
@@ -152,13 +152,12 @@ TEST(Source, CamerasMotionJpegComesBackAsGrey) {
       write_video(folder / "v.avi", cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 4, true);
   auto source = open_source({folder / "v.avi"});
   ASSERT_TRUE(source.ok());
-  for (const cv::Mat& picture : written) {
+  for (const cv::Mat& image : written) {
     const FramePtr frame = *(*source)->next();
     ASSERT_NE(frame, nullptr);
     // A lossy format: close in the mean, and neither darker nor brighter.
-    EXPECT_LT(cv::norm(frame->grey, picture, cv::NORM_L1) / static_cast<double>(picture.total()),
-              3);
-    EXPECT_NEAR(cv::mean(frame->grey)[0], cv::mean(picture)[0], 1);
+    EXPECT_LT(cv::norm(frame->grey, image, cv::NORM_L1) / static_cast<double>(image.total()), 3);
+    EXPECT_NEAR(cv::mean(frame->grey)[0], cv::mean(image)[0], 1);
   }
 }
 

@@ -26,16 +26,16 @@ StreamMessage message() {
   message.sequence = 7;
   message.time_ns = -12345678901;
   message.json = R"({"frame":"x"})";  // 13 bytes
-  message.parts[kPicture] = (cv::Mat_<std::uint8_t>(2, 3) << 1, 2, 3, 4, 5, 6);
+  message.parts[kImage] = (cv::Mat_<std::uint8_t>(2, 3) << 1, 2, 3, 4, 5, 6);
   message.parts[kDepth16] = (cv::Mat_<std::uint16_t>(1, 2) << 10000, 65535);
   message.parts[kPoints] = cv::Mat(1, 1, CV_32FC3, cv::Scalar(1.5, -2, 3));
   return message;
 }
 
 TEST(StreamFormat, AMessageLiesAsItIsSaid) {
-  StreamPartSet wanted;
-  wanted.set(kPicture).set(kPoints).set(kDepth);  // of depth there is none
-  const StreamBytes bytes = stream_bytes(message(), wanted, 5);
+  StreamPartSet requested;
+  requested.set(kImage).set(kPoints).set(kDepth);  // of depth there is none
+  const StreamBytes bytes = stream_bytes(message(), requested, 5);
   const std::string& head = bytes.head;
   ASSERT_EQ(head.size(), 48U + 2 * 48 + 16);
   EXPECT_EQ(head.substr(0, 4), "ATCT");
@@ -66,13 +66,13 @@ TEST(StreamFormat, AMessageLiesAsItIsSaid) {
 TEST(StreamFormat, PicturesAreNotCopiedUnlessTheirRowsLieApart) {
   StreamMessage whole;
   whole.json = "{}";
-  whole.parts[kPicture] = cv::Mat(4, 8, CV_8UC1, cv::Scalar(9));
-  EXPECT_EQ(stream_bytes(whole, StreamPartSet(1), 0).parts[0].data, whole.parts[kPicture].data);
+  whole.parts[kImage] = cv::Mat(4, 8, CV_8UC1, cv::Scalar(9));
+  EXPECT_EQ(stream_bytes(whole, StreamPartSet(1), 0).parts[0].data, whole.parts[kImage].data);
   StreamMessage cut = whole;
-  cut.parts[kPicture] = whole.parts[kPicture].colRange(2, 5);
+  cut.parts[kImage] = whole.parts[kImage].colRange(2, 5);
   const cv::Mat sent = stream_bytes(cut, StreamPartSet(1), 0).parts[0];
   EXPECT_TRUE(sent.isContinuous());
-  EXPECT_EQ(cv::norm(sent, cut.parts[kPicture], cv::NORM_INF), 0);
+  EXPECT_EQ(cv::norm(sent, cut.parts[kImage], cv::NORM_INF), 0);
 }
 
 TEST(StreamFormat, ARequestNamesParts) {

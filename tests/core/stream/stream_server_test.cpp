@@ -95,7 +95,7 @@ StreamMessage frame(std::uint64_t number, int side = 8) {
   StreamMessage message;
   message.sequence = number;
   message.json = json{{"index", number}}.dump();
-  message.parts[kPicture] =
+  message.parts[kImage] =
       cv::Mat(side, side, CV_8UC1, cv::Scalar(static_cast<double>(number % 251)));
   message.parts[kDepth16] = cv::Mat(side, side, CV_16UC1, cv::Scalar(static_cast<double>(number)));
   return message;
@@ -148,7 +148,7 @@ class StreamServerTest : public testing::Test {
 TEST_F(StreamServerTest, EachGetsWhatItAskedFor) {
   const auto both = listener(" depth16 picture"), none = listener("");
   ASSERT_TRUE(wait_until([&] { return server_->counts().clients == 2; }));
-  EXPECT_EQ(server_->wanted(), StreamPartSet(0b11));
+  EXPECT_EQ(server_->requested(), StreamPartSet(0b11));
   for (std::uint64_t number = 0; number < 5; ++number) {
     server_->publish(frame(number, 33));
     const auto a = both->hear(), b = none->hear();
@@ -168,7 +168,7 @@ TEST_F(StreamServerTest, EachGetsWhatItAskedFor) {
 TEST_F(StreamServerTest, AFrameThatWasUnderWayWithoutWhatIsAskedForIsNotSent) {
   const auto wanting = listener(" depth16"), content = listener("");
   StreamMessage before = frame(1);
-  before.sought = StreamPartSet();
+  before.requested_parts = StreamPartSet();
   before.parts = {};
   server_->publish(before);
   server_->publish(frame(2));
@@ -232,7 +232,7 @@ TEST_F(StreamServerTest, OneThatDiesIsForgotten) {
     server_->publish(frame(1, 1000));
   }
   EXPECT_TRUE(wait_until([&] { return server_->counts().clients == 0; }));
-  EXPECT_EQ(server_->wanted(), StreamPartSet());
+  EXPECT_EQ(server_->requested(), StreamPartSet());
   EXPECT_TRUE(still_serves());
 }
 
@@ -282,7 +282,7 @@ TEST_F(StreamServerTest, OneThatWillSayNothingMoreIsServed) {
 
 TEST_F(StreamServerTest, TooManyAreTold) {
   std::vector<std::unique_ptr<Peer>> all;
-  for (std::size_t i = 0; i < StreamServer::kMostClients; ++i) all.push_back(listener(""));
+  for (std::size_t i = 0; i < StreamServer::kMaxClients; ++i) all.push_back(listener(""));
   EXPECT_THAT(refusal(Peer(path_)), HasSubstr("16 programs are served already"));
   all.pop_back();
   ASSERT_TRUE(wait_until([&] { return server_->counts().clients == all.size(); }));
@@ -393,10 +393,10 @@ TEST(StreamSocket, APathThatIsTooLongIsSaidToBe) {
 TEST(StreamSocket, TheUsualPlaceIsTheUsersOwn) {
   const test::TemporaryFolder folder;
   setenv("XDG_RUNTIME_DIR", folder.path().c_str(), 1);
-  EXPECT_EQ(usual_socket("left-07"), folder / "alltact/left-07.sock");
-  EXPECT_EQ(usual_socket("a/b"), folder / "alltact/a_b.sock");
+  EXPECT_EQ(default_socket("left-07"), folder / "alltact/left-07.sock");
+  EXPECT_EQ(default_socket("a/b"), folder / "alltact/a_b.sock");
   setenv("XDG_RUNTIME_DIR", "relative", 1);
-  EXPECT_EQ(usual_socket("left-07").parent_path().filename(),
+  EXPECT_EQ(default_socket("left-07").parent_path().filename(),
             "alltact-" + std::to_string(geteuid()));
   unsetenv("XDG_RUNTIME_DIR");
 }

@@ -21,9 +21,9 @@ double distance(const cv::Vec4b& seen, const MapColour& wanted) {
   return std::hypot(seen[2] - wanted.red, seen[1] - wanted.green, seen[0] - wanted.blue);
 }
 
-double covered(const cv::Mat& picture) {
+double covered(const cv::Mat& image) {
   cv::Mat opacity;
-  cv::extractChannel(picture, opacity, 3);
+  cv::extractChannel(image, opacity, 3);
   return cv::mean(opacity)[0] / 255;
 }
 
@@ -74,17 +74,17 @@ Triangles ball(int steps) {
 }
 
 TEST(MeshThumbnail, ABallIsADisc) {
-  const cv::Mat picture = mesh_thumbnail(ball(48), 128);
-  EXPECT_EQ(picture.size(), cv::Size(128, 128));
+  const cv::Mat image = mesh_thumbnail(ball(48), 128);
+  EXPECT_EQ(image.size(), cv::Size(128, 128));
   constexpr double kFilled = 0.94;
-  EXPECT_NEAR(covered(picture), std::numbers::pi / 4 * kFilled * kFilled, 0.005);
+  EXPECT_NEAR(covered(image), std::numbers::pi / 4 * kFilled * kFilled, 0.005);
   // Its middle is in the middle, and it is lit from one side.
   cv::Mat opacity;
-  cv::extractChannel(picture, opacity, 3);
+  cv::extractChannel(image, opacity, 3);
   const cv::Moments moments = cv::moments(opacity);
   EXPECT_NEAR(moments.m10 / moments.m00, 63.5, 0.5);
   EXPECT_NEAR(moments.m01 / moments.m00, 63.5, 0.5);
-  EXPECT_GT(picture.at<cv::Vec4b>(36, 46)[1], picture.at<cv::Vec4b>(96, 90)[1] + 20);
+  EXPECT_GT(image.at<cv::Vec4b>(36, 46)[1], image.at<cv::Vec4b>(96, 90)[1] + 20);
 }
 
 /// Two squares, one behind the other as the plates' depth says in colours.
@@ -100,8 +100,8 @@ TEST(MeshThumbnail, WhatIsNearerHidesWhatIsFarther) {
     plates.corners.push_back({first, first + 3, first + 1});
     plates.corners.push_back({first + 1, first + 3, first + 2});
   }
-  const cv::Mat picture = mesh_thumbnail(plates, 64);
-  const cv::Vec4b& middle = picture.at<cv::Vec4b>(32, 32);
+  const cv::Mat image = mesh_thumbnail(plates, 64);
+  const cv::Vec4b& middle = image.at<cv::Vec4b>(32, 32);
   const MapColour yellow = viridis(1);
   // In the yellow of the nearer plate, darker by its slope towards the light.
   EXPECT_NEAR(static_cast<double>(middle[1]) / middle[2],

@@ -3,7 +3,7 @@
 #include "widgets/plots/accuracy_plot.h"
 
 #include "widgets/accuracy/accuracy_table.h"
-#include "widgets/plots/label_places.h"
+#include "widgets/plots/label_layout.h"
 #include "widgets/settings_words.h"
 
 #include <QAbstractItemModelTester>
@@ -29,12 +29,12 @@ std::vector<AccuracyPoint> some_points(std::mt19937& random, int front) {
     point.time_ms = 1 + 3 * step + (is_on_front ? 0 : uniform(random));
     point.median_mm = 0.02 - 0.015 * step + (is_on_front ? 0 : 0.01 * uniform(random));
     point.p95_mm = 3 * point.median_mm;
-    if (i % 4 != 0) point.place_mm = 0.1 * uniform(random);
+    if (i % 4 != 0) point.position_mm = 0.1 * uniform(random);
     point.is_on_front = is_on_front;
     point.is_in_use = i == front;
     point.words = QStringLiteral("edges from %1 columns, smoothing of %2 px").arg(i + 1).arg(i % 4);
     point.hint = QStringLiteral("hint %1").arg(i);
-    if (!is_on_front) point.worse_than = static_cast<std::size_t>(i % front);
+    if (!is_on_front) point.dominated_by = static_cast<std::size_t>(i % front);
     points.push_back(point);
   }
   points.back().time_ms = 400;
@@ -92,8 +92,8 @@ TEST_F(AccuracyFigure, NamesAtMostSevenWithoutOverlap) {
     for (const QSize size : {QSize(560, 330), QSize(900, 420), QSize(1250, 620)}) {
       plot.resize(size);
       QTest::qWait(30);
-      const auto labels = plot.label_places();
-      EXPECT_LE(labels.size(), AccuracyPlot::kMostLabels);
+      const auto labels = plot.label_boxes();
+      EXPECT_LE(labels.size(), AccuracyPlot::kMaxLabels);
       EXPECT_GE(labels.size(), 2U) << front;
       for (std::size_t i = 0; i < labels.size(); ++i) {
         EXPECT_TRUE(QRectF(plot.rect()).contains(labels[i]));
@@ -108,14 +108,14 @@ TEST(LabelPlaces, OverlapNothingAndAreGivenUpWhereThereIsNoRoom) {
   std::uniform_real_distribution<double> x(0, 600), y(0, 300), width(40, 170);
   int placed = 0, given_up = 0;
   for (int run = 0; run < 100; ++run) {
-    std::vector<WantedLabel> labels;
+    std::vector<LabelRequest> labels;
     std::vector<QRectF> taken;
     for (int i = 0; i < 12; ++i) {
       labels.push_back({{x(random), y(random)}, {width(random), 30}});
       taken.emplace_back(labels.back().dot - QPointF(5, 5), QSizeF(10, 10));
     }
     const QRectF room(0, 0, 600, 300);
-    const auto places = place_labels(room, labels, taken);
+    const auto places = layout_labels(room, labels, taken);
     ASSERT_EQ(places.size(), labels.size());
     for (std::size_t i = 0; i < places.size(); ++i) {
       if (!places[i]) {
@@ -131,16 +131,16 @@ TEST(LabelPlaces, OverlapNothingAndAreGivenUpWhereThereIsNoRoom) {
     }
   }
   EXPECT_GT(placed, 20 * given_up);
-  EXPECT_EQ(place_labels({0, 0, 50, 20}, {{{25, 10}, {100, 30}}}, {}).front(), std::nullopt);
+  EXPECT_EQ(layout_labels({0, 0, 50, 20}, {{{25, 10}, {100, 30}}}, {}).front(), std::nullopt);
 }
 
 TEST_F(AccuracyFigure, IsPickedByMouseAndKeysAlike) {
   AccuracyPlot plot;
   show(plot, 6);
-  QSignalSpy picked(&plot, &AccuracyPlot::point_picked), taken(&plot, &AccuracyPlot::point_taken),
-      dropped(&plot, &AccuracyPlot::point_dropped);
+  QSignalSpy picked(&plot, &AccuracyPlot::point_picked),
+      taken(&plot, &AccuracyPlot::point_activated), dropped(&plot, &AccuracyPlot::pick_cleared);
   for (const std::size_t point : {std::size_t{2}, std::size_t{4}}) {
-    const QPoint place = plot.place_of(point);
+    const QPoint place = plot.dot_pixel(point);
     QWidget* chart = plot.childAt(place);
     ASSERT_NE(chart, nullptr);
     QTest::mouseClick(chart, Qt::LeftButton, {}, chart->mapFrom(&plot, place));

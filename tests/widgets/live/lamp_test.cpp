@@ -95,7 +95,7 @@ TEST(LampPanel, ChoosesADeviceAndDimsItByKeys) {
   Lamp lamp(ports_of(sent));
   LampPanel panel(lamp);
   QObject::connect(
-      &panel, &LampPanel::setting_wanted, &panel, [&](const auto& wanted) { lamp.set(wanted); });
+      &panel, &LampPanel::setting_requested, &panel, [&](const auto& wanted) { lamp.set(wanted); });
   panel.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
   auto* device = panel.findChild<QComboBox*>();

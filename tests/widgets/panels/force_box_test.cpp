@@ -50,13 +50,13 @@ class ForceBoxTest : public testing::Test {
   void show() {
     box_.resize(320, 360);
     box_.show();
-    QTest::qWait(2 * ForceBox::kBetweenDrawings_ms);
+    QTest::qWait(2 * ForceBox::kDrawInterval_ms);
   }
   void show(const ShownForce& shown) {
     shown_ = shown;
     show();
-    box_.news();
-    QTest::qWait(2 * ForceBox::kBetweenDrawings_ms);
+    box_.schedule_update();
+    QTest::qWait(2 * ForceBox::kDrawInterval_ms);
   }
   ShownForce shown_;
   ForceBox box_{[this] { return shown_; }};
@@ -123,11 +123,11 @@ TEST_F(ForceBoxTest, DrawsFiveTimesASecondHoweverManyFramesCome) {
   while (clock.elapsed() < 1000) {
     history.add(pressed(30 + 1e-3 * frames), 30 + 1e-3 * frames);
     ++frames;
-    box_.news();
+    box_.schedule_update();
     QTest::qWait(1);
   }
   // The clock runs on while the last one waits.
-  EXPECT_LE(box_.drawings() - before, 1 + clock.elapsed() / ForceBox::kBetweenDrawings_ms);
+  EXPECT_LE(box_.drawings() - before, 1 + clock.elapsed() / ForceBox::kDrawInterval_ms);
   EXPECT_GE(box_.drawings() - before, 2);
 }
 
@@ -141,8 +141,8 @@ TEST_F(ForceBoxTest, KeepsItsHeightWhileForcesComeAndGoOutOfRange) {
 
 TEST_F(ForceBoxTest, HiddenItAsksNothing) {
   const int before = box_.drawings();
-  for (int i = 0; i < 10; ++i) box_.news();
-  QTest::qWait(3 * ForceBox::kBetweenDrawings_ms);
+  for (int i = 0; i < 10; ++i) box_.schedule_update();
+  QTest::qWait(3 * ForceBox::kDrawInterval_ms);
   EXPECT_EQ(box_.drawings(), before);
 }
 
@@ -160,7 +160,7 @@ TEST(ForcePlotTest, DrawsIntervalsContactsSlipAndWhatIsOutOfRange) {
   const QSize size(400, 200);
   const auto drawn = [&](const TouchHistory& history, const std::optional<ForceZero>& zero = {}) {
     plot.set_data(history, zero);
-    return plot.picture(size);
+    return plot.image(size);
   };
   const auto made = [](double half, bool is_touched, bool is_slipping, bool is_in_range) {
     TouchHistory history;
@@ -194,7 +194,7 @@ TEST(ForcePlotTest, AReadingOutOfRangeDoesNotSqueezeTheOthers) {
   history.add(mad, 30.5);
   ForcePlot plot;
   plot.set_data(history, std::nullopt);
-  static_cast<void>(plot.picture({300, 160}));
+  static_cast<void>(plot.image({300, 160}));
   EXPECT_LE(plot.span_N().second, 5);
   EXPECT_GE(plot.span_N().second, 3.25);
   EXPECT_LE(plot.span_N().first, -1.125);
@@ -206,7 +206,7 @@ TEST(ContactWordsTest, TellWhereHowAndThatItSlips) {
   contact.face = PushedFace::kBack;
   contact.direction = Eigen::Vector3d(0, 0.6, -0.8);
   contact.direction_sd_deg = 2.34;
-  contact.place = PlaceOnFinger{46.214, -0.001, 0.806, 0.12, 0.05, 0.021};
+  contact.position = PositionOnFinger{46.214, -0.001, 0.806, 0.12, 0.05, 0.021};
   contact.held_s = 1.26;
   contact.is_slipping = true;
   result.contact = contact;

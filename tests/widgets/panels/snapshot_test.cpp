@@ -14,12 +14,12 @@ TEST(Snapshot, IsThePictureInItsOwnSizeWithWhatIsDrawnOverIt) {
   const Overlay square = [](QPainter& painter, const ImageTransform& transform) {
     painter.fillRect(QRectF(transform.to_widget({19.5, 9.5}), QSizeF(4, 4)), Qt::red);
   };
-  const QImage picture = drawn_picture(grey, {square});
-  EXPECT_EQ(picture.size(), QSize(60, 40));
-  EXPECT_EQ(picture.pixelColor(7, 5), QColor(200, 200, 200));
-  EXPECT_EQ(picture.pixelColor(0, 0), QColor(90, 90, 90));
-  EXPECT_EQ(picture.pixelColor(21, 11), QColor(Qt::red));
-  EXPECT_EQ(drawn_picture(grey, {}).pixelColor(21, 11), QColor(90, 90, 90));
+  const QImage image = image_with_overlays(grey, {square});
+  EXPECT_EQ(image.size(), QSize(60, 40));
+  EXPECT_EQ(image.pixelColor(7, 5), QColor(200, 200, 200));
+  EXPECT_EQ(image.pixelColor(0, 0), QColor(90, 90, 90));
+  EXPECT_EQ(image.pixelColor(21, 11), QColor(Qt::red));
+  EXPECT_EQ(image_with_overlays(grey, {}).pixelColor(21, 11), QColor(90, 90, 90));
 }
 
 }  // namespace

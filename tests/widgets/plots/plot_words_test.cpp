@@ -14,7 +14,7 @@ namespace {
 /// Width and height that a plot of the mapping page has in windows of 1024 x 700 and larger.
 class PlotWords : public testing::TestWithParam<QSize> {
  protected:
-  static void look(Plot& plot) {
+  static void style(Plot& plot) {
     plot.resize({2000, 1400});
     plot.show();
     QTest::qWait(30);
@@ -57,7 +57,7 @@ TEST_P(PlotWords, OfTheMapping) {
   }
   MappingPlot plot;
   plot.set_data(data);
-  look(plot);
+  style(plot);
 }
 
 TEST_P(PlotWords, OfTheErrors) {
@@ -71,7 +71,7 @@ TEST_P(PlotWords, OfTheErrors) {
   }
   PressErrorPlot plot;
   plot.set_data(errors);
-  look(plot);
+  style(plot);
 }
 
 }  // namespace

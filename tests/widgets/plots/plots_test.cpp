@@ -45,7 +45,7 @@ double inked(const QImage& image) {
 
 /// Kept for looking at where ALLTACT_KEEP_PICTURES names a folder.
 QImage shown(Plot& plot, const QSize& size, const QString& name) {
-  QImage image = plot.picture(size, 1.0);
+  QImage image = plot.image(size, 1.0);
   const QByteArray folder = qgetenv("ALLTACT_KEEP_PICTURES");
   if (!folder.isEmpty()) image.save(QString::fromUtf8(folder) + "/" + name + ".png");
   return image;
@@ -107,7 +107,7 @@ class PlotsInThemes : public testing::TestWithParam<Theme> {
     // Axis and letters.
     EXPECT_GT(count_of(image, plot.palette().color(QPalette::Text)), 300) << name;
     EXPECT_EQ(shown(plot, size, file), image) << name << ": the same data, another picture";
-    EXPECT_EQ(plot.picture(size, 2.0).size(), 2 * size) << name;
+    EXPECT_EQ(plot.image(size, 2.0).size(), 2 * size) << name;
   }
 };
 INSTANTIATE_TEST_SUITE_P(Theme,
@@ -161,10 +161,10 @@ TEST(MappingPlot, DrawsCurveAndPointsWhereTheyAre) {
   MappingPlotData data = some_mapping();
   plot.set_data(data);
   const QColor curve = series_colour(1, plot.palette());
-  const QImage with = plot.picture({600, 340});
+  const QImage with = plot.image({600, 340});
   data.points.clear();
   plot.set_data(data);
-  const QImage without = plot.picture({600, 340});
+  const QImage without = plot.image({600, 340});
   int changed = 0;
   for (int y = 150; y < 280; ++y)  // below the legend, above the axis
     for (int x = 60; x < 590; ++x) changed += with.pixel(x, y) != without.pixel(x, y);
@@ -185,7 +185,7 @@ TEST(PressErrorPlot, CutsOffTheGoodEndAndKeepsAllThatIsAskedFor) {
 /// The rows of three presses, from the top: press_2, press_1, press_0.
 TEST(PressErrorPlot, ChoosesByKeysAsAListDoes) {
   PressErrorPlot plot;
-  plot.let_choose();
+  plot.enable_choice();
   plot.set_data(some_errors(3));
   std::vector<std::string> chosen, opened;
   QObject::connect(
@@ -216,7 +216,7 @@ TEST(PressErrorPlot, ChoosesByKeysAsAListDoes) {
 TEST(PressErrorPlot, TheRowUnderThePointerIsChosenAndFramed) {
   PressErrorPlot plot;
   plot.setPalette(theme_palette(Theme::kLight));
-  plot.let_choose();
+  plot.enable_choice();
   plot.set_data(some_errors(3));
   plot.resize(600, 300);
   plot.show();
@@ -243,7 +243,7 @@ TEST(PressErrorPlot, TheRowUnderThePointerIsChosenAndFramed) {
 
 TEST(FaceMapPlot, AClickTellsOfTheSmallestContactThere) {
   FaceMapPlot plot;
-  plot.let_choose();
+  plot.enable_choice();
   FaceMapData data = some_face();
   data.contacts = {{20, 0, 6, ""}, {23, 0, 2, ""}, {60, 4, 3, ""}};
   plot.set_data(data);
@@ -276,12 +276,12 @@ TEST(FaceMapPlot, ShowsWhatIsKnownAndOnlyThat) {
   FaceMapData data = some_face();
   data.contacts.clear();
   plot.set_data(data);
-  const QImage image = plot.picture({700, 220});
+  const QImage image = plot.image({700, 220});
   // The largest value has the brightest colour of the map, and the colour bar beside it.
   EXPECT_GT(count_of(image, QColor("#fde725"), 25), 100);
   data.cells.assign(data.cells.size(), kNaN);
   plot.set_data(data);
-  EXPECT_LT(count_of(plot.picture({700, 220}), QColor("#31688e"), 25),
+  EXPECT_LT(count_of(plot.image({700, 220}), QColor("#31688e"), 25),
             count_of(image, QColor("#31688e"), 25) / 2);
 }
 
@@ -289,10 +289,10 @@ TEST(FaceMapPlot, CanBeGivenDataAgainAndAgain) {
   FaceMapPlot plot;
   plot.setPalette(theme_palette(Theme::kLight));
   plot.set_data(some_face());
-  const QImage first = plot.picture({600, 180});
+  const QImage first = plot.image({600, 180});
   for (int i = 0; i < 5; ++i) plot.set_data(i % 2 == 0 ? FaceMapData{} : some_face());
   plot.set_data(some_face());
-  EXPECT_EQ(plot.picture({600, 180}), first);
+  EXPECT_EQ(plot.image({600, 180}), first);
 }
 
 TEST(FaceCells, AreMeansOfWhatLiesInThem) {

@@ -5,7 +5,7 @@
 #include "tests/support/good_evidence.h"
 #include "tests/support/program.h"
 #include "widgets/report/document.h"
-#include "widgets/report/press_picture.h"
+#include "widgets/report/press_image.h"
 
 #include <algorithm>
 
@@ -33,8 +33,8 @@ FingerCalibration some_calibration() {
   done.finger.provenance["press_settings"] = "Camera=usb-1; Gain=3";
   done.inputs.date = "2026-01-31T12:34:56Z";
   done.inputs.program_version = "0.1.0";
-  done.inputs.said.operator_name = "Ada <Lovelace>";
-  done.inputs.said.ball_radius_mm = 4;
+  done.inputs.press_set.operator_name = "Ada <Lovelace>";
+  done.inputs.press_set.ball_radius_mm = 4;
   done.calibration = made->calibration;
   done.calibration.remarks = {en::say("something to <know>")};
   done.residuals = made->residuals;
@@ -86,8 +86,8 @@ TEST(CalibrationPages, SayWhatALabBookNeeds) {
 TEST(CalibrationPages, ShowMeasuredDepthsAndStepsBesideTheirPresses) {
   FingerCalibration done = some_calibration();
   BallFit& ball = done.calibration.balls[1];
-  ball.told_depth = ToldDepth{1.0, 0.02};
-  ball.pressed_in_mm = 1.012;
+  ball.given_depth = GivenDepth{1.0, 0.02};
+  ball.indentation_mm = 1.012;
   done.presses.push_back({"punch_1", cv::Mat(180, 240, CV_8UC1, cv::Scalar(100)), {}, "", {}});
   done.calibration.steps.push_back({"punch_1", 0.5, 0.503, 0.004});
   const std::string html = pages_of(done).html;
@@ -106,11 +106,11 @@ TEST(CalibrationPages, StandAlone) {
   const std::string html = pages_of(some_calibration()).html;
   for (const char* outside : {"http:", "https:", "file:", "picture:", "<script", "<link", "url("})
     EXPECT_THAT(html, Not(HasSubstr(outside)));
-  std::size_t pictures = 0;
+  std::size_t images = 0;
   for (std::size_t at = html.find("<img src=\"data:image/png;base64,"); at != std::string::npos;
        at = html.find("<img src=\"data:image/png;base64,", at + 1))
-    ++pictures;
-  EXPECT_EQ(pictures, 5U + 4U + 3U + 6U);  // presses, plots, maps, faults
+    ++images;
+  EXPECT_EQ(images, 5U + 4U + 3U + 6U);  // presses, plots, maps, faults
 }
 
 TEST(CalibrationPages, AreTheSameBytesForTheSameCalibration) {
@@ -178,7 +178,7 @@ TEST(PressPicture, DrawsTheOutlineWhereTheBallIs) {
   ball.radius_mm = 4.0;
   ball.centre_mm = {1.0, -2.0, 30.0};
   const cv::Mat grey(180, 240, CV_8UC1, cv::Scalar(100));
-  const QImage image = press_picture(grey, camera, ball, {}, QSize(232, 174));
+  const QImage image = press_image(grey, camera, ball, {}, QSize(232, 174));
   // 80 px of outline in 1 / 1.45 of the height: 120 px across.
   const auto is_line = [&](int x, int y) {
     for (int dx = -1; dx <= 1; ++dx)

@@ -3,7 +3,7 @@
 #include "core/io/colour_map.h"
 #include "widgets/plots/experiment_figure.h"
 #include "widgets/report/document.h"
-#include "widgets/report/relief_picture.h"
+#include "widgets/report/relief_image.h"
 
 #include <cmath>
 
@@ -13,7 +13,7 @@
 namespace alltact {
 namespace {
 
-Message said(const char* words) {
+Message press_set(const char* words) {
   return Message::typed(words);
 }
 
@@ -56,9 +56,10 @@ ExperimentReport some_report() {
   pose.outcome.figures = {{en::say("angle <mean>, within +-20"), "degrees", 0.0204, 12.06, 1.0},
                           {en::say("angle, greatest"), "degrees", 1.5, {}, 1.0},
                           {en::say("told"), "%", 99.96, {}, {}, true}};
-  ExperimentPlot bars =
-      compared_bars(said("bars"), said("N"), {said("a"), said("b")}, {1, 2}, {3, 4});
-  bars.series.push_back(level_line(said("aim"), ExperimentSeries::Look::kAim, 2.5, -0.5, 1.5));
+  ExperimentPlot bars = compared_bars(
+      press_set("bars"), press_set("N"), {press_set("a"), press_set("b")}, {1, 2}, {3, 4});
+  bars.series.push_back(
+      level_line(press_set("aim"), ExperimentSeries::Style::kAim, 2.5, -0.5, 1.5));
   pose.outcome.plots = {bars};
   pose.outcome.remarks = {en::say("what a figure does not say")};
   ExperimentDone thread{all[1], {}, 0.5};
@@ -104,7 +105,7 @@ TEST(ExperimentPages, AreTheSameBytesForTheSameReport) {
 TEST(ReliefPicture, ShowsDepthsAndDifferencesInTheirOwnScales) {
   constexpr int kWidth = 600;
   const ExperimentMaps maps = ramps();
-  const QImage image = relief_picture(maps, kWidth, 2);
+  const QImage image = relief_image(maps, kWidth, 2);
   ASSERT_EQ(image.width(), 2 * kWidth);
   const auto colour_at = [&](double x, double y) {
     return image.pixelColor(qRound(2 * x), qRound(2 * y));
@@ -128,23 +129,24 @@ TEST(ReliefPicture, ShowsDepthsAndDifferencesInTheirOwnScales) {
 TEST(ReliefPicture, IsGreyWhereNothingIsTold) {
   ExperimentMaps maps = ramps();
   maps.depths[0].mm.setTo(std::nan(""));
-  const QImage image = relief_picture(maps, 600, 1);
+  const QImage image = relief_image(maps, 600, 1);
   EXPECT_EQ(image.pixelColor(100, 18 + 20), QColor(128, 128, 128));
 }
 
 // Ours are a hundredth of the paper's: on an axis from 0 they would stand on it, all alike.
 TEST(ExperimentFigure, ShowsSmallErrorsApartWhereItIsLogarithmic) {
-  ExperimentPlot plot{said("small and large"),
-                      said("x"),
-                      said("y"),
-                      {{said("ours"), ExperimentSeries::Look::kDots, {0, 1, 2}, {0.01, 0.1, 0.0}},
-                       {said("paper"), ExperimentSeries::Look::kPaper, {0, 2}, {10, 10}}},
-                      {}};
+  ExperimentPlot plot{
+      press_set("small and large"),
+      press_set("x"),
+      press_set("y"),
+      {{press_set("ours"), ExperimentSeries::Style::kDots, {0, 1, 2}, {0.01, 0.1, 0.0}},
+       {press_set("paper"), ExperimentSeries::Style::kPaper, {0, 2}, {10, 10}}},
+      {}};
   const auto blue_rows = [&](bool logarithmic) {
     plot.logarithmic_y = logarithmic;
     ExperimentFigurePlot drawn;
     drawn.set_plot(plot);
-    const QImage image = drawn.picture({600, 300}, 1).convertToFormat(QImage::Format_RGB32);
+    const QImage image = drawn.image({600, 300}, 1).convertToFormat(QImage::Format_RGB32);
     int first = image.height(), last = 0;
     for (int y = 60; y < image.height(); ++y)  // below the legend
       for (int x = 0; x < image.width(); ++x) {
@@ -160,7 +162,7 @@ TEST(ExperimentFigure, ShowsSmallErrorsApartWhereItIsLogarithmic) {
 TEST(Document, KeepsSectionsWhole) {
   const auto three_sections = [](bool whole) {
     Document document("three");
-    if (whole) document.keep_sections_whole();
+    if (whole) document.keep_sections_together();
     for (int section = 0; section < 3; ++section) {
       document.heading("section");
       for (int line = 0; line < 21; ++line) document.paragraph("a line of it");
@@ -174,7 +176,7 @@ TEST(Document, KeepsSectionsWhole) {
 
 TEST(Document, ASectionThatFitsBeginsNoPage) {
   Document document("short");
-  document.keep_sections_whole();
+  document.keep_sections_together();
   for (int section = 0; section < 4; ++section) {
     document.heading("section");
     for (int line = 0; line < 4; ++line) document.paragraph("a line of it");

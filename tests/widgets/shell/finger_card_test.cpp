@@ -2,7 +2,7 @@
 #include "calibration/checks/check_history.h"
 #include "core/finger/finger_store.h"
 #include "core/io/atomic_file.h"
-#include "core/io/picture.h"
+#include "core/io/image_file.h"
 #include "tests/support/good_evidence.h"
 #include "tests/support/program.h"
 #include "widgets/shell/finger_card_words.h"
@@ -42,8 +42,7 @@ class AFingersCard : public testing::Test {
     finger_.mapping->x_max = 0.5;
     finger_.mapping_record = test::good_record(finger_);
     finger_.reference = ReferenceFiles{"", "", "reference.png"};
-    ASSERT_TRUE(
-        write_picture(folder_ / "reference.png", cv::Mat(480, 640, CV_8UC1, cv::Scalar(99))));
+    ASSERT_TRUE(write_image(folder_ / "reference.png", cv::Mat(480, 640, CV_8UC1, cv::Scalar(99))));
     finger_.provenance["calibration_date"] = "2026-03-01T12:00:00Z";
     save();
   }
@@ -83,9 +82,9 @@ TEST_F(AFingersCard, SaysWhatIsDueFromTheFirstDayOn) {
   EXPECT_EQ(card("2026-03-12T11:00:00Z").due, FingerDue::kNothing);
   EXPECT_EQ(card("2026-03-12T13:00:00Z").due, FingerDue::kCheck) << "a week and an hour later";
   check(CheckVerdict::kDrifting);
-  EXPECT_EQ(card().due, FingerDue::kLook);
+  EXPECT_EQ(card().due, FingerDue::kInspect);
   check(CheckVerdict::kRecalibrate);
-  EXPECT_EQ(card().due, FingerDue::kAgain);
+  EXPECT_EQ(card().due, FingerDue::kCalibrateAgain);
 }
 
 TEST_F(AFingersCard, SaysNothingGoodOfABrokenOrChangedFinger) {
@@ -95,7 +94,7 @@ TEST_F(AFingersCard, SaysNothingGoodOfABrokenOrChangedFinger) {
   std::filesystem::rename(folder_ / "reference.png", folder_ / "elsewhere.png");
   EXPECT_EQ(card().grade, Grade::kUnfit);
   EXPECT_EQ(card().due, FingerDue::kRepair);
-  ASSERT_TRUE(write_picture(folder_ / "reference.png", cv::Mat(48, 64, CV_8UC1, cv::Scalar(99))));
+  ASSERT_TRUE(write_image(folder_ / "reference.png", cv::Mat(48, 64, CV_8UC1, cv::Scalar(99))));
   EXPECT_EQ(card().grade, Grade::kUnfit) << "of another camera";
   std::filesystem::rename(folder_ / "elsewhere.png", folder_ / "reference.png");
   EXPECT_EQ(card().grade, Grade::kGood);
@@ -138,7 +137,7 @@ TEST_F(AFingersCard, NamesWhatIsBrokenAndWhatToDo) {
   expect_broken("A file of the reference is missing", "Due: restore its reference");
   ASSERT_TRUE(write_file_atomically(reference, whole.substr(0, whole.size() / 3)));
   expect_broken("The reference is cut off or unreadable", "Due: record its reference again");
-  ASSERT_TRUE(write_picture(reference, cv::Mat(48, 64, CV_8UC1, cv::Scalar(99))));
+  ASSERT_TRUE(write_image(reference, cv::Mat(48, 64, CV_8UC1, cv::Scalar(99))));
   expect_broken("another image size than the camera", "Due: record its reference again");
   ASSERT_TRUE(write_file_atomically(reference, whole));
   EXPECT_THAT(words_of(card()), HasSubstr("Nothing is due"));
@@ -220,12 +219,12 @@ TEST_F(AFingersCard, ACheckOfAnotherCalibrationDoesNotCount) {
 }
 
 TEST_F(AFingersCard, ShowsAPress) {
-  EXPECT_TRUE(card().picture.isNull());
+  EXPECT_TRUE(card().image.isNull());
   std::filesystem::create_directories(folder_ / "presses");
   ASSERT_TRUE(
-      write_picture(folder_ / "presses" / "a.png", cv::Mat(480, 640, CV_8UC1, cv::Scalar(77))));
-  ASSERT_FALSE(card().picture.isNull());
-  EXPECT_EQ(qGray(card().picture.pixel(5, 5)), 77);
+      write_image(folder_ / "presses" / "a.png", cv::Mat(480, 640, CV_8UC1, cv::Scalar(77))));
+  ASSERT_FALSE(card().image.isNull());
+  EXPECT_EQ(qGray(card().image.pixel(5, 5)), 77);
 }
 
 TEST_F(AFingersCard, StandsAmongOthersAndOpensItsFinger) {

@@ -115,13 +115,13 @@ TEST_F(Notices, SayHowOldTheyAre) {
   EXPECT_TRUE(is_told);
 }
 
-TEST(OneLine, CutsAPathAtItsBeginning) {
+TEST(ElidedLabel, CutsAPathAtItsBeginning) {
   const QFontMetrics metrics{QFont()};
   const QString path = "/home/lab/measurements/2026/fingers/silicone/left-07";
-  const QString cut = cut_path(path, metrics, metrics.horizontalAdvance(path) / 2);
+  const QString cut = elided_path(path, metrics, metrics.horizontalAdvance(path) / 2);
   EXPECT_TRUE(cut.endsWith("left-07")) << cut.toStdString();
   EXPECT_LE(metrics.horizontalAdvance(cut), metrics.horizontalAdvance(path) / 2);
-  EXPECT_EQ(cut_path(path, metrics, 10000), path);
+  EXPECT_EQ(elided_path(path, metrics, 10000), path);
 }
 
 }  // namespace

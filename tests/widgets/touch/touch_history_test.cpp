@@ -20,10 +20,10 @@ Force force_of(double fx, double fy) {
   return force;
 }
 
-FrameResult felt(const std::optional<Force>& force, bool is_touched = false) {
+FrameResult felt(const std::optional<Force>& force, bool has_contact = false) {
   FrameResult result;
   result.force = force;
-  if (is_touched) result.contact = FingerContact();
+  if (has_contact) result.contact = FingerContact();
   return result;
 }
 
@@ -115,7 +115,7 @@ TEST(ForceZeroTest, IsTheMeanOfTheLastHalfSecondOnly) {
   ASSERT_TRUE(zero);
   EXPECT_NEAR(zero->force_N.x(), 0.5, 0.03);
   EXPECT_NEAR(zero->force_N.y(), -1, 1e-12);
-  EXPECT_FALSE(zero->is_touched);
+  EXPECT_FALSE(zero->has_contact);
   const Force now = zeroed(force_of(3, 1), zero);
   EXPECT_NEAR(now.force_N.x(), 2.5, 0.03);
   EXPECT_NEAR(now.force_N.y(), 2, 1e-12);
@@ -133,7 +133,7 @@ TEST(ForceZeroTest, IsNoneOutOfRangeOrWithoutReadings) {
   for (int i = 0; i < 30; ++i) history.add(felt(force_of(1, 1), true), 1.2 + 0.05 * i);
   const auto zero = present_zero(history);
   ASSERT_TRUE(zero);
-  EXPECT_TRUE(zero->is_touched);
+  EXPECT_TRUE(zero->has_contact);
 }
 
 /// Readings that err by what they say, by a part that both share and one of their own.

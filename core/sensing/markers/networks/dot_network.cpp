@@ -2,8 +2,8 @@
 
 #include "core/io/atomic_file.h"
 #include "core/sensing/markers/networks/network_check.h"
+#include "core/sensing/markers/networks/network_dots.h"
 #include "core/sensing/markers/networks/onnx_header.h"
-#include "core/sensing/markers/networks/seen_dots.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,12 +15,12 @@
 namespace alltact {
 namespace {
 
-constexpr std::size_t kMostNetworkBytes = std::size_t{256} << 20;
-constexpr std::int64_t kLeastSide = 32, kMostSide = 4096;  // of what goes in, px
+constexpr std::size_t kMaxNetworkBytes = std::size_t{256} << 20;
+constexpr std::int64_t kMinSide = 32, kMaxSide = 4096;  // side of the input, px
 
 enum class NetworkKind { kDots = 1, kBoxes };
 
-/// OpenCV writes what it does not like to standard error, beside throwing it.
+/// Silences OpenCV, which writes errors to standard error in addition to throwing.
 class QuietOpenCv {
  public:
   QuietOpenCv() : before_(cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT)) {}
@@ -57,23 +57,23 @@ bool is_finite(const cv::Mat& m) {
 
 }  // namespace
 
-struct DotNetwork::Content {
+struct DotNetwork::Impl {
   std::filesystem::path onnx;
   NetworkKind kind = NetworkKind::kDots;
-  cv::Size size;  // of what goes in, where it is fixed
+  cv::Size size;  // of the input
   int channels = 1;
   cv::dnn::Net net;
 
   [[nodiscard]] bool is_output(const cv::Mat& m, const cv::Mat& input) const;
   [[nodiscard]] Result<cv::Mat> run(const cv::Mat& input);
-  [[nodiscard]] cv::Mat input_of(const cv::Mat& grey, Laid* laid) const {
-    return kind == NetworkKind::kDots ? dots_input(grey, laid)
-                                      : boxes_input(grey, size, channels, laid);
+  [[nodiscard]] cv::Mat input_of(const cv::Mat& grey, InputMap* input_map) const {
+    return kind == NetworkKind::kDots ? dots_input(grey, input_map)
+                                      : boxes_input(grey, size, channels, input_map);
   }
   [[nodiscard]] Status check();
 };
 
-bool DotNetwork::Content::is_output(const cv::Mat& m, const cv::Mat& input) const {
+bool DotNetwork::Impl::is_output(const cv::Mat& m, const cv::Mat& input) const {
   if (m.type() != CV_32F || !m.isContinuous()) return false;
   if (kind == NetworkKind::kDots)
     return m.dims == 4 && m.size[0] == 1 && m.size[1] == 3 &&
@@ -81,7 +81,7 @@ bool DotNetwork::Content::is_output(const cv::Mat& m, const cv::Mat& input) cons
   return m.dims == 3 && m.size[0] == 1 && std::min(m.size[1], m.size[2]) >= 5;
 }
 
-Result<cv::Mat> DotNetwork::Content::run(const cv::Mat& input) {
+Result<cv::Mat> DotNetwork::Impl::run(const cv::Mat& input) {
   std::vector<cv::Mat> outputs;
   try {
     const QuietOpenCv quiet;
@@ -90,7 +90,7 @@ Result<cv::Mat> DotNetwork::Content::run(const cv::Mat& input) {
   } catch (const std::exception&) {
     return unusable(en::say("OpenCV cannot run this network"), onnx);
   }
-  // By their shapes: OpenCV gives several outputs in an order of its own.
+  // Selected by shape: OpenCV returns several outputs in an order of its own.
   const auto output = std::find_if(
       outputs.begin(), outputs.end(), [&](const cv::Mat& m) { return is_output(m, input); });
   if (output == outputs.end())
@@ -104,76 +104,77 @@ Result<cv::Mat> DotNetwork::Content::run(const cv::Mat& input) {
   return *output;
 }
 
-Status DotNetwork::Content::check() {
+Status DotNetwork::Impl::check() {
   auto yaml = onnx;
-  const auto wanted = NetworkCheck::load(yaml.replace_extension(".yaml"));
-  if (!wanted) return wanted.error();
-  if (kind == NetworkKind::kDots && !*wanted)
+  const auto expected = NetworkCheck::load(yaml.replace_extension(".yaml"));
+  if (!expected) return expected.error();
+  if (kind == NetworkKind::kDots && !*expected)
     return Error{en::say("the file that says what this network must give is not there"),
                  yaml,
                  en::say("training it again, which writes both")};
-  const cv::Size own = *wanted ? (*wanted)->picture : size;
+  const cv::Size own = *expected ? (*expected)->image_size : size;
   if (kind == NetworkKind::kBoxes && own != size)
     return Error{en::say("the picture must be as large as what the network takes, {} x {}",
                          size.width,
                          size.height),
                  yaml,
                  ""};
-  Laid laid;
-  const auto got = run(input_of(check_picture(own), &laid));
+  InputMap input_map;
+  const auto got = run(input_of(check_image(own), &input_map));
   if (!got) return got.error();
-  return *wanted ? (*wanted)->holds(*got, onnx) : Status();
+  return *expected ? (*expected)->holds(*got, onnx) : Status();
 }
 
 Result<DotNetwork> DotNetwork::load(const std::filesystem::path& onnx) {
-  const auto bytes = read_file(onnx, kMostNetworkBytes);
+  const auto bytes = read_file(onnx, kMaxNetworkBytes);
   if (!bytes) return bytes.error();
   const auto header = read_onnx_header(*bytes, onnx);
   if (!header) return header.error();
   const auto& in = header->inputs.front().shape;
   const bool is_fixed = std::all_of(in.begin(), in.end(), [](std::int64_t n) { return n > 0; });
   if (header->inputs.size() != 1 || in.size() != 4 || !is_fixed || in[0] != 1 ||
-      (in[1] != 1 && in[1] != 3) || std::min(in[2], in[3]) < kLeastSide ||
-      std::max(in[2], in[3]) > kMostSide)
+      (in[1] != 1 && in[1] != 3) || std::min(in[2], in[3]) < kMinSide ||
+      std::max(in[2], in[3]) > kMaxSide)
     return unusable(en::say("this network takes {}, not one picture of 1 or 3 channels and a fixed "
                             "size of {} to {} px a side",
                             shape_text(in),
-                            kLeastSide,
-                            kMostSide),
+                            kMinSide,
+                            kMaxSide),
                     onnx);
-  auto content = std::make_unique<Content>();
-  content->onnx = onnx;
-  content->channels = static_cast<int>(in[1]);
-  content->size = {static_cast<int>(in[3]), static_cast<int>(in[2])};
+  auto impl = std::make_unique<Impl>();
+  impl->onnx = onnx;
+  impl->channels = static_cast<int>(in[1]);
+  impl->size = {static_cast<int>(in[3]), static_cast<int>(in[2])};
   const bool has_dots =
       std::any_of(header->outputs.begin(), header->outputs.end(), [](const OnnxPort& port) {
         return port.shape.size() == 4 && port.shape[1] == 3;
       });
-  content->kind = has_dots && in[1] == 1 ? NetworkKind::kDots : NetworkKind::kBoxes;
+  impl->kind = has_dots && in[1] == 1 ? NetworkKind::kDots : NetworkKind::kBoxes;
   try {
     const QuietOpenCv quiet;
-    content->net = cv::dnn::readNetFromONNX(bytes->data(), bytes->size());
-    content->net.setPreferableBackend(cv::dnn::DNN_BACKEND_OPENCV);
-    // With it OpenCV 4.6 gets YOLO11's attention wrong without a word.
-    content->net.enableFusion(content->kind == NetworkKind::kDots);
+    impl->net = cv::dnn::readNetFromONNX(bytes->data(), bytes->size());
+    impl->net.setPreferableBackend(cv::dnn::DNN_BACKEND_OPENCV);
+    // With fusion OpenCV 4.6 computes YOLO11's attention wrongly without an error.
+    impl->net.enableFusion(impl->kind == NetworkKind::kDots);
   } catch (const std::exception&) {
     return unusable(
         en::say("OpenCV cannot read this network (opset {}; it knows those up to 12 well)",
                 header->opset),
         onnx);
   }
-  if (const Status status = content->check(); !status) return status.error();
-  return DotNetwork(std::move(content));
+  if (const Status status = impl->check(); !status) return status.error();
+  return DotNetwork(std::move(impl));
 }
 
-Result<std::vector<SeenDot>> DotNetwork::operator()(const cv::Mat& grey) {
-  Laid laid;
-  const auto output = content_->run(content_->input_of(grey, &laid));
+Result<std::vector<NetworkDot>> DotNetwork::operator()(const cv::Mat& grey) {
+  InputMap input_map;
+  const auto output = impl_->run(impl_->input_of(grey, &input_map));
   if (!output) return output.error();
-  return content_->kind == NetworkKind::kDots ? dots_of(*output, laid) : boxes_of(*output, laid);
+  return impl_->kind == NetworkKind::kDots ? dots_of(*output, input_map)
+                                           : boxes_of(*output, input_map);
 }
 
-DotNetwork::DotNetwork(std::unique_ptr<Content> content) : content_(std::move(content)) {}
+DotNetwork::DotNetwork(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 DotNetwork::DotNetwork(DotNetwork&&) noexcept = default;
 DotNetwork& DotNetwork::operator=(DotNetwork&&) noexcept = default;
 DotNetwork::~DotNetwork() = default;

@@ -9,15 +9,15 @@ namespace alltact {
 Result<std::optional<NetworkCheck>> NetworkCheck::load(const std::filesystem::path& yaml) {
   std::error_code failed;
   if (!std::filesystem::exists(yaml, failed)) return std::optional<NetworkCheck>();
-  constexpr std::size_t kMostNumbers = 100000;
-  constexpr double kMostPx = 4096;
+  constexpr std::size_t kMaxNumbers = 100000;
+  constexpr double kMaxPx = 4096;
   NetworkCheck check;
   const Status status = YamlFile(yaml, YamlFile::Unknown::kRefused).load([&](YamlSection& section) {
-    const auto size = section.numbers("picture", 2, 2, {16, kMostPx});
-    check.picture = {static_cast<int>(size[0]), static_cast<int>(size[1])};
-    check.every = section.whole_number("every", 1, 1 << 20);
+    const auto size = section.numbers("picture", 2, 2, {16, kMaxPx});
+    check.image_size = {static_cast<int>(size[0]), static_cast<int>(size[1])};
+    check.every = section.integer("every", 1, 1 << 20);
     check.tolerance = section.number("tolerance", Limits{0, 1e6, true});
-    check.output = section.numbers("output", 1, kMostNumbers, kAnyNumber);
+    check.output = section.numbers("output", 1, kMaxNumbers, kAnyNumber);
   });
   if (!status) return status.error();
   return std::optional(std::move(check));
@@ -36,18 +36,18 @@ Status NetworkCheck::holds(const cv::Mat& got, const std::filesystem::path& onnx
     return refused(
         en::say("the network gives {} numbers where its .yaml has {}", count, output.size()));
   const auto* values = got.ptr<float>();
-  double most = 0;
+  double max_error = 0;
   for (std::size_t k = 0; k < count; ++k)
-    most = std::max(most, std::abs(static_cast<double>(values[k * step]) - output[k]));
-  if (most <= tolerance) return {};
+    max_error = std::max(max_error, std::abs(static_cast<double>(values[k * step]) - output[k]));
+  if (max_error <= tolerance) return {};
   return refused(
       en::say("on a known picture the network gives numbers that are up to {:.3g} off what its "
               ".yaml says, and {:.3g} is allowed",
-              most,
+              max_error,
               tolerance));
 }
 
-cv::Mat check_picture(const cv::Size& size) {
+cv::Mat check_image(const cv::Size& size) {
   constexpr int kDiscs = 8;
   cv::Mat grey(size, CV_8UC1);
   for (int y = 0; y < size.height; ++y)

@@ -10,11 +10,11 @@
 namespace alltact {
 namespace {
 
-/// A place of a network is good to about half a cell of what it gives, which may lie beside a thin
-/// dot: then the dot is looked for a little above and below.
+/// Measures the dot at a detection. Detections have an accuracy of about half an output cell, which
+/// may miss a thin dot. Positions slightly above and below are tried too.
 std::optional<Dot> measured(const cv::Mat& grey,
                             const SideEdges& edges,
-                            const SeenDot& seen,
+                            const NetworkDot& seen,
                             double sign) {
   const int u = std::clamp(static_cast<int>(std::lround(seen.u)), 0, grey.cols - 1);
   DotSeed seed;
@@ -23,8 +23,8 @@ std::optional<Dot> measured(const cv::Mat& grey,
   seed.half_v = std::max(1.0, seen.half_v);
   seed.upper = seen.v < static_cast<double>(edges.middle(u));
   seed.sign = sign;
-  for (const double beside : {0.0, -1.5, 1.5}) {
-    seed.v = seen.v + beside;
+  for (const double offset : {0.0, -1.5, 1.5}) {
+    seed.v = seen.v + offset;
     auto dot = measure_dot(grey, edges, seed);
     const double far = std::max(seen.half_u, seen.half_v) + 3.0;
     if (!dot || std::hypot(dot->u - seen.u, dot->v - seen.v) > far) continue;
@@ -54,10 +54,11 @@ FoundDots NetworkDotFinder::operator()(const cv::Mat& grey, const FaceShape& sha
   const SideEdges edges(shape);
   const auto dots_as = [&](Polarity polarity) {
     std::vector<Dot> dots;
-    for (const SeenDot& place : *seen) {
-      if (!(place.u >= 0 && place.v >= 0 && place.u <= grey.cols - 1 && place.v <= grey.rows - 1))
+    for (const NetworkDot& candidate : *seen) {
+      if (!(candidate.u >= 0 && candidate.v >= 0 && candidate.u <= grey.cols - 1 &&
+            candidate.v <= grey.rows - 1))
         continue;
-      const auto dot = measured(grey, edges, place, polarity == Polarity::kBright ? 1 : -1);
+      const auto dot = measured(grey, edges, candidate, polarity == Polarity::kBright ? 1 : -1);
       if (dot && !is_among(dots, *dot)) dots.push_back(*dot);
     }
     return dots;
@@ -68,7 +69,7 @@ FoundDots NetworkDotFinder::operator()(const cv::Mat& grey, const FaceShape& sha
     if (dark.size() > found.dots.size())
       found.dots = std::move(dark), found.polarity = Polarity::kDark;
   }
-  place_on_finger(found.dots, shape, edges);
+  locate_on_finger(found.dots, shape, edges);
   return found;
 }
 

@@ -1,4 +1,4 @@
-// Dots that a network sees, measured to a part of a pixel.
+// Dots that a network detects, measured with sub-pixel accuracy.
 #pragma once
 
 #include "core/sensing/markers/dot_finder.h"
@@ -8,10 +8,9 @@
 
 namespace alltact {
 
-/// Takes each place that the network names, measures the dot there at full resolution
-/// (core/sensing/markers/dot_measure.h) and leaves out what is no dot beside the face: a network
-/// alone is 0.1 to 0.5 px off. The network tells no polarity; with kAuto it is that of most dots.
-/// Remembers nothing.
+/// Measures the dot at each detection of the network at full resolution
+/// (core/sensing/markers/dot_measure.h) and rejects detections off the side faces. The network
+/// alone is 0.1 to 0.5 px off and has no polarity; with kAuto it is that of most dots. Stateless.
 class NetworkDotFinder : public DotFinder {
  public:
   NetworkDotFinder(DotNetwork network, MarkerRows rows)

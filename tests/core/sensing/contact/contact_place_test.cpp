@@ -73,9 +73,9 @@ class PressedFinger {
     mapping.along = MappingAlong::kProjected;
     mapping.a_mm = layer_mm_ * (1 + s), mapping.b = s, mapping.x_max = 0.9;
     finger.mapping = mapping;
-    return Pipeline::over(ReferenceLibrary::single(untouched.render(0, 2)).value(),
-                          FingerSnapshot::of({}, finger).value(),
-                          {});
+    return Pipeline::with_library(ReferenceLibrary::single(untouched.render(0, 2)).value(),
+                                  FingerSnapshot::of({}, finger).value(),
+                                  {});
   }
   static FramePtr frame_of(const Plan& plan, int i) {
     auto frame = std::make_shared<Frame>();
@@ -176,18 +176,18 @@ PlaceErrors place_errors(unsigned first_seed, int runs, double from, double to) 
   for (unsigned run = 0; run < static_cast<unsigned>(runs); ++run) {
     PressedFinger finger(first_seed + run, from, to);
     const FrameResult result = finger.seen();
-    EXPECT_TRUE(result.contact && result.contact->place) << run;
-    if (!result.contact || !result.contact->place) continue;
+    EXPECT_TRUE(result.contact && result.contact->position) << run;
+    if (!result.contact || !result.contact->position) continue;
     const FingerContact& contact = *result.contact;
     const ContactTruth& truth = finger.truth.contacts.at(0);
     EXPECT_EQ(contact.face, PushedFace::kContact);
-    EXPECT_TRUE(contact.is_new && contact.no_place.empty());
+    EXPECT_TRUE(contact.is_new && contact.no_position.empty());
     EXPECT_GT(contact.direction->dot(truth.direction), std::cos(0.05));
-    const PlaceOnFinger& place = *contact.place;
-    errors.along.add(place.along_mm - truth.along_mm, place.along_sd_mm.value());
-    errors.across.add(place.across_mm.value() - truth.across_mm, place.across_sd_mm.value());
-    errors.depth.add(place.depth_mm.value() - greatest_depth_mm(finger.truth),
-                     place.depth_sd_mm.value());
+    const PositionOnFinger& position = *contact.position;
+    errors.along.add(position.along_mm - truth.along_mm, position.along_sd_mm.value());
+    errors.across.add(position.across_mm.value() - truth.across_mm, position.across_sd_mm.value());
+    errors.depth.add(position.depth_mm.value() - greatest_depth_mm(finger.truth),
+                     position.depth_sd_mm.value());
   }
   return errors;
 }
@@ -197,12 +197,12 @@ TEST(ContactPlace, AlongHasNoErrorToTellWhereTheBaseIsNotSeen) {
   PressedFinger finger(1300);
   finger.hide_base();
   const FrameResult result = finger.seen();
-  ASSERT_TRUE(result.contact && result.contact->place);
+  ASSERT_TRUE(result.contact && result.contact->position);
   EXPECT_FALSE(result.shape->base_sd_mm());
-  const PlaceOnFinger& place = *result.contact->place;
-  EXPECT_FALSE(place.along_sd_mm);
-  EXPECT_TRUE(place.across_sd_mm && place.depth_sd_mm);
-  EXPECT_LT(place.along_mm, finger.truth.contacts.at(0).along_mm - 1);
+  const PositionOnFinger& position = *result.contact->position;
+  EXPECT_FALSE(position.along_sd_mm);
+  EXPECT_TRUE(position.across_sd_mm && position.depth_sd_mm);
+  EXPECT_LT(position.along_mm, finger.truth.contacts.at(0).along_mm - 1);
 }
 
 // What a mean of so many squares, each 1 on average, may be off by.

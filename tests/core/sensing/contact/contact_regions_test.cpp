@@ -86,8 +86,8 @@ TEST(ContactRegions, MeasuresWhatAnEllipticDentIs) {
     EXPECT_NEAR(
         r.volume_mm3, M_PI * a * b * deepest * (cut - 0.5 * cut * cut), 0.01 * a * b * deepest);
     EXPECT_NEAR(r.deepest_mm, deepest, 0.01);
-    EXPECT_NEAR(r.place_mm.x(), x, 0.02);
-    EXPECT_NEAR(r.place_mm.y(), y, 0.02);
+    EXPECT_NEAR(r.position_mm.x(), x, 0.02);
+    EXPECT_NEAR(r.position_mm.y(), y, 0.02);
     EXPECT_NEAR(r.deepest_point_mm.z(), 12.0 - deepest, 0.02);
     ASSERT_TRUE(r.angle_deg.has_value());
     const double turned = std::remainder(*r.angle_deg - angle, 180.0);  // axial
@@ -145,8 +145,8 @@ TEST(ContactRegions, TwoContactsAreTwoRegionsLargestFirst) {
   press(map, 5, 2, 2.0, 2.0, 0.8, 0);
   const auto regions = regions_of(map);
   ASSERT_EQ(regions.size(), 2U);
-  EXPECT_NEAR(regions[0].place_mm.x(), 5.0, 0.02);
-  EXPECT_NEAR(regions[1].place_mm.x(), -5.0, 0.02);
+  EXPECT_NEAR(regions[0].position_mm.x(), 5.0, 0.02);
+  EXPECT_NEAR(regions[1].position_mm.x(), -5.0, 0.02);
 }
 
 TEST(ContactRegions, UntouchedOrUnmeasuredIsNoRegion) {
@@ -182,7 +182,7 @@ TEST(ContactRegions, ThePolygonIsTheDentsOutline) {
     EXPECT_LE(polygon.size(), 80U);
     double twice = 0;
     const FlatFace flat;
-    const Eigen::Vector2d middle = flat.shape.place_mm(0.5 * (kWidth - 1), 0.5 * (kHeight - 1));
+    const Eigen::Vector2d middle = flat.shape.position_mm(0.5 * (kWidth - 1), 0.5 * (kHeight - 1));
     const double c = std::cos(angle * M_PI / 180.0), s = std::sin(angle * M_PI / 180.0);
     const double cut = std::sqrt(1.0 - 0.05 / 0.8);
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -210,7 +210,7 @@ TEST(ContactRegions, TheAxisInSpaceIsTheAngleOnTheFace) {
   EXPECT_NEAR(axis.norm(), 1.0, 1e-12);
   EXPECT_NEAR(axis.z(), 0.0, 1e-12) << "the face is the plane z = const";
   EXPECT_NEAR(std::atan2(axis.y(), axis.x()) * 180.0 / M_PI, *regions[0].angle_deg, 1e-9);
-  EXPECT_FALSE(regions[0].place_covariance_mm2) << "nothing was told of the depth's error";
+  EXPECT_FALSE(regions[0].position_covariance_mm2) << "nothing was told of the depth's error";
 }
 
 TEST(ContactRegions, OverUnevenNoiseTheAxisIsAsSureAsItSays) {
@@ -246,7 +246,7 @@ TEST(ContactRegions, OverUnevenNoiseTheAxisIsAsSureAsItSays) {
     even += std::pow(error_of(contact_regions(map, flat.shape, FlatFace::face(), options)), 2);
     options.untouched = [&](int u, int v) { return UntouchedSd{noise_at(u, v), 0.0}; };
     options.pressed = [&](int u, int v, double) {
-      DepthCauses causes;
+      DepthErrorTerms causes;
       causes.noise = noise_at(u, v);
       return causes;
     };
@@ -255,8 +255,8 @@ TEST(ContactRegions, OverUnevenNoiseTheAxisIsAsSureAsItSays) {
     weighed += error * error;
     normalised += std::pow(error / *regions[0].angle_sd_deg, 2) / kRuns;
     // The plane is known, so the place errs by its depth alone, along z.
-    ASSERT_TRUE(regions[0].place_covariance_mm2);
-    EXPECT_EQ((*regions[0].place_covariance_mm2)(0, 0), 0.0);
+    ASSERT_TRUE(regions[0].position_covariance_mm2);
+    EXPECT_EQ((*regions[0].position_covariance_mm2)(0, 0), 0.0);
   }
   std::printf(
       "[ figures  ] axis over uneven noise: even weights %.3f, 1/variance %.3f degrees rms; "
@@ -275,12 +275,12 @@ TEST(ContactRegions, ThePlacesCovarianceIsSightAndDepth) {
   press(map, 0, 0, 3.0, 2.0, 0.8, 10);
   map.cells_mm = depth_cells(map.depth_mm);
   RegionOptions options;
-  options.pressed = [](int, int, double) { return DepthCauses{0.0, 0.03, 0.04, 0.12, 5.0}; };
+  options.pressed = [](int, int, double) { return DepthErrorTerms{0.0, 0.03, 0.04, 0.12, 5.0}; };
   const FlatFace flat;
   const auto regions = contact_regions(map, flat.shape, FlatFace::face(), options);
   ASSERT_EQ(regions.size(), 1U);
-  ASSERT_TRUE(regions[0].place_covariance_mm2);
-  EXPECT_NEAR((*regions[0].place_covariance_mm2)(2, 2), 0.13 * 0.13, 1e-12)
+  ASSERT_TRUE(regions[0].position_covariance_mm2);
+  EXPECT_NEAR((*regions[0].position_covariance_mm2)(2, 2), 0.13 * 0.13, 1e-12)
       << "what the whole contact shares, and nothing of single edges";
 }
 

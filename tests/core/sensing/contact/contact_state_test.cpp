@@ -7,7 +7,7 @@
 namespace alltact {
 namespace {
 
-using StateInput = ContactState::Seen;
+using StateInput = ContactState::Observation;
 
 StateInput strong(double time_s, double strength) {
   StateInput seen;
@@ -36,7 +36,7 @@ TEST(ContactState, BeginsAndEndsOnceWhateverChattersAroundTheThreshold) {
       was = strength >= 1;
       const auto told = state.add(strong(t, strength));
       began += told.is_new;
-      touched += told.is_touched;
+      touched += told.has_contact;
     }
     EXPECT_EQ(began, 1) << rate;
     EXPECT_GT(crossings, 4) << "the sequence chatters";
@@ -47,11 +47,11 @@ TEST(ContactState, BeginsAndEndsOnceWhateverChattersAroundTheThreshold) {
 TEST(ContactState, OneStrayFrameIsNoContactAndOneWeakFrameNoEnd) {
   ContactState state;
   for (int i = 0; i < 60; ++i)
-    EXPECT_FALSE(state.add(strong(i / 30.0, i % 7 == 3 ? 5.0 : 0.1)).is_touched) << i;
+    EXPECT_FALSE(state.add(strong(i / 30.0, i % 7 == 3 ? 5.0 : 0.1)).has_contact) << i;
   state.forget();
   for (int i = 0; i < 60; ++i) {
     const auto told = state.add(strong(i / 30.0, i % 7 == 3 ? 0.0 : 3.0));
-    EXPECT_TRUE(told.is_touched) << i;
+    EXPECT_TRUE(told.has_contact) << i;
     EXPECT_EQ(told.is_new, i == 0);
     EXPECT_NEAR(told.held_s.value(), i / 30.0, 1e-12);
   }
@@ -69,8 +69,8 @@ TEST(ContactState, LostFramesAndUnsteadyTimesDoNotMatter) {
     for (double t = 0; t < off + 0.7;) {
       const auto told = state.add(strong(t, t >= on && t < off ? 2.0 : 0.0));
       began += told.is_new;
-      if (told.is_touched && !first) first = t;
-      if (told.is_touched) last = t;
+      if (told.has_contact && !first) first = t;
+      if (told.has_contact) last = t;
       longest = std::max(longest, t - before);
       before = t;
       t += one(random) < 0.15 ? 0.2 * one(random) : 0.004 + 0.03 * one(random);
@@ -92,7 +92,7 @@ TEST(ContactState, WithoutTimesEachFrameCountsByItself) {
        {std::pair{0.9, false}, {1.0, true}, {0.7, true}, {0.5, false}, {0.9, false}, {1.1, true}}) {
     seen.strength = strength;
     const auto told = state.add(seen);
-    EXPECT_EQ(told.is_touched, touched) << strength;
+    EXPECT_EQ(told.has_contact, touched) << strength;
     EXPECT_FALSE(told.held_s || told.is_slipping);
   }
 }
@@ -106,7 +106,7 @@ TEST(ContactState, APauseOrTimeGoingBackBeginsAnew) {
     EXPECT_EQ(told.held_s.value(), 0);
     state.forget();
     (void)state.add(strong(0, 2));
-    EXPECT_FALSE(state.add(strong(next, 0.7)).is_touched);
+    EXPECT_FALSE(state.add(strong(next, 0.7)).has_contact);
   }
 }
 
@@ -127,10 +127,10 @@ Slips slips_of(const std::string& push, double sd_mm, unsigned seed, double skin
     if (!truth.contacts.empty()) {
       // Where the base comes into the picture, places along the face begin.
       seen.skin_along_mm = skin_drift_mm * i / n;
-      seen.place_mm =
+      seen.position_mm =
           Eigen::Vector2d(truth.contacts[0].along_mm + seen.skin_along_mm + noise(random),
                           truth.contacts[0].across_mm + noise(random));
-      seen.place_covariance_mm2 = sd_mm * sd_mm * Eigen::Matrix2d::Identity();
+      seen.position_covariance_mm2 = sd_mm * sd_mm * Eigen::Matrix2d::Identity();
     }
     const auto told = state.add(seen);
     if (i < 12) continue;  // once the window is full

@@ -72,7 +72,7 @@ inline std::string reaching(double value) {
 // What a frame of it tells: the face's shape from its picture, markers with noise.
 struct Told {
   Push push;
-  std::optional<TipWay> way;
+  std::optional<TipDisplacement> displacement;
   std::optional<FingerContact> contact;
   Truth truth;
 };
@@ -86,11 +86,11 @@ inline std::optional<Told> told_of(const std::string& scene, Parameters& random)
   EXPECT_TRUE(snapshot);
   auto frame = std::make_shared<Frame>();
   frame->grey = plan->render(1);
-  const auto result = Pipeline::before_reference(*snapshot, {})(frame);
+  const auto result = Pipeline::without_reference(*snapshot, {})(frame);
   if (!result || !result->shape) return std::nullopt;
-  const Truth rest = plan->truth(0, TruthDetail::kWithoutPictures);
+  const Truth rest = plan->truth(0, TruthDetail::kWithoutImages);
   Told told;
-  told.truth = plan->truth(1, TruthDetail::kWithoutPictures);
+  told.truth = plan->truth(1, TruthDetail::kWithoutImages);
   std::mt19937 bits(static_cast<unsigned>(1e9 * random.between(0, 1)));
   std::normal_distribution<double> noise(0.0, kMarkerNoise_px);
   ContactSettings settings;
@@ -106,16 +106,16 @@ inline std::optional<Told> told_of(const std::string& scene, Parameters& random)
   // As install_reference sets it.
   const auto count = static_cast<double>(markers.size());
   settings.threshold_px = std::max(5 * kMarkerNoise_px * std::sqrt(2 * count), 0.2 * count);
-  const Eigen::MatrixXd ways = ways_covariance_px2(markers);
+  const Eigen::MatrixXd ways = displacement_covariance_px2(markers);
   told.push = push_of(markers, settings, result->shape->base_at_low_u(), ways);
-  told.way = tip_way(markers, settings.rest_markers, *result->shape, ways);
-  ContactSigns signs;
-  if (told.way)
+  told.displacement = tip_displacement(markers, settings.rest_markers, *result->shape, ways);
+  ContactEvidence signs;
+  if (told.displacement)
     signs.along_back =
-        push_along_back(markers, settings.rest_markers, *result->shape, ways, *told.way);
+        push_along_back(markers, settings.rest_markers, *result->shape, ways, *told.displacement);
   signs.push = &told.push;
   signs.push_threshold_px = settings.threshold_px;
-  signs.way = told.way;
+  signs.displacement = told.displacement;
   if (signs.strength() >= 1) told.contact = finger_contact(signs, *result->shape, {});
   return told;
 }

@@ -47,8 +47,9 @@ TEST(FingerContact, OneOfEightWaysIsToldOnDrawnFingers) {
   Parameters random(41);
   for (int f = 0; f < fingers; ++f) {
     const PushedDrawnFinger finger(random, 2);
-    for (int way = 0; way < 8; ++way) {
-      const double angle = (45 * way + random.between(-22.5, 22.5)) * std::numbers::pi / 180;
+    for (int displacement = 0; displacement < 8; ++displacement) {
+      const double angle =
+          (45 * displacement + random.between(-22.5, 22.5)) * std::numbers::pi / 180;
       const double mm = random.between(1.5, 5);  // as far as pushes move a finger
       const std::string motion = fmt::format(
           "motion: {{kind: poses, poses: [{{}}, {{q1_mm: {}, q2_mm: {}, sway_mm: {}}}]}}\n",
@@ -60,15 +61,16 @@ TEST(FingerContact, OneOfEightWaysIsToldOnDrawnFingers) {
               finger.with("  - {use: bend, q1_mm: {from: -6, to: 6}, q2_mm: {from: -3, to: 3}}\n"
                           "  - {use: sway, sway_mm: {from: -6, to: 6}}\n"),
           random);
-      ASSERT_TRUE(told && told->contact && told->contact->direction) << f << ' ' << way;
-      const double found = std::atan2(told->way->way_mm.y(), told->way->way_mm.x());
+      ASSERT_TRUE(told && told->contact && told->contact->direction) << f << ' ' << displacement;
+      const double found = std::atan2(told->displacement->displacement_mm.y(),
+                                      told->displacement->displacement_mm.x());
       const double off =
           std::remainder(found - angle, 2 * std::numbers::pi) * 180 / std::numbers::pi;
       const double sd_deg = told->contact->direction_sd_deg.value();
       off_deg.push_back(std::abs(off));
       normalised += off * off / (sd_deg * sd_deg);
       const bool is_right =
-          (static_cast<int>(std::lround(found / (std::numbers::pi / 4))) + 8) % 8 == way;
+          (static_cast<int>(std::lround(found / (std::numbers::pi / 4))) + 8) % 8 == displacement;
       const double chance = chance_to_leave_side(found, sd_deg);
       expected_wrong += chance;
       right += is_right;
@@ -142,17 +144,17 @@ TEST(FingerContact, ADentTellsTheFaceAndTheMarkersTheWay) {
   const FaceShape shape = FaceShape::plane(Camera::create(camera).value(), face);
   Push push;
   push.offset_px = {0, 40};
-  ContactSigns signs;
+  ContactEvidence signs;
   signs.push = &push;
   signs.push_threshold_px = 10;
-  signs.way.emplace();
-  signs.way->way_mm = {0, 3};
-  signs.way->towards_back = {0, 0, -1};
-  signs.way->covariance_mm2 = 0.03 * 0.03 * Eigen::Matrix2d::Identity();
+  signs.displacement.emplace();
+  signs.displacement->displacement_mm = {0, 3};
+  signs.displacement->towards_back = {0, 0, -1};
+  signs.displacement->covariance_mm2 = 0.03 * 0.03 * Eigen::Matrix2d::Identity();
   EXPECT_EQ(finger_contact(signs, shape, {}).face, PushedFace::kUpper);
   ContactRegion region;
-  region.place_mm = region.deepest_point_mm = {0, 0, 31.2};
-  region.place_px = {160, 90};
+  region.position_mm = region.deepest_point_mm = {0, 0, 31.2};
+  region.position_px = {160, 90};
   region.deepest_on_face_mm = {12, 3};
   region.deepest_mm = 0.3;
   const std::vector<ContactRegion> regions{region};
@@ -161,10 +163,10 @@ TEST(FingerContact, ADentTellsTheFaceAndTheMarkersTheWay) {
   EXPECT_EQ(dragged.face, PushedFace::kContact);
   EXPECT_NEAR((*dragged.direction - Eigen::Vector3d::UnitY()).norm(), 0, 1e-12);
   EXPECT_NEAR(*dragged.direction_sd_deg, 0.01 * 180 / std::numbers::pi, 1e-9);
-  ASSERT_TRUE(dragged.place);
-  EXPECT_EQ(dragged.place->along_mm, 12);
-  EXPECT_EQ(dragged.place->across_mm, 3);
-  EXPECT_FALSE(dragged.place->along_sd_mm) << "the region tells none";
+  ASSERT_TRUE(dragged.position);
+  EXPECT_EQ(dragged.position->along_mm, 12);
+  EXPECT_EQ(dragged.position->across_mm, 3);
+  EXPECT_FALSE(dragged.position->along_sd_mm) << "the region tells none";
   // A slight dent is that of a contact which pressed there before, and else of none.
   std::vector<ContactRegion> slight{region};
   slight[0].deepest_mm = 0.12;

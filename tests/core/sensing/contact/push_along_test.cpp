@@ -63,11 +63,11 @@ AlongErrors errors_on_drawn(unsigned seed, int fingers) {
     ++errors.pushes;
     const FingerContact& contact = *told->contact;
     EXPECT_EQ(contact.face, PushedFace::kBack);
-    EXPECT_EQ(contact.place.has_value(), contact.no_place.empty());
-    if (!contact.place) continue;
-    EXPECT_FALSE(contact.place->across_mm || contact.place->depth_mm);
-    if (!contact.place->along_sd_mm) continue;  // the base is out of the picture
-    errors.add(contact.place->along_mm - along_mm, *contact.place->along_sd_mm);
+    EXPECT_EQ(contact.position.has_value(), contact.no_position.empty());
+    if (!contact.position) continue;
+    EXPECT_FALSE(contact.position->across_mm || contact.position->depth_mm);
+    if (!contact.position->along_sd_mm) continue;  // the base is out of the picture
+    errors.add(contact.position->along_mm - along_mm, *contact.position->along_sd_mm);
   }
   return errors;
 }
@@ -108,8 +108,8 @@ TEST(PushAlong, ASideIsToldWithoutAPlaceAndWhy) {
                 random);
     ASSERT_TRUE(told && told->contact);
     EXPECT_EQ(to_string(told->contact->face), face);
-    EXPECT_FALSE(told->contact->place);
-    EXPECT_NE(told->contact->no_place.english().find("side"), std::string::npos);
+    EXPECT_FALSE(told->contact->position);
+    EXPECT_NE(told->contact->no_position.english().find("side"), std::string::npos);
   }
 }
 

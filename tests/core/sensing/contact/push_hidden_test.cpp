@@ -63,7 +63,7 @@ double nees_with_hidden(int hidden, double noise_px) {
           push_of(*completed,
                   settings,
                   true,
-                  ways_covariance_px2(*completed, known.model.covariance_px2(*completed)));
+                  displacement_covariance_px2(*completed, known.model.covariance_px2(*completed)));
       if (!told.pushed) continue;
       const double error = std::remainder(
           std::atan2(told.direction->y(), told.direction->x()) - std::atan2(offset.y(), offset.x()),

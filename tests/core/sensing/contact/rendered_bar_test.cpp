@@ -2,7 +2,7 @@
 // random, noise of a grey level, every bar elsewhere and turned otherwise.
 // ALLTACT_NEES_RUNS=200 makes as many runs as a figure needs; without it fewer are made, and what
 // few runs scatter by is allowed for.
-#include "core/io/picture.h"
+#include "core/io/image_file.h"
 #include "core/sensing/pipeline.h"
 #include "core/simulation/plan.h"
 #include "tests/support/temporary_folder.h"
@@ -115,9 +115,10 @@ struct BarWorld {
                plan = bar_plan(finger_, bend_, pressed, 5000 + run_);
     Finger finger = plan.finger();
     finger.mapping = true_mapping(finger_);
-    Pipeline pipeline = Pipeline::over(ReferenceLibrary::single(untouched.render(0, 2)).value(),
-                                       FingerSnapshot::of({}, finger).value(),
-                                       {});
+    Pipeline pipeline =
+        Pipeline::with_library(ReferenceLibrary::single(untouched.render(0, 2)).value(),
+                               FingerSnapshot::of({}, finger).value(),
+                               {});
     auto frame = std::make_shared<Frame>();
     frame->grey = plan.render(0, 2);
     truth = plan.truth(0);
@@ -204,7 +205,7 @@ TEST(RenderedBars, TheAxisOfASmoothBodyIsAsSureAsItSays) {
           cv::saturate_cast<std::uint8_t>(255 * std::max(0.0, 1 - p * p - q * q));
     }
   const std::string file = (folder / "bar.png").string();
-  ASSERT_TRUE(write_picture(file, height));
+  ASSERT_TRUE(write_image(file, height));
   const AxisErrors errors = axis_errors(
       fmt::format("relief, shape: picture, mm_per_px: 0.05, height_mm: 1.2, file: {}", file));
   EXPECT_LT(errors.worst_deg, 1.0);

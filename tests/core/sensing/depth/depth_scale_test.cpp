@@ -52,7 +52,7 @@ TEST(DepthScale, EveryPixelGetsItsFactor) {
           const double projected =
               along == MappingAlong::kProjected ? 1.0 / local->cos_incline : 1.0;
           EXPECT_NEAR(static_cast<double>(depth[static_cast<std::size_t>(u)]),
-                      2.0 * projected * p.variation.at(scene.shape.place_mm(u, v)),
+                      2.0 * projected * p.variation.at(scene.shape.position_mm(u, v)),
                       2e-5)
               << u << ' ' << v;
         }
@@ -67,11 +67,11 @@ TEST(DepthScale, PlacesOnTheFaceAreMillimetres) {
     for (double v = 200; v < 350; v += 30) {
       const auto here = scene.shape.at(u, v), beside = scene.shape.at(u + 10, v);
       ASSERT_TRUE(here && beside);
-      const Eigen::Vector2d place = scene.shape.place_mm(u, v);
+      const Eigen::Vector2d place = scene.shape.position_mm(u, v);
       // The finger lies along x and is the same across y.
       EXPECT_NEAR(place.y(), here->view_point_mm.y(), 1e-3);
       const Eigen::Vector3d way = beside->view_point_mm - here->view_point_mm;
-      EXPECT_NEAR(std::abs(scene.shape.place_mm(u + 10, v).x() - place.x()),
+      EXPECT_NEAR(std::abs(scene.shape.position_mm(u + 10, v).x() - place.x()),
                   std::hypot(way.x(), way.z()),
                   2e-3);
     }

@@ -36,19 +36,19 @@ struct Bench {
 
   cv::Mat noisy(bool is_live, double sd) {
     std::normal_distribution<double> noise(0.0, sd);
-    cv::Mat picture(kSmallHeight, kSmallWidth, CV_8UC1);
+    cv::Mat image(kSmallHeight, kSmallWidth, CV_8UC1);
     for (int v = 0; v < kSmallHeight; ++v)
       for (int u = 0; u < kSmallWidth; ++u)
-        picture.at<std::uint8_t>(v, u) = cv::saturate_cast<std::uint8_t>(
+        image.at<std::uint8_t>(v, u) = cv::saturate_cast<std::uint8_t>(
             static_cast<double>(truth.at<float>(v, u)) * (is_live ? 1.0 - pressed(u, v) : 1.0) +
             noise(random));
-    return picture;
+    return image;
   }
   Reference reference(double sd) {
     cv::Mat levels;
     noisy(false, sd).convertTo(levels, CV_32F);
     Reference reference;
-    reference.picture = ReferencePicture(levels);
+    reference.image = ReferenceImage(levels);
     return reference;
   }
 };
@@ -61,7 +61,7 @@ TEST(DepthSd, IsHowDepthsScatter) {
   const Eigen::Matrix2d root = bench.parameters.covariance.llt().matrixL();
   std::normal_distribution<double> normal;
   DifferenceOptions options;
-  options.smoothing = plain_smoothing_of(1.0);
+  options.smoothing = gaussian_smoothing(1.0);
   options.noise_sd = std::hypot(kNoise, std::sqrt(1.0 / 12.0));
   cv::Mat sum = cv::Mat::zeros(kSmallHeight, kSmallWidth, CV_64FC1), square = sum.clone(),
           told = sum.clone();
@@ -87,8 +87,8 @@ TEST(DepthSd, IsHowDepthsScatter) {
     const cv::Mat mean = sum / kRuns;
     const cv::Mat variance = (square / kRuns - mean.mul(mean)) * (kRuns / (kRuns - 1.0));
     const double scattered = std::sqrt(cv::mean(variance(part))[0]);
-    const double said = std::sqrt(cv::mean(told(part))[0] / kRuns);
-    EXPECT_NEAR(said, scattered, 0.12 * scattered) << part;
+    const double press_set = std::sqrt(cv::mean(told(part))[0] / kRuns);
+    EXPECT_NEAR(press_set, scattered, 0.12 * scattered) << part;
   }
 }
 

@@ -35,7 +35,7 @@ TEST(LightBlocks, EquationsAreThePlainSums) {
       Eigen::Matrix<double, kLightTerms, kLightTerms> normal;
       normal.setZero();
       LightTerms pull = LightTerms::Zero();
-      double believed = 0;
+      double inlier_sum = 0;
       for (std::size_t i = 0; i < blocks.size(); ++i) {
         const LightBlock block = blocks[i];
         const LightTerms basis = light_basis(block.s, block.t);
@@ -46,12 +46,12 @@ TEST(LightBlocks, EquationsAreThePlainSums) {
         const LightTerms row = block.ratio * basis;
         normal += share / (sd * sd) * row * row.transpose();
         pull += share / (sd * sd) * (1.0 - block.ratio) * row;
-        believed += share;
+        inlier_sum += share;
       }
       const LightEquations told = blocks.equations(terms, kTukey, widening);
       EXPECT_LE((told.normal - normal).norm(), 1e-12 * normal.norm()) << count;
       EXPECT_LE((told.pull - pull).norm(), 1e-12 * (1.0 + normal.norm())) << count;
-      EXPECT_NEAR(told.believed, believed, 1e-12 * (1.0 + believed)) << count;
+      EXPECT_NEAR(told.inlier_sum, inlier_sum, 1e-12 * (1.0 + inlier_sum)) << count;
     }
   }
 }

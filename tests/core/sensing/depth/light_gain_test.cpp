@@ -59,7 +59,7 @@ struct Dents {
 
 struct Pictures {
   cv::Mat live = cv::Mat(kHeight, kWidth, CV_8UC1);
-  ReferencePicture untouched;
+  ReferenceImage untouched;
 
   Pictures(const Change& change, const Dents& dents, std::mt19937_64& random) {
     std::normal_distribution<double> noise(0.0, 1.0);
@@ -71,7 +71,7 @@ struct Pictures {
         live.at<std::uint8_t>(v, u) = cv::saturate_cast<std::uint8_t>(
             level * change.at(u, v) * dents.at(u, v) + noise(random));
       }
-    untouched = ReferencePicture(levels);
+    untouched = ReferenceImage(levels);
   }
 };
 
@@ -85,8 +85,8 @@ double error_of(const LightGain& light, const Change& change) {
   return std::sqrt(sum / count);
 }
 
-LightGain gain_of(const Pictures& pictures) {
-  return light_gain(pictures.live, pictures.untouched, whole_face(), 1.0, 1.0);
+LightGain gain_of(const Pictures& images) {
+  return light_gain(images.live, images.untouched, whole_face(), 1.0, 1.0);
 }
 
 TEST(LightGain, FindsNoChangeWhereThereIsNone) {
@@ -94,7 +94,7 @@ TEST(LightGain, FindsNoChangeWhereThereIsNone) {
   for (int run = 0; run < 10; ++run) {
     const LightGain light = gain_of(Pictures({}, {}, random));
     EXPECT_LT(error_of(light, {}), 1e-3);
-    EXPECT_GT(light.believed(), 0.8);
+    EXPECT_GT(light.inlier_fraction(), 0.8);
     EXPECT_NEAR(light.change(), 0.0, 1e-3);
   }
 }
@@ -125,10 +125,10 @@ TEST(LightGain, FindsAnySmoothChangeBesideContacts) {
 TEST(LightGain, AContactOnMoreThanHalfOfTheFaceIsNoChangeOfTheLight) {
   std::mt19937_64 random(3);
   const Change change{0.97, 0.01, 0.0, 0.0};
-  Pictures pictures(change, {}, random);
+  Pictures images(change, {}, random);
   // A flat thing presses evenly on three fifths of the face.
-  pictures.live(cv::Rect(kWidth * 2 / 5, 0, kWidth * 3 / 5, kHeight)) *= 0.8;
-  EXPECT_LT(error_of(gain_of(pictures), change), 0.02);
+  images.live(cv::Rect(kWidth * 2 / 5, 0, kWidth * 3 / 5, kHeight)) *= 0.8;
+  EXPECT_LT(error_of(gain_of(images), change), 0.02);
 }
 
 TEST(LightGain, AContactOnFourFifthsOrMoreIsNoChangeOfTheLight) {
@@ -137,15 +137,15 @@ TEST(LightGain, AContactOnFourFifthsOrMoreIsNoChangeOfTheLight) {
     for (const double darker : {0.1, 0.25, 0.5})
       for (const double relief : {0.0, 0.1}) {
         const Change change{0.9, 0.004, 0.0, 0.0};
-        Pictures pictures(change, {}, random);
+        Pictures images(change, {}, random);
         const int first = static_cast<int>(untouched * kWidth);
         for (int v = 0; v < kHeight; ++v)
           for (int u = first; u < kWidth; ++u) {
-            auto& level = pictures.live.at<std::uint8_t>(v, u);
+            auto& level = images.live.at<std::uint8_t>(v, u);
             const double x = darker + relief * (u - first) / (kWidth - first);
             level = cv::saturate_cast<std::uint8_t>(level * (1.0 - x));
           }
-        const LightGain light = gain_of(pictures);
+        const LightGain light = gain_of(images);
         EXPECT_LT(error_of(light, change), 0.01) << untouched << ", " << darker << ", " << relief;
         EXPECT_LT(light.brighter(), 0.01);
       }
@@ -180,11 +180,11 @@ TEST(LightGain, RowsAndPlacesAgree) {
 
 TEST(LightGain, NothingToCompareChangesNothing) {
   const FaceRuns face = whole_face();
-  const ReferencePicture dark(cv::Mat(kHeight, kWidth, CV_32FC1, cv::Scalar(3.0)));
-  const ReferencePicture white(cv::Mat(kHeight, kWidth, CV_32FC1, cv::Scalar(255.0)));
-  const ReferencePicture even(cv::Mat(kHeight, kWidth, CV_32FC1, cv::Scalar(100.0)));
+  const ReferenceImage dark(cv::Mat(kHeight, kWidth, CV_32FC1, cv::Scalar(3.0)));
+  const ReferenceImage white(cv::Mat(kHeight, kWidth, CV_32FC1, cv::Scalar(255.0)));
+  const ReferenceImage even(cv::Mat(kHeight, kWidth, CV_32FC1, cv::Scalar(100.0)));
   for (const int level : {0, 255})
-    for (const ReferencePicture* reference : {&dark, &white, &even}) {
+    for (const ReferenceImage* reference : {&dark, &white, &even}) {
       const LightGain light = light_gain(
           cv::Mat(kHeight, kWidth, CV_8UC1, cv::Scalar(level)), *reference, face, 1.0, 1.0);
       for (const double part : {0.0, 0.5, 1.0}) {
@@ -209,9 +209,9 @@ TEST(LightGain, DepthIsThatUnderTheOldLight) {
   DifferenceOptions options;
   options.correct_light = true;
   for (const double brightness : {0.9, 1.0, 1.1}) {
-    const Pictures pictures({brightness, 0.02, -0.02, 0.0}, dents, random);
-    reference.picture = pictures.untouched;
-    const Difference with = difference(pictures.live, reference, shape, options);
+    const Pictures images({brightness, 0.02, -0.02, 0.0}, dents, random);
+    reference.image = images.untouched;
+    const Difference with = difference(images.live, reference, shape, options);
     double sum = 0;
     int count = 0;
     for (int v = 100; v < 220; v += 2)

@@ -28,7 +28,7 @@ Reference reference_of(const cv::Mat& grey) {
   cv::Mat levels;
   grey.convertTo(levels, CV_32F);
   Reference reference;
-  reference.picture = ReferencePicture(levels);
+  reference.image = ReferenceImage(levels);
   return reference;
 }
 
@@ -49,7 +49,7 @@ TEST(LocalDepth, EveryPairOfGreyLevelsIsFiniteOrFlagged) {
   const FaceShape shape = flat_shape(256, 256);
   for (const double smoothing : {0.0, 1.5}) {
     DifferenceOptions options;
-    options.smoothing = plain_smoothing_of(smoothing);
+    options.smoothing = gaussian_smoothing(smoothing);
     const Difference diff = difference(live, reference_of(untouched), shape, options);
     const DepthMap map = depth_map(diff, straight(3.0), shape);
     for (int i = 0; i < 256; ++i) {
@@ -132,7 +132,7 @@ TEST(LocalDepth, SmoothingDoesNotBendAtTheFacesEdge) {
                                     live.at<std::uint8_t>(v, u) =
                                         cv::saturate_cast<std::uint8_t>(30 + u / 4);
   DifferenceOptions options;
-  options.smoothing = plain_smoothing_of(2.0);
+  options.smoothing = gaussian_smoothing(2.0);
   const Difference diff =
       difference(live, reference_of(untouched), flat_shape(width, height), options);
   double low = 1, high = 0;
@@ -156,7 +156,7 @@ TEST(LocalDepth, NoiseIsAsPredictedAndUnbiased) {
   Reference reference = reference_of(cv::Mat(height, width, CV_8UC1, cv::Scalar(level)));
   reference.noise_gain = 0.0;
   DifferenceOptions options;
-  options.smoothing = plain_smoothing_of(1.5);
+  options.smoothing = gaussian_smoothing(1.5);
   options.noise_sd = std::sqrt(sd * sd + 1.0 / 12.0);
   const Difference diff = difference(live, reference, flat_shape(width, height), options);
   cv::Scalar mean, spread;
@@ -182,7 +182,7 @@ TEST(LocalDepth, ReferenceDecidesWhereThereIsAFace) {
   cv::Mat levels(60, 80, CV_32FC1, cv::Scalar(100));
   levels(cv::Rect(0, 0, 20, 60)) = std::numeric_limits<float>::quiet_NaN();
   Reference reference;
-  reference.picture = ReferencePicture(levels);
+  reference.image = ReferenceImage(levels);
   const FaceShape shape = flat_shape(80, 60);
   const DepthMap map = depth_map(difference(live, reference, shape, {}), straight(5.0), shape);
   for (int u = 0; u < 80; ++u) {

@@ -50,18 +50,18 @@ double level_at(int u, int v, bool is_pressed) {
 
 cv::Mat noisy_picture(double sigma, bool is_pressed, std::mt19937_64& random) {
   std::normal_distribution<double> noise(0.0, sigma);
-  cv::Mat picture(kSensorHeight, kSensorWidth, CV_8UC1);
+  cv::Mat image(kSensorHeight, kSensorWidth, CV_8UC1);
   for (int v = 0; v < kSensorHeight; ++v)
     for (int u = 0; u < kSensorWidth; ++u)
-      picture.at<std::uint8_t>(v, u) =
+      image.at<std::uint8_t>(v, u) =
           cv::saturate_cast<std::uint8_t>(level_at(u, v, is_pressed) + noise(random));
-  return picture;
+  return image;
 }
 
-ReferencePicture as_reference(const cv::Mat& grey) {
+ReferenceImage as_reference(const cv::Mat& grey) {
   cv::Mat levels;
   grey.convertTo(levels, CV_32F);
-  return ReferencePicture(levels);
+  return ReferenceImage(levels);
 }
 
 TEST(ReferenceNoise, IsWhatWasAddedWhateverIsPrintedOnTheSkin) {
@@ -87,7 +87,7 @@ TEST(ReferenceNoise, OfAReferenceWithoutNoiseIsAllThePictures) {
     for (int u = 0; u < kSensorWidth; ++u)
       exact.at<float>(v, u) = static_cast<float>(level_at(u, v, false));
   const auto told =
-      noise_against_reference(noisy_picture(1.5, true, random), ReferencePicture(exact), 0.0, face);
+      noise_against_reference(noisy_picture(1.5, true, random), ReferenceImage(exact), 0.0, face);
   ASSERT_TRUE(told);
   EXPECT_NEAR(*told / std::hypot(1.5, kQuantisation), 1.0, 0.1);
 }
@@ -95,15 +95,15 @@ TEST(ReferenceNoise, OfAReferenceWithoutNoiseIsAllThePictures) {
 TEST(ReferenceNoise, IsNeverLessThanQuantisationAndNotToldOfWhatCannotBeMeasured) {
   const FaceRuns face = whole_plane();
   std::mt19937_64 random(6);
-  const cv::Mat picture = noisy_picture(1.0, false, random);
-  EXPECT_DOUBLE_EQ(noise_against_reference(picture, as_reference(picture), 1.0, face).value(),
+  const cv::Mat image = noisy_picture(1.0, false, random);
+  EXPECT_DOUBLE_EQ(noise_against_reference(image, as_reference(image), 1.0, face).value(),
                    kQuantisation);
   const cv::Mat black(kSensorHeight, kSensorWidth, CV_8UC1, cv::Scalar(3)),
       white(kSensorHeight, kSensorWidth, CV_8UC1, cv::Scalar(255));
-  EXPECT_FALSE(noise_against_reference(picture, as_reference(black), 1.0, face));
-  EXPECT_FALSE(noise_against_reference(picture, as_reference(white), 1.0, face));
-  EXPECT_FALSE(noise_against_reference(white, as_reference(picture), 1.0, face));
-  EXPECT_FALSE(noise_against_reference(picture, as_reference(picture), 1.0, FaceRuns{{}, {0}}));
+  EXPECT_FALSE(noise_against_reference(image, as_reference(black), 1.0, face));
+  EXPECT_FALSE(noise_against_reference(image, as_reference(white), 1.0, face));
+  EXPECT_FALSE(noise_against_reference(white, as_reference(image), 1.0, face));
+  EXPECT_FALSE(noise_against_reference(image, as_reference(image), 1.0, FaceRuns{{}, {0}}));
 }
 
 /// What the pipeline says of depths and differences: whatever the light is taken to be, and without
@@ -124,17 +124,18 @@ TEST_P(FlatNoise, IsMeasuredByThePipelineAndMovesNoDepth) {
       frame->grey = noisy_picture(sigma, true, random);
       frame->name = "press";
       const auto result_of = [&](bool is_calibrated) {
-        return Pipeline::over(ReferenceLibrary::single(untouched).value(),
-                              FingerSnapshot::of({}, flat_finger_of_noise(is_calibrated)).value(),
-                              settings)(frame)
+        return Pipeline::with_library(
+                   ReferenceLibrary::single(untouched).value(),
+                   FingerSnapshot::of({}, flat_finger_of_noise(is_calibrated)).value(),
+                   settings)(frame)
             .value();
       };
       const FrameResult bare = result_of(false), measured = result_of(true);
       ASSERT_TRUE(bare.difference && measured.depth);
-      const Smoothing plain = plain_smoothing_of(settings.smoothing_px),
+      const Smoothing plain = gaussian_smoothing(settings.smoothing_px),
                       smoothing = smoothing_of(settings.smoothing_px);
-      ratios.push_back(bare.difference->grey_sd / (std::sqrt(2.0) * plain.noise_part() * truth));
-      ratios.push_back(measured.depth->live_sd / (smoothing.noise_part() * truth));
+      ratios.push_back(bare.difference->grey_sd / (std::sqrt(2.0) * plain.noise_factor() * truth));
+      ratios.push_back(measured.depth->live_sd / (smoothing.noise_factor() * truth));
 
       DifferenceOptions as_before;  // one grey level
       as_before.smoothing = smoothing;

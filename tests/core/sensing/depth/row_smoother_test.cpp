@@ -68,7 +68,7 @@ TEST(RowSmoother, IsThePlainSumOfWhatIsGiven) {
     std::mt19937 engine(seed);
     const double smoothing_px = std::array{0.0, 0.6, 1.0, 2.0, 3.0}[seed % 5];
     const Smoothing smoothing =
-        seed % 2 == 0 ? smoothing_of(smoothing_px) : plain_smoothing_of(smoothing_px);
+        seed % 2 == 0 ? smoothing_of(smoothing_px) : gaussian_smoothing(smoothing_px);
     const std::vector<double> weights = rounded(smoothing.weights);
     // Amid bright pixels that are missing, sums are the largest there can be.
     const Given given = random_picture(engine, {97, 40}, seed % 3 == 0 ? 1.0 : 0.3);
@@ -77,7 +77,7 @@ TEST(RowSmoother, IsThePlainSumOfWhatIsGiven) {
       const bool is_inside = row < given.level.rows;
       const auto runs =
           is_inside ? given.runs[static_cast<std::size_t>(row)] : std::vector<FaceRun>();
-      std::int16_t* line = smoother.fresh_row(row, runs);
+      std::int16_t* line = smoother.begin_row(row, runs);
       for (const FaceRun& run : runs)
         for (int u = run.first; u < run.end; ++u)
           line[u] =

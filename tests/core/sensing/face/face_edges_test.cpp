@@ -81,19 +81,19 @@ TEST(FaceEdges, NeitherBlurNorLightThatFallsAcrossTheFaceMovesThem) {
   const double upper = 120.3, lean = 0.21, lower = 415.6;
   for (const double blur : {0.6, 0.8, 1.2, 1.6, 2.2}) {
     for (const double fall : {0.0, 0.25}) {  // of the brightness, over 100 rows
-      cv::Mat picture(540, 960, CV_8UC1);
+      cv::Mat image(540, 960, CV_8UC1);
       std::mt19937 engine(51);
       std::normal_distribution<double> noise(0.0, 1.0);
-      for (int v = 0; v < picture.rows; ++v)
-        for (int u = 0; u < picture.cols; ++u) {
+      for (int v = 0; v < image.rows; ++v)
+        for (int u = 0; u < image.cols; ++u) {
           const double top = v - upper - lean * (u - 480) * 0.3, bottom = lower - v;
           const double within =
               0.5 * (std::erf(top / (M_SQRT2 * blur)) + std::erf(bottom / (M_SQRT2 * blur)));
           const double level = 150.0 * (1.0 - fall * (v - 270) / 100.0);
-          picture.at<std::uint8_t>(v, u) = cv::saturate_cast<std::uint8_t>(
+          image.at<std::uint8_t>(v, u) = cv::saturate_cast<std::uint8_t>(
               std::lround(25.0 + (level - 25.0) * within + noise(engine)));
         }
-      const auto edges = FaceEdgeFinder()(picture);
+      const auto edges = FaceEdgeFinder()(image);
       ASSERT_TRUE(edges.ok()) << edges.error().sentence();
       const Errors above =
           errors(*edges, edges->upper, [&](double u) { return upper + lean * (u - 480) * 0.3; });
@@ -111,13 +111,13 @@ TEST(FaceEdges, DotsThatTouchThemAreLeftOut) {
   std::mt19937 engine(52);
   for (unsigned run = 0; run < 4; ++run) {
     const SyntheticFace face = random_face(engine);
-    cv::Mat picture = face.draw(run);
+    cv::Mat image = face.draw(run);
     for (int dot = 0; dot < 7; ++dot) {
       const int u = (2 * dot + 1) * face.width / 14;
       for (const double v : {face.upper(u) - 6.0, face.lower(u) + 6.0})
-        cv::circle(picture, {u, static_cast<int>(std::lround(v))}, 5, cv::Scalar(110), -1);
+        cv::circle(image, {u, static_cast<int>(std::lround(v))}, 5, cv::Scalar(110), -1);
     }
-    const auto edges = FaceEdgeFinder()(picture);
+    const auto edges = FaceEdgeFinder()(image);
     ASSERT_TRUE(edges.ok());
     for (const auto& [edge, truth] :
          {std::pair{&edges->upper, &face.upper}, {&edges->lower, &face.lower}}) {
@@ -133,11 +133,11 @@ TEST(FaceEdges, DotsThatStandCloseLeaveRoomForThemInBetween) {
   for (unsigned run = 0; run < 4; ++run) {
     SyntheticFace face = random_face(engine);
     face.beside = 15.0;
-    cv::Mat picture = face.draw(run);
+    cv::Mat image = face.draw(run);
     for (int u = 10; u < face.width; u += 19)
       for (const double v : {face.upper(u) - 8.0, face.lower(u) + 8.0})
-        cv::circle(picture, {u, static_cast<int>(std::lround(v))}, 4, cv::Scalar(70), -1);
-    const auto edges = FaceEdgeFinder()(picture);
+        cv::circle(image, {u, static_cast<int>(std::lround(v))}, 4, cv::Scalar(70), -1);
+    const auto edges = FaceEdgeFinder()(image);
     ASSERT_TRUE(edges.ok()) << "run " << run;
     for (const auto& [edge, truth] :
          {std::pair{&edges->upper, &face.upper}, {&edges->lower, &face.lower}}) {
@@ -158,12 +158,12 @@ TEST(FaceEdges, WhatGlimmersBeyondTheTipIsNoPartOfTheFace) {
         face.lower(0) - face.upper(0) > face.lower(face.width) - face.upper(face.width);
     const int tip = face.width * (base_at_low_u ? 4 : 1) / 5;
     (base_at_low_u ? face.last_u : face.first_u) = tip;
-    cv::Mat picture = face.draw(run);
+    cv::Mat image = face.draw(run);
     const int middle = static_cast<int>(0.5 * (face.upper(tip) + face.lower(tip)));
     const cv::Range beyond =
         base_at_low_u ? cv::Range(tip + 12, face.width) : cv::Range(0, tip - 12);
-    picture(cv::Range(middle - 30, middle + 30), beyond) += cv::Scalar(4);
-    const auto edges = FaceEdgeFinder()(picture);
+    image(cv::Range(middle - 30, middle + 30), beyond) += cv::Scalar(4);
+    const auto edges = FaceEdgeFinder()(image);
     ASSERT_TRUE(edges.ok()) << "run " << run;
     for (const auto& [edge, truth] :
          {std::pair{&edges->upper, &face.upper}, {&edges->lower, &face.lower}}) {
@@ -205,15 +205,15 @@ TEST(FaceEdges, TheOuterBorderOfABrightSideFaceIsNotTheEdge) {
     SyntheticFace face = random_face(engine);
     face.bright = [](double) { return 48.0; };
     face.beside = 24.0;
-    cv::Mat picture = face.draw(run);
-    for (int v = 0; v < picture.rows; ++v) {
-      for (int u = 0; u < picture.cols; ++u) {
-        const double side = 14.0 * picture.cols / 960.0;
+    cv::Mat image = face.draw(run);
+    for (int v = 0; v < image.rows; ++v) {
+      for (int u = 0; u < image.cols; ++u) {
+        const double side = 14.0 * image.cols / 960.0;
         if (v < face.upper(u) - side || v > face.lower(u) + side)
-          picture.at<std::uint8_t>(v, u) /= 16;
+          image.at<std::uint8_t>(v, u) /= 16;
       }
     }
-    const auto edges = FaceEdgeFinder()(picture);
+    const auto edges = FaceEdgeFinder()(image);
     ASSERT_TRUE(edges.ok()) << edges.error().sentence();
     EXPECT_LT(errors(*edges, edges->upper, face.upper).rms, 0.2) << "run " << run;
     EXPECT_LT(errors(*edges, edges->lower, face.lower).rms, 0.2) << "run " << run;
@@ -221,17 +221,17 @@ TEST(FaceEdges, TheOuterBorderOfABrightSideFaceIsNotTheEdge) {
 }
 
 /// Grows wide side faces, lit evenly, with bright or dark dots on them, and black beyond.
-void light_side_faces(const SyntheticFace& face, double part, bool bright_dots, cv::Mat& picture) {
-  for (int u = 0; u < picture.cols; ++u) {
+void light_side_faces(const SyntheticFace& face, double part, bool bright_dots, cv::Mat& image) {
+  for (int u = 0; u < image.cols; ++u) {
     const double side = part * (face.lower(u) - face.upper(u));
-    for (int v = 0; v < picture.rows; ++v)
-      if (v < face.upper(u) - side || v > face.lower(u) + side) picture.at<std::uint8_t>(v, u) /= 6;
+    for (int v = 0; v < image.rows; ++v)
+      if (v < face.upper(u) - side || v > face.lower(u) + side) image.at<std::uint8_t>(v, u) /= 6;
   }
   for (double at = 0.3; at < 0.75; at += 0.1) {
-    const double u = at * picture.cols, half = 0.5 * part * (face.lower(u) - face.upper(u));
+    const double u = at * image.cols, half = 0.5 * part * (face.lower(u) - face.upper(u));
     const double radius = 0.5 * half;
     for (const double v : {face.upper(u) - half, face.lower(u) + half})
-      cv::circle(picture,
+      cv::circle(image,
                  {static_cast<int>(u), static_cast<int>(v)},
                  static_cast<int>(radius),
                  bright_dots ? cv::Scalar(190) : cv::Scalar(15),
@@ -254,12 +254,12 @@ TEST(FaceEdges, WideSideFacesThatAreLitAreNoPartOfTheFace) {
       return near + (far - near) * t;
     };
     face.beside = 60.0;
-    cv::Mat picture = face.draw(run);
-    light_side_faces(face, part, run % 4 < 2, picture);
+    cv::Mat image = face.draw(run);
+    light_side_faces(face, part, run % 4 < 2, image);
     // Something presses on the face.
     const double u = 0.6 * face.width, v = 0.5 * (face.upper(u) + face.lower(u));
-    cv::circle(picture, {static_cast<int>(u), static_cast<int>(v)}, 25, cv::Scalar(50), cv::FILLED);
-    const auto edges = FaceEdgeFinder()(picture);
+    cv::circle(image, {static_cast<int>(u), static_cast<int>(v)}, 25, cv::Scalar(50), cv::FILLED);
+    const auto edges = FaceEdgeFinder()(image);
     ASSERT_TRUE(edges.ok()) << "run " << run;
     for (const auto& [edge, truth] :
          {std::pair{&edges->upper, &face.upper}, {&edges->lower, &face.lower}}) {

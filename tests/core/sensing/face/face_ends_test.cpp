@@ -76,16 +76,16 @@ TEST(FaceEnds, WhatPressesOnTheEndDoesNotMoveIt) {
   std::mt19937 engine(33);
   for (const double centre_part : {0.0, 0.5, 1.0}) {  // a corner, the middle, the other corner
     const SyntheticFace face = face_with_ends(engine);
-    cv::Mat picture = face.draw(5);
+    cv::Mat image = face.draw(5);
     const double v0 =
         face.upper(face.last_u) + centre_part * (face.lower(face.last_u) - face.upper(face.last_u));
     const double radius = 0.25 * (face.lower(face.last_u) - face.upper(face.last_u));
-    for (int v = 0; v < picture.rows; ++v)
-      for (int u = 0; u < picture.cols; ++u)
+    for (int v = 0; v < image.rows; ++v)
+      for (int u = 0; u < image.cols; ++u)
         if (v > face.upper(u) && v < face.lower(u) && u <= face.last_u &&
             std::hypot(u - face.last_u, v - v0) < radius)
-          picture.at<std::uint8_t>(v, u) = static_cast<std::uint8_t>(face.beside + 2);
-    const auto edges = FaceEdgeFinder()(picture);
+          image.at<std::uint8_t>(v, u) = static_cast<std::uint8_t>(face.beside + 2);
+    const auto edges = FaceEdgeFinder()(image);
     ASSERT_TRUE(edges.ok());
     ASSERT_TRUE(edges->ends.last) << centre_part;
     EXPECT_NEAR(edges->ends.last->at(270), face.last_u + 0.5, 0.5) << centre_part;
@@ -101,12 +101,12 @@ TEST(FaceEnds, NearThePicturesBorderTheyAreFoundToo) {
     face.first_u = std::floor(std::uniform_real_distribution<double>(12, 20)(engine));
     const cv::Mat whole = face.draw(run);
     for (const int reduced_by : {1, 2, 4}) {
-      cv::Mat picture;
-      cv::resize(whole, picture, {}, 1.0 / reduced_by, 1.0 / reduced_by, cv::INTER_AREA);
-      const auto edges = FaceEdgeFinder()(picture);
+      cv::Mat image;
+      cv::resize(whole, image, {}, 1.0 / reduced_by, 1.0 / reduced_by, cv::INTER_AREA);
+      const auto edges = FaceEdgeFinder()(image);
       ASSERT_TRUE(edges.ok()) << edges.error().sentence();
       ASSERT_TRUE(edges->ends.first) << "run " << run << " reduced by " << reduced_by;
-      const double found = edges->ends.first->at(0.5 * picture.rows);
+      const double found = edges->ends.first->at(0.5 * image.rows);
       EXPECT_NEAR(found, face.first_u / reduced_by - 0.5, 0.25)
           << "run " << run << " reduced by " << reduced_by;
     }
@@ -129,16 +129,16 @@ TEST(FaceEnds, ThatLeanAreFoundSo) {
   SyntheticFace face = face_with_ends(engine);
   const double lean = 0.15, end = 700.0;
   face.last_u = 2000;
-  cv::Mat picture = face.draw(2);
-  for (int v = 0; v < picture.rows; ++v)
-    for (int u = 0; u < picture.cols; ++u) {
+  cv::Mat image = face.draw(2);
+  for (int v = 0; v < image.rows; ++v)
+    for (int u = 0; u < image.cols; ++u) {
       const double covered = std::clamp(end + lean * (v - 270) - (u - 0.5), 0.0, 1.0);
-      const double on = picture.at<std::uint8_t>(v, u);
+      const double on = image.at<std::uint8_t>(v, u);
       if (v > face.upper(u) && v < face.lower(u))
-        picture.at<std::uint8_t>(v, u) =
+        image.at<std::uint8_t>(v, u) =
             static_cast<std::uint8_t>(std::lround(face.beside + covered * (on - face.beside)));
     }
-  const auto edges = FaceEdgeFinder()(picture);
+  const auto edges = FaceEdgeFinder()(image);
   ASSERT_TRUE(edges.ok());
   ASSERT_TRUE(edges->ends.last);
   EXPECT_NEAR(edges->ends.last->slope, lean, 0.01);

@@ -1,7 +1,7 @@
 #include "core/sensing/face/face_runs.h"
 
 #include "core/sensing/depth/local_depth.h"
-#include "core/sensing/reference/picture_pool.h"
+#include "core/sensing/reference/image_pool.h"
 #include "tests/support/marked_finger.h"
 
 #include <cstring>
@@ -67,7 +67,7 @@ TEST(LocalDepth, InOnePassGivesTheSameBytesAsOneAfterTheOther) {
     cv::randu(live, 30, 120);
     cv::randu(levels, 60.0, 130.0);
     Reference reference;
-    reference.picture = ReferencePicture(levels);
+    reference.image = ReferenceImage(levels);
     for (const double smoothing_px : {0.0, 0.4, 1.0, 2.7}) {
       DifferenceOptions options;
       options.smoothing = smoothing_of(smoothing_px);
@@ -84,16 +84,16 @@ TEST(PicturePool, GivesMemoryBackAndNeverSharesIt) {
   const cv::Size size(311, 77);
   const uchar* first = nullptr;
   {
-    cv::Mat picture = pooled_picture(size, CV_32FC1);
-    picture.setTo(1.0F);
-    first = picture.data;
-    const cv::Mat held = picture;  // the same picture
-    picture.release();
-    const cv::Mat other = pooled_picture(size, CV_32FC1);
+    cv::Mat image = pooled_image(size, CV_32FC1);
+    image.setTo(1.0F);
+    first = image.data;
+    const cv::Mat held = image;  // the same picture
+    image.release();
+    const cv::Mat other = pooled_image(size, CV_32FC1);
     EXPECT_NE(other.data, held.data);
     EXPECT_EQ(held.at<float>(76, 310), 1.0F);
   }
-  const cv::Mat a = pooled_picture(size, CV_32FC1), b = pooled_picture(size, CV_32FC1);
+  const cv::Mat a = pooled_image(size, CV_32FC1), b = pooled_image(size, CV_32FC1);
   EXPECT_TRUE(a.data == first || b.data == first);
   EXPECT_TRUE(a.isContinuous());
 }

@@ -217,7 +217,7 @@ TEST(FaceShape, AreaOfThePixelsIsTheAreaOfTheFace) {
       const auto pixel = shape->pixel_area(u, v);
       ASSERT_TRUE(pixel);
       area += pixel->on_face_mm2;
-      flat += pixel->flat_mm2;
+      flat += pixel->projected_mm2;
     }
   }
   // the same trapezium from its corners, between pixel borders

@@ -95,7 +95,7 @@ TEST(OutlineJump, LeavesTheShorterSideOut) {
     edges.ends.first = edges.ends.last = FaceEnd{};
     const auto found = outline_jump(edges);
     ASSERT_TRUE(found);
-    EXPECT_NEAR(found->shorter_part, 6.0 / 120, 1e-9);
+    EXPECT_NEAR(found->shorter_fraction, 6.0 / 120, 1e-9);
     EXPECT_EQ(found->shorter_at_high_u, at_high_u);
     const FaceEdges left = longer_side(edges, *found);
     EXPECT_FALSE(outline_jump(left));

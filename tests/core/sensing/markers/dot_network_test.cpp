@@ -2,8 +2,8 @@
 
 #include "core/io/atomic_file.h"
 #include "core/sensing/markers/networks/network_check.h"
+#include "core/sensing/markers/networks/network_dots.h"
 #include "core/sensing/markers/networks/onnx_header.h"
-#include "core/sensing/markers/networks/seen_dots.h"
 #include "tests/support/onnx_bytes.h"
 #include "tests/support/temporary_folder.h"
 
@@ -98,8 +98,8 @@ TEST_F(DotNetworks, DetectorsOfBothLayoutsGiveBoxesInThePicturesPixels) {
     grey(cv::Rect(96, 48, 16, 16)).setTo(200);  // cell (6, 5)
     const auto dots = (*network)(grey);
     ASSERT_TRUE(dots.ok()) << dots.error().sentence();
-    std::vector<SeenDot> inside;  // the padding is brighter than the least score
-    for (const SeenDot& dot : *dots)
+    std::vector<NetworkDot> inside;  // the padding is brighter than the least score
+    for (const NetworkDot& dot : *dots)
       if (dot.v > 0 && dot.v < 63) inside.push_back(dot);
     ASSERT_EQ(inside.size(), 2U);
     EXPECT_NEAR(inside[0].u, 39.5, 1e-3);  // the middle of pixels 32 to 47
@@ -116,9 +116,9 @@ TEST_F(DotNetworks, DetectorsOfBothLayoutsGiveBoxesInThePicturesPixels) {
 TEST_F(DotNetworks, TheSameNumbersWithAnyNumberOfThreads) {
   auto network = DotNetwork::load(file(bright_cells(false).bytes()));
   ASSERT_TRUE(network.ok());
-  const cv::Mat grey = check_picture({128, 64});
+  const cv::Mat grey = check_image({128, 64});
   const int before = cv::getNumThreads();
-  std::vector<std::vector<SeenDot>> all;
+  std::vector<std::vector<NetworkDot>> all;
   for (const int threads : {1, 2, 5}) {
     cv::setNumThreads(threads);
     all.push_back((*network)(grey).value());
@@ -170,11 +170,11 @@ TEST_F(DotNetworks, WrongShapesAreSaid) {
       .output("out", {1, 3, 64, 1 << 20});
   EXPECT_THAT(refusal(huge.bytes()), HasSubstr("32 to 4096 px"));
   // A network that makes pictures of pictures is no detector.
-  OnnxBytes picture;
-  picture.input("images", {1, 3, 64, 64})
+  OnnxBytes image;
+  image.input("images", {1, 3, 64, 64})
       .node("Relu", {"images"}, "out")
       .output("out", {1, 3, 64, 64});
-  EXPECT_THAT(refusal(picture.bytes()), HasSubstr("makes 1 x 3 x 64 x 64 of 1 x 3 x 64 x 64"));
+  EXPECT_THAT(refusal(image.bytes()), HasSubstr("makes 1 x 3 x 64 x 64 of 1 x 3 x 64 x 64"));
 }
 
 TEST_F(DotNetworks, LayersThatOpenCvDoesNotKnowAreSaid) {
@@ -207,7 +207,7 @@ TEST_F(DotNetworks, WhatItMustGiveIsHeldAgainstWhatItGives) {
   const auto onnx = file(bright_cells(false).bytes());
   // By hand: of the first row of numbers the middles of cells 0 and 32, and so on; scores are means
   // of the known picture.
-  const cv::Mat grey = check_picture({64, 64});
+  const cv::Mat grey = check_image({64, 64});
   std::vector<double> output;
   for (int i = 0; i < 5 * kCells * kCells; i += 32) {
     const int channel = i / 64, x = i % 8, y = i / 8 % 8;
@@ -246,7 +246,7 @@ TEST(SeenDots, PeaksOfTheNetworksOwnOutput) {
   at(0, 5, 14) = 0.0F;  // 4 cells on: another, less sure
   at(1, 5, 14) = at(2, 5, 14) = std::log(2.0F);
   at(0, 19, 29) = -2.5F;  // too unsure
-  Laid laid;
+  InputMap laid;
   ASSERT_EQ(dots_input(cv::Mat(160, 1920, CV_8UC1, cv::Scalar(64)), &laid).size[3], 960);
   const auto dots = dots_of(output, laid);
   ASSERT_EQ(dots.size(), 2U);
@@ -272,7 +272,7 @@ TEST(SeenDots, OfOverlappingBoxesTheSurestIsKept) {
   box(2, 27, 20, 10, 0.5F, 0.0F);  // 4/16 with that
   box(3, 60, 20, -3, 0.9F, 0.9F);  // no box
   box(4, 80, 20, 10, 0.2F, 0.2F);  // too unsure
-  const auto dots = boxes_of(output, Laid{});
+  const auto dots = boxes_of(output, InputMap{});
   ASSERT_EQ(dots.size(), 2U);
   EXPECT_EQ(dots[0].u, 21);
   EXPECT_NEAR(dots[0].score, 0.9, 1e-6);

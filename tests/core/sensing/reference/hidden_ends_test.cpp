@@ -35,13 +35,13 @@ std::vector<FaceChart> recorded() {
 
 TEST(HiddenEnds, AFaceThatIsSeenToItsEndHidesNothing) {
   const EndLengths ends(recorded(), kWidth);
-  for (const FaceChart& seen : recorded()) EXPECT_TRUE(ends.beyond(seen, kWidth).empty());
+  for (const FaceChart& seen : recorded()) EXPECT_TRUE(ends.hidden_columns(seen, kWidth).empty());
 }
 
 TEST(HiddenEnds, AreTheColumnsFromWhereTheFaceIsLostToWhereItMustEnd) {
   const EndLengths ends(recorded(), kWidth);
   for (const int bend : {-7, 0, 7}) {
-    const auto hidden = ends.beyond(chart(0, 360 + bend, -kMmPerPx * bend), kWidth);
+    const auto hidden = ends.hidden_columns(chart(0, 360 + bend, -kMmPerPx * bend), kWidth);
     ASSERT_FALSE(hidden.empty());
     EXPECT_EQ(hidden.front().u, 361 + bend);
     EXPECT_NEAR(hidden.back().u, 400 + bend, 1);
@@ -57,12 +57,12 @@ TEST(HiddenEnds, AtSmallColumnsAsWellAndNeverBeyondThePicture) {
   std::vector<FaceChart> both;
   for (int i = 0; i < 20; ++i) both.push_back(chart(40, 440));
   const EndLengths ends(both, kWidth);
-  const auto low = ends.beyond(chart(70, 440), kWidth);
+  const auto low = ends.hidden_columns(chart(70, 440), kWidth);
   ASSERT_FALSE(low.empty());
   EXPECT_NEAR(low.front().u, 40, 1);
   EXPECT_EQ(low.back().u, 69);
   // Bent so that its tip would lie outside: the picture ends first.
-  const auto high = ends.beyond(chart(100, 440, -kMmPerPx * 60), kWidth);
+  const auto high = ends.hidden_columns(chart(100, 440, -kMmPerPx * 60), kWidth);
   ASSERT_FALSE(high.empty());
   EXPECT_EQ(high.back().u, kWidth - 1);
 }
@@ -70,8 +70,8 @@ TEST(HiddenEnds, AtSmallColumnsAsWellAndNeverBeyondThePicture) {
 TEST(HiddenEnds, AnEndThatTheRecordingDoesNotShowIsNotKnown) {
   std::vector<FaceChart> cut;  // by the picture's border, wherever the finger bends
   for (int i = 0; i < 20; ++i) cut.push_back(chart(0, kWidth - 1, 0.1 * i));
-  EXPECT_TRUE(EndLengths(cut, kWidth).beyond(chart(0, 300), kWidth).empty());
-  EXPECT_TRUE(EndLengths({}, kWidth).beyond(chart(0, 300), kWidth).empty());
+  EXPECT_TRUE(EndLengths(cut, kWidth).hidden_columns(chart(0, 300), kWidth).empty());
+  EXPECT_TRUE(EndLengths({}, kWidth).hidden_columns(chart(0, 300), kWidth).empty());
 }
 
 TEST(HiddenEnds, OnlyWhatWasSaidToBeNoFaceIsFlagged) {

@@ -1,5 +1,5 @@
 #include "core/io/atomic_file.h"
-#include "core/sensing/reference/face_picture.h"
+#include "core/sensing/reference/face_image.h"
 #include "core/sensing/reference/reference_error.h"
 #include "core/sensing/reference/reference_library.h"
 #include "core/sensing/reference/reference_weights.h"
@@ -83,7 +83,7 @@ Markers markers_of(const test::MarkedFinger& finger, const test::Bend& bend) {
 }
 
 /// How far the centroid of what is darker than its surroundings lies from a place of a picture.
-double centroid_off_px(const cv::Mat& picture, const Eigen::Vector2d& place) {
+double centroid_off_px(const cv::Mat& image, const Eigen::Vector2d& place) {
   constexpr int kReach = 8;
   const cv::Rect window(static_cast<int>(place.x()) - kReach,
                         static_cast<int>(place.y()) - kReach,
@@ -91,7 +91,7 @@ double centroid_off_px(const cv::Mat& picture, const Eigen::Vector2d& place) {
                         2 * kReach + 1);
   double level = 0, sum = 0;
   Eigen::Vector2d first = Eigen::Vector2d::Zero();
-  const cv::Mat near = picture(window);
+  const cv::Mat near = image(window);
   for (int k = 0; k < near.cols; ++k)
     level = std::max(level, static_cast<double>(near.at<float>(0, k)));
   for (int row = 0; row < near.rows; ++row)
@@ -103,18 +103,18 @@ double centroid_off_px(const cv::Mat& picture, const Eigen::Vector2d& place) {
   return (Eigen::Vector2d(window.x, window.y) + first / sum - place).norm();
 }
 
-TEST(ReferencePicture, MarksOfTheSkinStayWhereTheyAreWhenTheFingerBends) {
+TEST(ReferenceImage, MarksOfTheSkinStayWhereTheyAreWhenTheFingerBends) {
   std::mt19937 random(7);
   test::MarkedFinger finger;
   finger.noise = 0;
   const FaceShape rest_shape = finger.shape({});
   const FaceChart rest = chart_of(rest_shape).value();
-  const SkinPlaces places = skin_places(rest, rest_shape, markers_of(finger, {}));
+  const SkinPositions places = skin_positions(rest, rest_shape, markers_of(finger, {}));
   const FaceGrid grid = face_grid(rest, 0.15);
   const auto chart_in = [&](const test::Bend& bend) {
     const FaceShape shape = finger.shape(bend);
     FaceChart chart = chart_of(shape).value();
-    lay_on(places, shape, markers_of(finger, bend), &chart);
+    register_chart(places, shape, markers_of(finger, bend), &chart);
     return chart;
   };
   double worst = 0;
@@ -123,10 +123,9 @@ TEST(ReferencePicture, MarksOfTheSkinStayWhereTheyAreWhenTheFingerBends) {
     const test::Bend recorded = test::random_bend(random, 0.8),
                      now = test::random_bend(random, 0.8);
     const cv::Mat grey = finger.with_noise(specked(finger, recorded), random);
-    const FacePicture face = keep_face(grey, chart_in(recorded), grid);
+    const FaceImage face = warp_face(grey, chart_in(recorded), grid);
     const cv::Mat there =
-        ReferencePicture(
-            grid, {{{&face}, {1.0F}}}, ChartWarp(chart_in(now), grid.chart), grey.size())
+        ReferenceImage(grid, {{{&face}, {1.0F}}}, ChartWarp(chart_in(now), grid.chart), grey.size())
             .grey();
     for (const Mark& mark : kMarks) {
       const Eigen::Vector2d place = seen_at(finger, now, mark),
@@ -141,30 +140,30 @@ TEST(ReferencePicture, MarksOfTheSkinStayWhereTheyAreWhenTheFingerBends) {
   EXPECT_LT(worst, 0.6);
 }
 
-TEST(ReferencePicture, IsTheWeightedSumWhereEveryFrameShowsTheSkin) {
+TEST(ReferenceImage, IsTheWeightedSumWhereEveryFrameShowsTheSkin) {
   std::mt19937 random(7);
   const test::MarkedFinger finger;
   const FaceChart chart = chart_of(finger.shape({})).value();
   const FaceGrid grid = face_grid(chart, 0.15);
   const std::vector<float> weights{0.5F, -0.25F, 0.4F, 0.2F, 0.15F};
   constexpr int kShorter = 10;  // columns that each frame shows less than the one before
-  std::vector<cv::Mat> pictures;
-  std::vector<FacePicture> faces;
+  std::vector<cv::Mat> images;
+  std::vector<FaceImage> faces;
   for (std::size_t i = 0; i < weights.size(); ++i) {
     cv::Mat grey(finger.height, finger.width, CV_8UC1);
     cv::randu(grey, 0, 256);
-    pictures.push_back(grey);
+    images.push_back(grey);
     FaceChart shorter = chart;
     for (auto values : {&FaceChart::along_mm, &FaceChart::upper_v, &FaceChart::lower_v})
       (shorter.*values).resize(chart.along_mm.size() - kShorter * i);
-    faces.push_back(keep_face(grey, shorter, grid));
+    faces.push_back(warp_face(grey, shorter, grid));
     EXPECT_LT(faces.back().bytes(), grey.total());
   }
-  std::vector<const FacePicture*> pointers;
+  std::vector<const FaceImage*> pointers;
   for (const auto& face : faces) pointers.push_back(&face);
   const cv::Size size(finger.width, finger.height);
   const cv::Mat grey =
-      ReferencePicture(grid, {{pointers, weights}}, ChartWarp(chart, grid.chart), size).grey();
+      ReferenceImage(grid, {{pointers, weights}}, ChartWarp(chart, grid.chart), size).grey();
   int shown = 0;
   for (int u = 0; u < finger.width; ++u)
     for (int v = 0; v < finger.height; ++v) {
@@ -175,7 +174,7 @@ TEST(ReferencePicture, IsTheWeightedSumWhereEveryFrameShowsTheSkin) {
       if (!everywhere) continue;
       double sum = 0;
       for (std::size_t k = 0; k < weights.size(); ++k)
-        sum += static_cast<double>(weights[k]) * pictures[k].at<std::uint8_t>(v, u);
+        sum += static_cast<double>(weights[k]) * images[k].at<std::uint8_t>(v, u);
       // Five products rounded to 1/64, weights to 2^-14, places to 1/128 px of steep noise.
       ASSERT_NEAR(grey.at<float>(v, u), sum, 3.0) << u << ' ' << v;
       ++shown;
@@ -183,7 +182,7 @@ TEST(ReferencePicture, IsTheWeightedSumWhereEveryFrameShowsTheSkin) {
   EXPECT_GT(shown, 20000);
 }
 
-TEST(ReferencePicture, IsTheSecondMixWhereTheFirstDoesNotShowTheSkin) {
+TEST(ReferenceImage, IsTheSecondMixWhereTheFirstDoesNotShowTheSkin) {
   const test::MarkedFinger finger;
   const FaceChart chart = chart_of(finger.shape({})).value();
   const FaceGrid grid = face_grid(chart, 0.15);
@@ -192,32 +191,32 @@ TEST(ReferencePicture, IsTheSecondMixWhereTheFirstDoesNotShowTheSkin) {
   for (auto values : {&FaceChart::along_mm, &FaceChart::upper_v, &FaceChart::lower_v})
     (shorter.*values).resize(chart.along_mm.size() - kShorter);
   const cv::Size size(finger.width, finger.height);
-  const FacePicture near = keep_face(cv::Mat(size, CV_8UC1, cv::Scalar(50)), shorter, grid),
-                    further = keep_face(cv::Mat(size, CV_8UC1, cv::Scalar(90)), chart, grid);
-  const ReferencePicture picture(
+  const FaceImage near = warp_face(cv::Mat(size, CV_8UC1, cv::Scalar(50)), shorter, grid),
+                  further = warp_face(cv::Mat(size, CV_8UC1, cv::Scalar(90)), chart, grid);
+  const ReferenceImage image(
       grid, {{{&near}, {1.0F}}, {{&further}, {1.0F}}}, ChartWarp(chart, grid.chart), size);
-  const cv::Mat grey = picture.grey();
+  const cv::Mat grey = image.grey();
   const int border = chart.end() - kShorter;
   for (int u = chart.first; u < chart.end(); ++u) {
     const auto i = static_cast<std::size_t>(u - chart.first);
     const int v = static_cast<int>(0.5 * (chart.upper_v[i] + chart.lower_v[i]));
-    EXPECT_EQ(picture.is_first_mix(u), u < border) << u;
+    EXPECT_EQ(image.is_first_mix(u), u < border) << u;
     if (std::abs(u - border) <= 1) continue;
     EXPECT_NEAR(grey.at<float>(v, u), u < border ? 50.0 : 90.0, 0.02) << u;
   }
 }
 
-TEST(ReferencePicture, ShowsWhatColumnsShareOfASlantedEnd) {
+TEST(ReferenceImage, ShowsWhatColumnsShareOfASlantedEnd) {
   const test::MarkedFinger finger;
   const FaceChart chart = chart_of(finger.shape({})).value();
   const FaceGrid grid = face_grid(chart, 0.15);
   const cv::Size size(finger.width, finger.height);
-  const FacePicture face = keep_face(cv::Mat(size, CV_8UC1, cv::Scalar(70)), chart, grid);
+  const FaceImage face = warp_face(cv::Mat(size, CV_8UC1, cv::Scalar(70)), chart, grid);
   for (const double tilt_mm : {-3.0, 3.0}) {
     FaceChart now = chart;  // the same pixels, whose skin lies as far along as its side says
     now.tilt_mm = tilt_mm;
     const ChartWarp warp(now, grid.chart);
-    const cv::Mat grey = ReferencePicture(grid, {{{&face}, {1.0F}}}, warp, size).grey();
+    const cv::Mat grey = ReferenceImage(grid, {{{&face}, {1.0F}}}, warp, size).grey();
     int in_part = 0;
     for (int u = chart.first; u < chart.end(); ++u) {
       const auto i = static_cast<std::size_t>(u - chart.first);
@@ -256,7 +255,7 @@ double told_sd(int dented) {
   const cv::Size size(finger.width, finger.height);
   const cv::Rect part(500, 0, 60, size.height);
   constexpr int kFrames = 40, kPatchPx = 16;
-  std::vector<FacePicture> faces;
+  std::vector<FaceImage> faces;
   for (int i = 0; i < kFrames; ++i) {
     cv::Mat_<float> patches(size.height / kPatchPx, size.width / kPatchPx);
     for (float& level : patches) level = chance(random);
@@ -264,7 +263,7 @@ double told_sd(int dented) {
     cv::resize(patches, grey, size, 0, 0, cv::INTER_LINEAR);
     if (i < dented) grey(part) *= 0.8;
     grey.convertTo(grey, CV_8U);
-    faces.push_back(keep_face(grey, chart, grid));
+    faces.push_back(warp_face(grey, chart, grid));
   }
   const ReferenceError error = reference_error(grid, faces, [](int i) {
     Neighbours neighbours{{}, Eigen::VectorXd::Constant(4, 0.25), 1.0};
@@ -365,8 +364,8 @@ TEST(ReferenceLibrary, ASinglePictureIsItsOwnReference) {
   const Reference reference = library->reference_for({}, shape, ReferenceMethod::kLocal);
   cv::Mat as_float;
   grey.convertTo(as_float, CV_32F);
-  EXPECT_EQ(cv::norm(reference.picture.grey(), as_float, cv::NORM_INF), 0.0);
-  EXPECT_TRUE(cv::checkRange(reference.picture.grey()));
+  EXPECT_EQ(cv::norm(reference.image.grey(), as_float, cv::NORM_INF), 0.0);
+  EXPECT_TRUE(cv::checkRange(reference.image.grey()));
   EXPECT_TRUE(reference.known_pose);
   EXPECT_FALSE(ReferenceLibrary::single(cv::Mat()).ok());
 }

@@ -28,7 +28,7 @@ SurfacePatch pressed(const std::function<double(double, double)>& depth_mm,
       point.untouched_mm = {x, y, kFaceZMm};
       point.depth_mm = depth_mm(x, y) + noise_mm * normal(random);
       point.noise_mm = noise_mm;
-      point.on_face_mm2 = point.flat_mm2 = kStepMm * kStepMm;
+      point.on_face_mm2 = point.projected_mm2 = kStepMm * kStepMm;
       patch.points.push_back(point);
     }
   return patch;
@@ -279,8 +279,9 @@ TEST(SurfacePatchTest, WhatIsCutAtALimitIsNotMeasuredAsASurface) {
   EXPECT_NEAR(ball->radius_mm.value, 3, 1e-6);
   EXPECT_FALSE(fit_plane(patch));
   EXPECT_FALSE(roughness(patch));
-  EXPECT_TRUE(pressed_part(patch, 0.05)->is_least);
-  EXPECT_FALSE(pressed_part(pressed([](double, double) { return 0.4; }, 0, 1), 0.05)->is_least);
+  EXPECT_TRUE(pressed_part(patch, 0.05)->is_lower_bound);
+  EXPECT_FALSE(
+      pressed_part(pressed([](double, double) { return 0.4; }, 0, 1), 0.05)->is_lower_bound);
 }
 
 }  // namespace

@@ -5,10 +5,10 @@ namespace {
 
 using testing::HasSubstr;
 
-double mean_of(const cv::Mat_<float>& picture) {
+double mean_of(const cv::Mat_<float>& image) {
   double sum = 0;
-  for (const float value : picture) sum += value;
-  return sum / static_cast<double>(picture.total());
+  for (const float value : image) sum += value;
+  return sum / static_cast<double>(image.total());
 }
 
 TEST(AutomaticExposure, BringsTheMeanToItsTarget) {

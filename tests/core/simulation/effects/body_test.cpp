@@ -40,7 +40,7 @@ TEST(Body, HoldsTheWorkAndGivesItBack) {
     for (const ContactTruth& contact : geometry.contacts) {
       Ball ball{contact.point_mm, *contact.force_N};
       if (contact.face == PushedFace::kContact)
-        ball.centre += (std::get<BallPress>(geometry.presses.at(0)).place.normal_depth_mm() - 4) *
+        ball.centre += (std::get<BallPress>(geometry.presses.at(0)).pose.normal_depth_mm() - 4) *
                        contact.direction;
       now[contact.face] = ball;
       if (before.contains(contact.face)) {
@@ -51,8 +51,8 @@ TEST(Body, HoldsTheWorkAndGivesItBack) {
     before = now;
     const double dent = geometry.presses.empty()
                             ? 0
-                            : std::get<BallPress>(geometry.presses[0]).place.normal_depth_mm();
-    const double held = body.energy_Nmm(*geometry.curve()->borne) + layer.energy_Nmm(dent);
+                            : std::get<BallPress>(geometry.presses[0]).pose.normal_depth_mm();
+    const double held = body.energy_Nmm(*geometry.curve()->response) + layer.energy_Nmm(dent);
     greatest_error = std::max(greatest_error, std::abs(work - held));
     most = std::max(most, work);
   }
@@ -133,17 +133,17 @@ TEST(Body, CountsForWhatTheFingerBears) {
   const FrameGeometry geometry =
       PlacedScene(scene_text(push(force, 110) + push(force, 100) + kPushedBody)).at(0);
   ASSERT_EQ(geometry.contacts.size(), 2U);
-  const double borne = geometry.contacts[0].force_N->norm();
-  EXPECT_LT(borne, 0.95 * force);
-  EXPECT_GT(borne, 0.4 * force);
-  EXPECT_NEAR(geometry.contacts[1].force_N->norm(), borne, 1e-9 * borne);
+  const double response = geometry.contacts[0].force_N->norm();
+  EXPECT_LT(response, 0.95 * force);
+  EXPECT_GT(response, 0.4 * force);
+  EXPECT_NEAR(geometry.contacts[1].force_N->norm(), response, 1e-9 * response);
   const FinRayBody body = ElasticFinger{modulus_from_shore_a(40).value(), 4, 34, 12, 0.6, {}}
                               .body({FaceKind::kFinRay, 24, 1.5}, 116)
                               .value();
   const FaceCurve rest({-25, 0, 28}, 34 * M_PI / 180, 116);
-  const std::vector<PointForce> forces{{PushedFace::kBack, 110, 0, borne, 0, 0},
-                                       {PushedFace::kBack, 100, 0, borne, 0, 0}};
-  const BodyModes q = *geometry.curve()->borne;
+  const std::vector<PointForce> forces{{PushedFace::kBack, 110, 0, response, 0, 0},
+                                       {PushedFace::kBack, 100, 0, response, 0, 0}};
+  const BodyModes q = *geometry.curve()->response;
   const BodyModes load = PushedFinger(body, rest).generalised_force(forces, q);
   EXPECT_NEAR((body.stiffness() * q - load).norm() / load.norm(), 0, 1e-6);
 }

@@ -34,13 +34,13 @@ TEST(Push, DentsTheLayerAsItsForceAndSoftnessSay) {
     ASSERT_EQ(geometry.contacts.size(), 1U);
     const ContactTruth& contact = geometry.contacts[0];
     const auto& press = std::get<BallPress>(geometry.presses.at(0));
-    EXPECT_NEAR(press.place.normal_depth_mm(), d, 1e-9);
-    EXPECT_EQ(contact.depth_mm, press.place.depth_mm);
-    EXPECT_EQ(contact.along_mm, press.place.s_mm);
+    EXPECT_NEAR(press.pose.normal_depth_mm(), d, 1e-9);
+    EXPECT_EQ(contact.depth_mm, press.pose.depth_mm);
+    EXPECT_EQ(contact.along_mm, press.pose.s_mm);
     EXPECT_NEAR(contact.force_N->norm(), force, 1e-9);
     const double lifted = std::abs(y * std::sin(geometry.curve()->at(x + 50).twist));
-    EXPECT_NEAR((press.place.luf_mm - contact.point_mm).norm(), 0, lifted + 0.01);
-    EXPECT_GT(contact.direction.dot(-press.place.normal), std::cos(0.03));
+    EXPECT_NEAR((press.pose.luf_mm - contact.point_mm).norm(), 0, lifted + 0.01);
+    EXPECT_GT(contact.direction.dot(-press.pose.normal), std::cos(0.03));
     EXPECT_LT(tip_of(geometry).z(), tip_of(PlacedScene(scene_text(there)).at(0)).z() - 0.05);
   }
 }
@@ -153,7 +153,7 @@ TEST(Push, GoesWithBendingAndOtherPresses) {
   const FrameGeometry alone = PlacedScene(motion + scene_text(others)).at(1);
   ASSERT_EQ(both.presses.size(), 2U);
   EXPECT_EQ(both.contacts.size(), 2U);
-  EXPECT_EQ(std::get<BallPress>(both.presses[0]).place.depth_mm, 0.8);
+  EXPECT_EQ(std::get<BallPress>(both.presses[0]).pose.depth_mm, 0.8);
   // The rest that forces start from is bent: about as far away as from a straight one.
   const double moved = (tip_of(both) - tip_of(alone)).norm();
   const double straight = (tip_of(PlacedScene(scene_text(push + kPushedBody)).at(0)) -
@@ -164,43 +164,48 @@ TEST(Push, GoesWithBendingAndOtherPresses) {
 
 TEST(Push, SaysWhatIsWrong) {
   const std::string push = pushing("s_mm: 60, radius_mm: 4, force_N: 1");
-  const auto said = [](const std::string& effects) { return refusal(scene_text(effects)); };
-  EXPECT_EQ(said(push), "");
-  EXPECT_EQ(said(push + kPushedBody), "");
-  EXPECT_THAT(said(kPushedBody), HasSubstr("test.yaml:10: body: nothing pushes"));
-  EXPECT_THAT(said(pushing("s_mm: 60, radius_mm: 4, force_N: 1", "back")),
+  const auto press_set = [](const std::string& effects) { return refusal(scene_text(effects)); };
+  EXPECT_EQ(press_set(push), "");
+  EXPECT_EQ(press_set(push + kPushedBody), "");
+  EXPECT_THAT(press_set(kPushedBody), HasSubstr("test.yaml:10: body: nothing pushes"));
+  EXPECT_THAT(press_set(pushing("s_mm: 60, radius_mm: 4, force_N: 1", "back")),
               HasSubstr("test.yaml:10: push: without its body"));
-  EXPECT_THAT(said(pushing("s_mm: 60, radius_mm: 4, force_N: 0")),
+  EXPECT_THAT(press_set(pushing("s_mm: 60, radius_mm: 4, force_N: 0")),
               HasSubstr("push.force_N: nothing"));
-  EXPECT_THAT(said(pushing("s_mm: 60, radius_mm: 4, force_N: -1")), HasSubstr("push.force_N"));
-  EXPECT_THAT(said(pushing("s_mm: 60, radius_mm: 4, force_N: 99")),
+  EXPECT_THAT(press_set(pushing("s_mm: 60, radius_mm: 4, force_N: -1")), HasSubstr("push.force_N"));
+  EXPECT_THAT(press_set(pushing("s_mm: 60, radius_mm: 4, force_N: 99")),
               HasSubstr("further into the layer"));
-  EXPECT_THAT(said(pushing("s_mm: 130, radius_mm: 4, force_N: 1")), HasSubstr("beyond the ends"));
-  EXPECT_THAT(said(pushing("s_mm: 60, y_mm: 13, radius_mm: 4, force_N: 1")), HasSubstr("beside"));
-  EXPECT_THAT(said(pushing("s_mm: 110, y_mm: 9, radius_mm: 4, force_N: 1", "upper") + kPushedBody),
-              HasSubstr("beside the face"));
-  EXPECT_THAT(said(pushing("s_mm: 60, radius_mm: 4, force_N: 50", "upper") + kPushedBody),
-              HasSubstr("further into the body"));
-  EXPECT_THAT(said(pushing("s_mm: 110, radius_mm: 40, force_N: 90", "back") + kPushedBody),
-              HasSubstr("bends the finger further"));
-  EXPECT_THAT(said(pushing("s_mm: 60, radius_mm: 4, force_N: 1, along_N: 1")),
-              HasSubstr("friction"));
-  EXPECT_THAT(said(pushing("s_mm: 60, radius_mm: 4, force_N: 1, friction: 1")),
-              HasSubstr("friction"));
-  EXPECT_THAT(said(pushing("s_mm: 60, radius_mm: 4, force_N: 1, along_N: 0, friction: 1")),
-              HasSubstr("push.along_N: nothing drags"));
-  EXPECT_THAT(said(pushing("s_mm: 60, radius_mm: 4, force_N: 1", "front")), HasSubstr("push.face"));
+  EXPECT_THAT(press_set(pushing("s_mm: 130, radius_mm: 4, force_N: 1")),
+              HasSubstr("beyond the ends"));
+  EXPECT_THAT(press_set(pushing("s_mm: 60, y_mm: 13, radius_mm: 4, force_N: 1")),
+              HasSubstr("beside"));
   EXPECT_THAT(
-      said(pushing("s_mm: 60, radius_mm: 4, force_N: 1, layer_shore_a: 5", "back") + kPushedBody),
-      HasSubstr("layer_shore_a"));
-  EXPECT_THAT(said(pushing("s_mm: 60, radius_mm: 4, force_N: 1, until: 2") +
-                   kPushedBody.substr(0, kPushedBody.size() - 2) + ", damping_s: 1, until: 2}\n"),
-              HasSubstr("remembers a push"));
-  EXPECT_THAT(said(push + "  - {use: body, shore_a: 400, wall_mm: 4, base_depth_mm: 34, "
-                          "tip_depth_mm: 12, coupling: 0.6}\n"),
+      press_set(pushing("s_mm: 110, y_mm: 9, radius_mm: 4, force_N: 1", "upper") + kPushedBody),
+      HasSubstr("beside the face"));
+  EXPECT_THAT(press_set(pushing("s_mm: 60, radius_mm: 4, force_N: 50", "upper") + kPushedBody),
+              HasSubstr("further into the body"));
+  EXPECT_THAT(press_set(pushing("s_mm: 110, radius_mm: 40, force_N: 90", "back") + kPushedBody),
+              HasSubstr("bends the finger further"));
+  EXPECT_THAT(press_set(pushing("s_mm: 60, radius_mm: 4, force_N: 1, along_N: 1")),
+              HasSubstr("friction"));
+  EXPECT_THAT(press_set(pushing("s_mm: 60, radius_mm: 4, force_N: 1, friction: 1")),
+              HasSubstr("friction"));
+  EXPECT_THAT(press_set(pushing("s_mm: 60, radius_mm: 4, force_N: 1, along_N: 0, friction: 1")),
+              HasSubstr("push.along_N: nothing drags"));
+  EXPECT_THAT(press_set(pushing("s_mm: 60, radius_mm: 4, force_N: 1", "front")),
+              HasSubstr("push.face"));
+  EXPECT_THAT(press_set(pushing("s_mm: 60, radius_mm: 4, force_N: 1, layer_shore_a: 5", "back") +
+                        kPushedBody),
+              HasSubstr("layer_shore_a"));
+  EXPECT_THAT(
+      press_set(pushing("s_mm: 60, radius_mm: 4, force_N: 1, until: 2") +
+                kPushedBody.substr(0, kPushedBody.size() - 2) + ", damping_s: 1, until: 2}\n"),
+      HasSubstr("remembers a push"));
+  EXPECT_THAT(press_set(push + "  - {use: body, shore_a: 400, wall_mm: 4, base_depth_mm: 34, "
+                               "tip_depth_mm: 12, coupling: 0.6}\n"),
               HasSubstr("test.yaml:11: body.shore_a"));
-  EXPECT_THAT(said(push + "  - {use: body, shore_a: 40, wall_mm: 9, base_depth_mm: 34, "
-                          "tip_depth_mm: 12, coupling: 0.6}\n"),
+  EXPECT_THAT(press_set(push + "  - {use: body, shore_a: 40, wall_mm: 9, base_depth_mm: 34, "
+                               "tip_depth_mm: 12, coupling: 0.6}\n"),
               HasSubstr("two walls of 9 mm"));
   EXPECT_THAT(refusal(flat_text(push + kPushedBody)), HasSubstr("leave body out"));
   EXPECT_THAT(refusal(flat_text(pushing("s_mm: 1, radius_mm: 4, force_N: 1", "back"))),

@@ -36,7 +36,7 @@ class PlacedScene {
       curve->integrate();
     }
     FrameGeometry geometry(rays_, content.finger.face, std::move(curve));
-    for (const auto& step : plan.geometry) step.effect->place(step.context, geometry);
+    for (const auto& step : plan.geometry) step.effect->apply(step.context, geometry);
     return geometry;
   }
   [[nodiscard]] const PixelRays& rays() const { return rays_; }

@@ -41,7 +41,7 @@ TEST(Mjpeg, SendsPacketsOfTheQualityAndWhatTheyHold) {
     const Plan plan = plan_of(flat_text(
         kNoisyLight +
         fmt::format("  - {{use: quantisation}}\n  - {{use: mjpeg, quality: {}}}\n", quality)));
-    const SentPicture sent = plan.send(0);
+    const SentFrame sent = plan.send(0);
     ASSERT_TRUE(sent.jpeg);
     const auto& packet = *sent.jpeg;
     const std::array<std::uint8_t, 4> table{0xFF, 0xDB, 0x00, 0x43};

@@ -1,6 +1,6 @@
 #include "core/simulation/mechanics/bonded_layer.h"
 
-#include "core/simulation/mechanics/dented_surface.h"
+#include "core/simulation/mechanics/indented_surface.h"
 #include "tests/core/simulation/effects/effect_scene.h"
 
 #include <Eigen/Dense>
@@ -80,7 +80,7 @@ TEST(BondedLayer, IsTheSolutionOfTheContactsIntegralEquation) {
     const double h = 2, radius = h * std::max(1.0, 2 * truth.d), modulus = 0.3;
     const double d = truth.d * h * h / radius;
     const BondedLayerContact contact = layer_of(modulus, h, radius);
-    ASSERT_LT(d, contact.greatest_indentation_mm());
+    ASSERT_LT(d, contact.max_indentation_mm());
     EXPECT_NEAR(contact.force_N(d) / (truth.force * modulus * h * h * h / radius), 1, 2.5e-3) << a;
     EXPECT_NEAR(contact.contact_radius_mm(d) / (a * h), 1, 2.5e-3) << a;
     EXPECT_NEAR(contact.pressure_MPa(d, 0) / (truth.p_0 * modulus * h / radius), 1, 0.01) << a;
@@ -93,9 +93,9 @@ TEST(BondedLayer, BendsItsSurfaceAsItsPressureDoes) {
     const LayerTruth truth(a);
     const double h = 1.5, radius = h * 20, d = truth.d * h * h / radius;
     const BondedLayerContact contact = layer_of(0.28, h, radius);
-    ASSERT_LT(d, contact.greatest_indentation_mm());
+    ASSERT_LT(d, contact.max_indentation_mm());
     const double step = 0.005;
-    const std::vector<float> profile = dented_surface_mm(contact, d, step);
+    const std::vector<float> profile = indented_surface_mm(contact, d, step);
     EXPECT_FLOAT_EQ(profile[0], static_cast<float>(d));
     EXPECT_EQ(profile.back(), 0);
     for (const auto& [r, w] : truth.surface) {
@@ -110,7 +110,7 @@ TEST(BondedLayer, BendsItsSurfaceAsItsPressureDoes) {
   for (const double chi : {0.9, 1.2, 1.5, 1.8}) {
     const double radius = 10, d = chi * chi * 1.5 * 1.5 / radius, step = 0.005;
     const BondedLayerContact contact = layer_of(0.28, 1.5, radius);
-    const std::vector<float> profile = dented_surface_mm(contact, d, step);
+    const std::vector<float> profile = indented_surface_mm(contact, d, step);
     double volume = 0, dent = 0;
     for (std::size_t i = 0; i < profile.size(); ++i) {
       const double ring = 2 * M_PI * static_cast<double>(i) * step * step * double{profile[i]};
@@ -146,7 +146,7 @@ TEST(BondedLayer, PressureAddsUpToTheForceAndEnergyGrowsByIt) {
   for (int i = 0; i < 60; ++i) {
     const BondedLayerContact contact =
         layer_of(random.between(0.1, 2), random.between(0.5, 4), random.between(1, 10));
-    const double d = contact.greatest_indentation_mm() * random.between(0.02, 0.98);
+    const double d = contact.max_indentation_mm() * random.between(0.02, 0.98);
     const double a = contact.contact_radius_mm(d), force = contact.force_N(d);
     double sum = 0;
     const int n = 200;
@@ -173,13 +173,13 @@ TEST(BondedLayer, FindsTheIndentationOfAForce) {
         layer_of(random.between(0.01, 9), random.between(0.1, 9), random.between(0.1, 50));
     double before = 0;
     for (int k = 0; k <= 20; ++k) {
-      const double force = contact.greatest_force_N() * std::pow(k / 20.0, 4);
+      const double force = contact.max_force_N() * std::pow(k / 20.0, 4);
       const double d = contact.indentation_mm(force).value();
       EXPECT_NEAR(contact.force_N(d), force, 1e-12 * force);
       EXPECT_TRUE(k == 0 ? d == 0 : d > before);
       before = d;
     }
-    EXPECT_NEAR(before, contact.greatest_indentation_mm(), 1e-9);
+    EXPECT_NEAR(before, contact.max_indentation_mm(), 1e-9);
   }
 }
 

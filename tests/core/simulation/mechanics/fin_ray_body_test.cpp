@@ -223,11 +223,11 @@ TEST(FinRayBody, HoldsTheWorkThatIsDoneOnIt) {
         const double d =
             forces[n].face == PushedFace::kContact
                 ? layers[n]
-                      .indentation_mm(std::min(forces[n].normal_N, layers[n].greatest_force_N()))
+                      .indentation_mm(std::min(forces[n].normal_N, layers[n].max_force_N()))
                       .value()
                 : 0;
         if (forces[n].face == PushedFace::kContact) {
-          ASSERT_LE(forces[n].normal_N, layers[n].greatest_force_N());
+          ASSERT_LE(forces[n].normal_N, layers[n].max_force_N());
           layer_energy += layers[n].energy_Nmm(d);
         }
         PointForce drag = forces[n];

@@ -87,8 +87,8 @@ TEST(HalfSpaceContact, SlidesWhereFrictionIsLess) {
                          just = contact_of(1, 4, 1, {0.5, 0}, 0.5);
   EXPECT_EQ(more.stick_radius_mm(), 0);
   EXPECT_NEAR((more.displacement_mm({2, 1}) - just.displacement_mm({2, 1})).norm(), 0, 1e-6);
-  EXPECT_NEAR((held_by_friction({3, 4}, 2, 0.5) - Eigen::Vector2d(0.6, 0.8)).norm(), 0, 1e-15);
-  EXPECT_EQ(held_by_friction({0.3, 0.4}, 2, 0.5), Eigen::Vector2d(0.3, 0.4));
+  EXPECT_NEAR((limited_by_friction({3, 4}, 2, 0.5) - Eigen::Vector2d(0.6, 0.8)).norm(), 0, 1e-15);
+  EXPECT_EQ(limited_by_friction({0.3, 0.4}, 2, 0.5), Eigen::Vector2d(0.3, 0.4));
   EXPECT_EQ(contact_of(1, 4, 1, {0, 0}, 1).displacement_mm({1, 2}).head<2>().norm(), 0);
 }
 

@@ -74,8 +74,8 @@ TEST(KelvinChain, DoesNotDependOnTheSteps) {
   Deflection bit_by_bit;
   for (int i = 1; i <= 1700; ++i) bit_by_bit = stepped(cut, 0.001, load(0.001 * i));
   EXPECT_NEAR((at_once - bit_by_bit).norm(), 0, 1e-11);
-  EXPECT_FALSE(KelvinChain().remembers());
-  EXPECT_TRUE(chain.remembers());
+  EXPECT_FALSE(KelvinChain().has_memory());
+  EXPECT_TRUE(chain.has_memory());
 }
 
 }  // namespace

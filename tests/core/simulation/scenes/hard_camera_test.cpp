@@ -31,14 +31,14 @@ TEST(ShippedScenes, HardGamma) {
 TEST(ShippedScenes, HardPoorSensor) {
   const ShippedScene scene("hard_poor_sensor");
   const Plan plan = scene.plan();
-  const cv::Mat picture = plan.render(0), next = plan.render(1);
+  const cv::Mat image = plan.render(0), next = plan.render(1);
   const cv::Rect beside(900, 250, 60, 40);  // nothing but black
-  EXPECT_NEAR(mean_of(picture(beside)), 4, 0.4);
+  EXPECT_NEAR(mean_of(image(beside)), 4, 0.4);
   const cv::Mat_<float> light =
       scene.plan({ALLTACT_BARE, "fixed-pattern", "shot", "row-noise", "black-level", "dead-pixels"})
           .render(0);
   cv::Mat off;
-  picture.convertTo(off, CV_32F);
+  image.convertTo(off, CV_32F);
   off -= light;
   cv::Scalar mean, sd;
   const cv::Rect bright(100, 200, 200, 150);
@@ -49,7 +49,7 @@ TEST(ShippedScenes, HardPoorSensor) {
   EXPECT_GT(sd[0], 0.9 * expected);
   EXPECT_LT(sd[0], 1.6 * expected);
   // The same pixels are stuck in both frames.
-  const cv::Mat stuck = (picture == 255) & (next == 255);
+  const cv::Mat stuck = (image == 255) & (next == 255);
   EXPECT_NEAR(cv::countNonZero(stuck), 0.0002 * 960 * 540, 45);
 }
 
@@ -117,7 +117,7 @@ TEST(ShippedScenes, HardFastBending) {
 
 TEST(ShippedScenes, HardJpeg) {
   const ShippedScene scene("hard_jpeg");
-  const SentPicture sent = scene.plan().send(0), plain = scene.plan({"mjpeg"}).send(0);
+  const SentFrame sent = scene.plan().send(0), plain = scene.plan({"mjpeg"}).send(0);
   ASSERT_TRUE(sent.jpeg);
   EXPECT_FALSE(plain.jpeg);
   EXPECT_LT(sent.jpeg->size(), 25'000U);

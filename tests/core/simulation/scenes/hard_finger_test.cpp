@@ -198,8 +198,8 @@ TEST(ShippedScenes, HardSteepFace) {
   const double z =
       truth.view_z_mm.at<float>(270, tip - 1) - truth.view_z_mm.at<float>(270, tip - 11);
   EXPECT_LT(10 / (z * std::numbers::sqrt2), 2);
-  const cv::Mat picture = plan.render(0);
-  EXPECT_LT(cv::countNonZero(picture == 255), 0.002 * picture.total());
+  const cv::Mat image = plan.render(0);
+  EXPECT_LT(cv::countNonZero(image == 255), 0.002 * image.total());
 }
 
 TEST(ShippedScenes, HardFaintEdges) {

@@ -153,8 +153,8 @@ inline cv::Point deepest_pixel(const Truth& truth) {
   cv::minMaxLoc(depth, nullptr, nullptr, nullptr, &at);
   return at;
 }
-inline double mean_of(const cv::Mat& picture, const cv::Mat& mask = cv::Mat()) {
-  return cv::mean(picture, mask)[0];
+inline double mean_of(const cv::Mat& image, const cv::Mat& mask = cv::Mat()) {
+  return cv::mean(image, mask)[0];
 }
 inline cv::Mat_<float> ratio_of(const cv::Mat_<float>& a, const cv::Mat_<float>& b) {
   return a / cv::max(b, 1e-6);

@@ -148,14 +148,14 @@ TEST(GaugeLine, AnyBytesAreALineOrNone) {
 TEST(GaugeDirections, PointWhereTheyAreTold) {
   const auto x = GaugeDirections::parse("-y");
   ASSERT_TRUE(x);
-  EXPECT_EQ(x->told, 1);
+  EXPECT_EQ(x->count, 1);
   EXPECT_EQ(x->force_N(told("2 N")), Eigen::Vector3d(0, -2, 0));
   const auto slanted = GaugeDirections::parse("3,4,0");
   ASSERT_TRUE(slanted);
   EXPECT_TRUE(slanted->force_N(told("5 N")).isApprox(Eigen::Vector3d(3, 4, 0), 1e-12));
   const auto two = GaugeDirections::parse("y/-x");
   ASSERT_TRUE(two);
-  EXPECT_EQ(two->told, 2);
+  EXPECT_EQ(two->count, 2);
   EXPECT_EQ(two->force_N(told("1 2")), Eigen::Vector3d(-2, 1, 0));
   EXPECT_EQ(GaugeDirections().force_N(told("1 2 3")), Eigen::Vector3d(1, 2, 3));
   for (const char* bad : {"", "w", "0,0,0", "1,2", "x/", "x/y/z/x", "1,2,nan"})

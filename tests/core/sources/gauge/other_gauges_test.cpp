@@ -44,7 +44,7 @@ class Typing {
   int ends_[2]{-1, -1};
 };
 
-GaugeNews typed(Typing& typing, TypedGauge& gauge, const std::string& text) {
+GaugeUpdate typed(Typing& typing, TypedGauge& gauge, const std::string& text) {
   typing.type(text);
   return gauge.read(1000).value();
 }
@@ -53,7 +53,7 @@ TEST(TypedGauge, NumbersHoldFromTheirEnterOn) {
   Typing typing;
   TypedGauge gauge(typing.descriptor(), {}, {});
   const double before_s = gauge_clock_s();
-  const GaugeNews news = typed(typing, gauge, "1.25\n 0,5 kgf \r\n");
+  const GaugeUpdate news = typed(typing, gauge, "1.25\n 0,5 kgf \r\n");
   ASSERT_EQ(news.samples.size(), 2U);
   EXPECT_EQ(news.samples[0].force_N, Eigen::Vector3d(1.25, 0, 0));
   EXPECT_NEAR(news.samples[1].force_N.x(), 4.903325, 1e-12);
@@ -70,11 +70,11 @@ TEST(TypedGauge, ANumberIsReadOnlyOnceItsLineIsWhole) {
   Typing typing;
   TypedGauge gauge(typing.descriptor(), {}, {});
   EXPECT_TRUE(typed(typing, gauge, "1.").samples.empty());
-  const GaugeNews news = typed(typing, gauge, "5\n2.5");
+  const GaugeUpdate news = typed(typing, gauge, "5\n2.5");
   ASSERT_EQ(news.samples.size(), 1U);
   EXPECT_EQ(news.samples[0].force_N.x(), 1.5);
   typing.end();
-  const GaugeNews last = gauge.read(1000).value();
+  const GaugeUpdate last = gauge.read(1000).value();
   EXPECT_TRUE(last.is_over);
   ASSERT_EQ(last.samples.size(), 1U) << "without an Enter at the end of the input";
   EXPECT_EQ(last.samples[0].force_N.x(), 2.5);
@@ -83,7 +83,7 @@ TEST(TypedGauge, ANumberIsReadOnlyOnceItsLineIsWhole) {
 TEST(TypedGauge, DirectionsBlocksAndReleasesAreTyped) {
   Typing typing;
   TypedGauge gauge(typing.descriptor(), {}, {});
-  const GaugeNews news =
+  const GaugeUpdate news =
       typed(typing, gauge, "block first, \"one\"\nindenter ball 6\ny 0.75\n1\n\n-x 2 N\n");
   ASSERT_EQ(news.samples.size(), 4U);
   EXPECT_EQ(news.samples[0].force_N, Eigen::Vector3d(0, 0.75, 0));
@@ -100,13 +100,13 @@ TEST(TypedGauge, WhatIsNoReadingIsSaidAndCostsNothing) {
   Typing typing;
   TypedGauge gauge(typing.descriptor(), {}, {});
   for (const char* bad : {"abc\n", "1.2.3\n", "y\n", "y 1 2\n", "1 2 3 4\n", "\x80\n", "OL\n"}) {
-    const GaugeNews news = typed(typing, gauge, bad);
+    const GaugeUpdate news = typed(typing, gauge, bad);
     EXPECT_TRUE(news.samples.empty()) << bad;
     ASSERT_EQ(news.remarks.size(), 1U) << bad;
     EXPECT_THAT(news.remarks[0].english(), HasSubstr("is no reading")) << bad;
   }
   for (const char* doubtful : {"1,200\n", "y 1,200 N\n", "1.200,5\n", "1'200\n"}) {
-    const GaugeNews news = typed(typing, gauge, doubtful);
+    const GaugeUpdate news = typed(typing, gauge, doubtful);
     EXPECT_TRUE(news.samples.empty()) << doubtful;
     EXPECT_THAT(news.remarks.at(0).english(), HasSubstr("write 1")) << doubtful;
   }
@@ -218,7 +218,7 @@ TEST(HidGauge, TellsEachReportInItsDirection) {
                      std::deque<HidBytes>{{1, 10, 0}, {2, 99, 0}, {1, 0xFF, 0x7F}, {1, 20, 0}, {}}),
                  report,
                  GaugeDirections::parse("-z").value());
-  const GaugeNews news = gauge.read(10).value();
+  const GaugeUpdate news = gauge.read(10).value();
   ASSERT_EQ(news.samples.size(), 3U) << "the other report is none";
   EXPECT_TRUE(news.samples[0].force_N.isApprox(Eigen::Vector3d(0, 0, -1), 1e-12));
   EXPECT_NEAR(news.samples[0].sd_N, 0.1 / std::sqrt(12.0), 1e-12);
@@ -257,14 +257,14 @@ class SpokenGauge {
   class Source : public GaugeSource {
    public:
     explicit Source(SpokenGauge& gauge) : gauge_(gauge) {}
-    Result<GaugeNews> read(int timeout_ms) override {
+    Result<GaugeUpdate> read(int timeout_ms) override {
       std::unique_lock lock(gauge_.mutex_);
       gauge_.changed_.wait_for(lock, std::chrono::milliseconds(timeout_ms), [&] {
         return gauge_.is_gone_ || !gauge_.said_.empty();
       });
       if (gauge_.is_gone_)
         return Error{en::say("the serial line is gone"), std::string("spoken"), ""};
-      GaugeNews news;
+      GaugeUpdate news;
       news.samples.assign(gauge_.said_.begin(), gauge_.said_.end());
       gauge_.said_.clear();
       return news;
@@ -301,7 +301,7 @@ TEST(GaugeLog, KeepsReadingsOnTheFramesClock) {
   const double now_s = gauge_clock_s();
   ASSERT_TRUE(log->begin(folder / "press.gauge.csv"));
   gauge.say(now_s, 1.25);
-  log->meet(frame_at(now_s - 0.04));  // a camera's frame: this computer's clock
+  log->sync_clock(frame_at(now_s - 0.04));  // a camera's frame: this computer's clock
   GaugeSample none;
   none.time_s = now_s + 0.1;
   gauge.say(none);
@@ -336,7 +336,7 @@ TEST(GaugeLog, OfOtherClocksItFollowsTheFrames) {
   gauge.say(gauge_clock_s(), 1);
   ASSERT_TRUE(log->begin(folder / "a.gauge.csv"));
   const double now_s = gauge_clock_s();
-  log->meet(frame_at(-1e6));  // of a simulation
+  log->sync_clock(frame_at(-1e6));  // of a simulation
   gauge.say(now_s + 2, 3);
   const auto told = [&] { return read_file(folder / "a.gauge.csv").value(); };
   ASSERT_TRUE(becomes([&] { return told().find(",3,0,0,") != std::string::npos; })) << told();
@@ -351,7 +351,7 @@ TEST(GaugeLog, AnUnpluggedGaugeLeavesAGapAndComesBack) {
   SpokenGauge gauge;
   auto log = GaugeLog::start([&] { return gauge.open(); }, "serial:x").value();
   ASSERT_TRUE(log->begin(folder / "a.gauge.csv"));
-  log->meet(frame_at(gauge_clock_s()));
+  log->sync_clock(frame_at(gauge_clock_s()));
   gauge.say(gauge_clock_s(), 1);
   const auto told = [&] { return read_file(folder / "a.gauge.csv").value(); };
   ASSERT_TRUE(becomes([&] { return told().find(",1,0,0,") != std::string::npos; }));

@@ -26,7 +26,7 @@ TEST(HidPort, APedalIsFoundLearntHeardAndMissed) {
   const Device pedal(bed);
   const auto hids = list_hids();
   ASSERT_EQ(hids.size(), 1U);
-  EXPECT_EQ(hids[0].identity.lasting(), "0c45:7403/0");
+  EXPECT_EQ(hids[0].identity.stable_name(), "0c45:7403/0");
   EXPECT_EQ(hids[0].identity.name, "FootSwitch");
   EXPECT_FALSE(hids[0].problem.has_value());
 
@@ -83,24 +83,25 @@ TEST(HidPort, WithoutAccessTheRuleToInstallIsNamed) {
     if (getuid() != 0 || setuid(65534) == 0) {
       const auto hids = list_hids();
       const auto port = open_hid("abcd:0123");
-      const std::string said = hids.size() == 1 && hids[0].problem && !port.ok()
-                                   ? hids[0].problem->sentence() + port.error().sentence()
-                                   : "no problem";
-      [[maybe_unused]] const auto written = ::write(ends[1], said.data(), said.size());
+      const std::string press_set = hids.size() == 1 && hids[0].problem && !port.ok()
+                                        ? hids[0].problem->sentence() + port.error().sentence()
+                                        : "no problem";
+      [[maybe_unused]] const auto written = ::write(ends[1], press_set.data(), press_set.size());
     }
     _exit(0);
   }
   close(ends[1]);
-  std::string said(4096, ' ');
-  const auto size = ::read(ends[0], said.data(), said.size());
+  std::string press_set(4096, ' ');
+  const auto size = ::read(ends[0], press_set.data(), press_set.size());
   close(ends[0]);
   waitpid(child, nullptr, 0);
-  said.resize(static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
+  press_set.resize(static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
   const std::string rule = "ATTRS{idVendor}==\"abcd\", ATTRS{idProduct}==\"0123\"";
   EXPECT_THAT(
-      said,
+      press_set,
       AllOf(HasSubstr("not allowed"), HasSubstr("packaging/70-alltact.rules"), HasSubstr(rule)));
-  EXPECT_NE(said.find(rule), said.rfind(rule)) << "in the list and on opening: " << said;
+  EXPECT_NE(press_set.find(rule), press_set.rfind(rule))
+      << "in the list and on opening: " << press_set;
 }
 
 TEST(HidPort, ADimmerTakesOutputAndFeatureReports) {

@@ -90,7 +90,7 @@ TEST(CameraList, ListsCamerasByLastingNamesAndHidesWhatIsNone) {
   EXPECT_EQ(first.by_path, "pci-0000:00:14.0-usb-0:3:1.0-video-index0");
   EXPECT_EQ(first.serial, "AAAA");
   EXPECT_EQ(first.bus, "usb-0000:00:14.0-2");
-  EXPECT_EQ(first.lasting(), first.by_id);
+  EXPECT_EQ(first.stable_name(), first.by_id);
   EXPECT_EQ(found[1].identity.node, "/dev/video10");
   EXPECT_FALSE(found[0].problem.has_value());
   ASSERT_EQ(found[0].formats.size(), 1U);

@@ -13,7 +13,7 @@ namespace alltact::test {
 
 using Clock = std::chrono::steady_clock;
 
-inline CameraPlace place_of(FakeCamera& fake, const std::string& node = "/dev/video0") {
+inline CameraAccess place_of(FakeCamera& fake, const std::string& node = "/dev/video0") {
   return {&fake, "usb-Fake-index0", [&fake, node]() -> Result<std::string> {
             if (fake.is_plugged()) return node;
             return Error{en::say("the camera is not there"), node, en::say("plug it in")};
@@ -29,8 +29,8 @@ inline FakeOptions raw(bool is_live) {
   return options;
 }
 
-inline std::unique_ptr<V4l2Camera> opened(FakeCamera& fake, const FormatWish& wish = {}) {
-  auto camera = V4l2Camera::open(place_of(fake), wish);
+inline std::unique_ptr<V4l2Camera> opened(FakeCamera& fake, const FormatCriteria& criteria = {}) {
+  auto camera = V4l2Camera::open(place_of(fake), criteria);
   EXPECT_TRUE(camera.ok()) << (camera.ok() ? "" : camera.error().sentence());
   return camera.ok() ? std::move(*camera) : nullptr;
 }

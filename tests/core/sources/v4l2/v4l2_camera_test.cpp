@@ -22,8 +22,8 @@ FramePtr next_of(FrameQueue& queue) {
   return std::make_shared<Frame>();
 }
 
-std::string refusal(FakeCamera& fake, const FormatWish& wish = {}) {
-  const auto camera = V4l2Camera::open(place_of(fake), wish);
+std::string refusal(FakeCamera& fake, const FormatCriteria& criteria = {}) {
+  const auto camera = V4l2Camera::open(place_of(fake), criteria);
   return camera.ok() ? "opened" : camera.error().sentence();
 }
 

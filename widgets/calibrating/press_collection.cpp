@@ -1,0 +1,374 @@
+#include "widgets/calibrating/press_collection.h"
+
+#include "calibration/finger/calibration_inputs.h"
+#include "core/io/atomic_file.h"
+#include "core/io/image_file.h"
+#include "core/sources/open/open_source.h"
+#include "widgets/joined_words.h"
+#include "widgets/report/report_words.h"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+namespace alltact {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path file_of(const fs::path& folder, const std::string& name) {
+  return folder / kPressFolder / (name + ".png");
+}
+
+Status write_press(const fs::path& folder, const Frame& frame) {
+  if (const Status made = make_folder(folder / kPressFolder); !made) return made;
+  return write_image(
+      file_of(folder, frame.name), frame.grey, frame.controls ? *frame.controls : std::string());
+}
+
+Result<FramePtr> read_press(const fs::path& file) {
+  auto source = open_source({file});
+  if (!source) return source.error();
+  return (*source)->next();
+}
+
+FramePtr named(const FramePtr& frame, const std::string& name) {
+  auto copy = std::make_shared<Frame>(*frame);
+  copy->name = name;
+  copy->jpeg.reset();
+  return copy;
+}
+
+bool before(const CollectedPress& a, const CollectedPress& b) {
+  return a.name < b.name;
+}
+
+/// Radius of the ball to search for; 0: unknown, or no ball.
+double sought_radius_mm(const PressSet& press_set, const std::string& press) {
+  return press_set.of(press).step_mm ? 0.0 : press_set.radius_of(press);
+}
+
+/// Content of the folder, read on a background thread and shown at once.
+struct Found {
+  std::vector<fs::path> files;
+  PressSet press_set;
+  std::optional<Error> problem;
+};
+
+Found find_presses(const fs::path& folder) {
+  Found found;
+  auto files = stored_presses(folder);
+  if (files)
+    found.files = std::move(*files);
+  else
+    found.problem = files.error();
+  const auto finger = open_finger(folder);
+  if (finger) {
+    found.press_set = (*finger)->presses;
+    if ((*finger)->presses_problem) found.problem = (*finger)->presses_problem;
+  }
+  return found;
+}
+
+}  // namespace
+
+struct PressCollection::Waiting {
+  std::mutex mutex;
+  std::optional<PressSet> press_set;  // latest notes to write; intermediate ones are skipped
+  std::set<std::string> unsaved;      // presses whose images could not be written
+};
+
+class PressCollection::AddOrRemove : public UndoStep {
+ public:
+  AddOrRemove(PressCollection& collection, StepWords words, std::vector<FramePtr> frames, bool adds)
+      : UndoStep(std::move(words)),
+        collection_(collection),
+        frames_(std::move(frames)),
+        adds_(adds),
+        folder_(collection.folder_) {}
+  void redo() override { go(adds_); }
+  void undo() override { go(!adds_); }
+
+ private:
+  void go(bool adds) {
+    if (collection_.folder_ != folder_) return;  // another finger is open
+    adds ? collection_.insert(frames_) : collection_.erase(frames_);
+  }
+  PressCollection& collection_;
+  std::vector<FramePtr> frames_;
+  bool adds_;
+  fs::path folder_;
+};
+
+PressCollection::PressCollection(QUndoStack& undo, QObject* parent)
+    : QObject(parent), undo_(undo), disk_(std::make_shared<DiskQueue>()) {
+  connect(&adding_, &BackgroundWork::finished, this, &PressCollection::add_next);
+  connect(&analysing_, &BackgroundWork::finished, this, &PressCollection::analyse_next);
+}
+
+PressCollection::~PressCollection() = default;
+
+std::optional<Error> PressCollection::problem() const {
+  if (const auto disk = disk_->problem()) return disk;
+  return problem_;
+}
+
+void PressCollection::open(const fs::path& folder) {
+  ++opened_;
+  if (folder != folder_) disk_->clear_problem();
+  folder_ = folder;
+  is_ready_ = false;
+  problem_.reset();
+  analyser_.reset();
+  presses_.clear();
+  press_set_ = {};
+  waiting_ = std::make_shared<Waiting>();
+  to_add_.clear();
+  load();
+  Q_EMIT changed();
+}
+
+void PressCollection::load() {
+  if (folder_.empty()) return loading_.stop();
+  loading_.restart([this, folder = folder_, opened = opened_, disk = disk_](const Job&) {
+    disk->wait();
+    auto found = std::make_shared<Found>(find_presses(folder));
+    return std::function<void()>([this, found, opened] {
+      if (opened != opened_) return;
+      problem_ = found->problem;
+      press_set_ = found->press_set;
+      for (const fs::path& file : found->files)
+        presses_.push_back({file.stem().string(), nullptr, {}, false});
+      std::sort(presses_.begin(), presses_.end(), before);
+      load_analyser();
+      Q_EMIT changed();
+    });
+  });
+}
+
+/// Reads the reference, which takes seconds where it is long.
+void PressCollection::load_analyser() {
+  loading_.start([this, folder = folder_, opened = opened_](const Job& job) {
+    auto made = std::make_shared<Result<std::shared_ptr<PressAnalyser>>>(
+        PressAnalyser::create(folder, job));
+    return std::function<void()>([this, made, opened] {
+      if (opened != opened_) return;
+      is_ready_ = true;
+      if (*made)
+        analyser_ = **made;
+      else
+        problem_ = made->error();
+      analyse_next();
+    });
+  });
+}
+
+void PressCollection::analyse_next() {
+  Q_EMIT changed();
+  if (analysing_.is_running() || !analyser_) return;
+  const auto next = std::find_if(presses_.begin(), presses_.end(), [](const CollectedPress& press) {
+    return !press.is_analysed;
+  });
+  if (next == presses_.end()) return;
+  analysing_.start([this,
+                    opened = opened_,
+                    name = next->name,
+                    given = next->frame,
+                    file = file_of(folder_, next->name),
+                    analyser = analyser_,
+                    radius = sought_radius_mm(press_set_, next->name)](const Job&) {
+    FramePtr frame = given;
+    PressAnalysis analysis;
+    if (!frame) {
+      auto read = read_press(file);
+      if (read && *read)
+        frame = *read;
+      else if (!read)
+        analysis.problem = read.error();
+    }
+    if (frame) analysis = (*analyser)(frame, radius);
+    return std::function<void()>([this, opened, name, frame, analysis, radius] {
+      if (opened != opened_) return;
+      const auto press = std::find_if(presses_.begin(),
+                                      presses_.end(),
+                                      [&](const CollectedPress& one) { return one.name == name; });
+      if (press == presses_.end()) return;
+      press->frame = frame;
+      press->analysis = analysis;
+      press->is_analysed = radius == sought_radius_mm(press_set_, name);
+    });
+  });
+}
+
+const CollectedPress* PressCollection::find(const std::string& name) const {
+  for (const CollectedPress& press : presses_)
+    if (press.name == name) return &press;
+  return nullptr;
+}
+
+bool PressCollection::has_ball(const CollectedPress& press) const {
+  const PressNote& note = press_set_.of(press.name);
+  return !note.step_mm && (press.analysis.found_mm || note.ball_mm);
+}
+
+bool PressCollection::is_saved(const std::string& name) const {
+  if (!waiting_) return true;
+  const std::lock_guard lock(waiting_->mutex);
+  return !waiting_->unsaved.contains(name);
+}
+
+void PressCollection::toggle_left_out(const std::string& name) {
+  if (press_set_.of(name).excluded)
+    use_again(name);
+  else
+    leave_out(name, {});
+}
+
+QString PressCollection::toggle_left_out_text(const std::string& name) const {
+  return press_set_.of(name).excluded ? tr("&Put back") : tr("Take &out");
+}
+
+bool PressCollection::is_usable(const CollectedPress& press) const {
+  const PressNote& note = press_set_.of(press.name);
+  if (note.excluded) return false;
+  const bool has_face = !press.is_analysed || !press.analysis.problem;
+  return has_ball(press) || (note.step_mm && has_face);
+}
+
+int PressCollection::usable_count() const {
+  return static_cast<int>(
+      std::count_if(presses_.begin(), presses_.end(), [&](const CollectedPress& press) {
+        return is_usable(press);
+      }));
+}
+
+void PressCollection::set_press_set(const PressSet& press_set) {
+  for (CollectedPress& press : presses_)
+    if (sought_radius_mm(press_set, press.name) != sought_radius_mm(press_set_, press.name))
+      press.is_analysed = false;
+  press_set_ = press_set;
+  bool is_waiting = false;
+  {
+    const std::lock_guard lock(waiting_->mutex);
+    is_waiting = waiting_->press_set.has_value();
+    waiting_->press_set = press_set_;
+  }
+  if (!is_waiting)
+    disk_->add([waiting = waiting_, folder = folder_] {
+      std::optional<PressSet> latest;
+      {
+        const std::lock_guard lock(waiting->mutex);
+        latest.swap(waiting->press_set);
+      }
+      return latest ? FingerStore::of(folder)->save_presses(*latest) : Status();
+    });
+  analyse_next();
+}
+
+std::string PressCollection::add(std::vector<FramePtr> frames) {
+  if (!is_ready_ || frames.empty()) return {};
+  std::set<std::string> taken;
+  for (const CollectedPress& press : presses_) taken.insert(press.name);
+  for (FramePtr& frame : frames) {
+    int i = 1;
+    std::string name;
+    do name = fmt::format("press_{:02}", i++);
+    while (!taken.insert(name).second);
+    frame = named(frame, name);
+  }
+  const std::string first = frames.front()->name;
+  undo_.push(new AddOrRemove(
+      *this, [first] { return tr("take %1").arg(as_text(first)); }, std::move(frames), true));
+  return first;
+}
+
+void PressCollection::remove(const std::string& name) {
+  const CollectedPress* press = find(name);
+  if (press == nullptr || !press->frame) return;
+  undo_.push(new AddOrRemove(
+      *this, [name] { return tr("remove %1").arg(as_text(name)); }, {press->frame}, false));
+}
+
+void PressCollection::insert(const std::vector<FramePtr>& frames) {
+  for (const FramePtr& frame : frames) {
+    presses_.push_back({frame->name, frame, {}, false});
+    disk_->add([folder = folder_, frame, waiting = waiting_] {
+      const Status written = write_press(folder, *frame);
+      const std::lock_guard lock(waiting->mutex);
+      if (written)
+        waiting->unsaved.erase(frame->name);
+      else
+        waiting->unsaved.insert(frame->name);
+      return written;
+    });
+  }
+  std::sort(presses_.begin(), presses_.end(), before);
+  analyse_next();
+}
+
+void PressCollection::erase(const std::vector<FramePtr>& frames) {
+  for (const FramePtr& frame : frames) {
+    std::erase_if(presses_, [&](const CollectedPress& press) { return press.name == frame->name; });
+    disk_->add([file = file_of(folder_, frame->name)]() -> Status {
+      std::error_code failed;
+      fs::remove(file, failed);
+      if (!failed) return {};
+      return Error{
+          en::say("the press could not be removed: {}", failed.message()), file.string(), ""};
+    });
+  }
+  Q_EMIT changed();
+}
+
+void PressCollection::add_files(const std::vector<fs::path>& inputs) {
+  to_add_.push_back(inputs);
+  add_next();
+}
+
+void PressCollection::add_next() {
+  if (adding_.is_running() || to_add_.empty()) return;
+  const auto inputs = to_add_.front();
+  to_add_.pop_front();
+  adding_.start([this, inputs, opened = opened_](const Job& job) {
+    auto frames = std::make_shared<std::vector<FramePtr>>();
+    std::optional<Error> problem;
+    auto source = open_source(inputs);
+    if (!source) problem = source.error();
+    while (source && !problem && !job.stop_requested()) {
+      auto next = (*source)->next();
+      if (!next)
+        problem = next.error();
+      else if (!*next)
+        break;
+      else
+        frames->push_back(*next);
+    }
+    return std::function<void()>([this, frames, problem, opened] {
+      if (opened != opened_) return;
+      if (problem) return void(Q_EMIT refused(Problem::of(*problem, Meaning::kDoubtful)));
+      QStringList twice;
+      std::erase_if(*frames, [&](const FramePtr& frame) {
+        if (find(frame->name) == nullptr) return false;
+        twice << as_text(frame->name);
+        return true;
+      });
+      if (!frames->empty())
+        undo_.push(new AddOrRemove(
+            *this,
+            [count = static_cast<int>(frames->size())] {
+              return tr("add %n picture(s)", nullptr, count);
+            },
+            std::move(*frames),
+            true));
+      if (!twice.isEmpty())
+        Q_EMIT refused({Meaning::kDoubtful,
+                        tr("There are presses of these names already: %1.").arg(listed(twice)),
+                        {},
+                        {},
+                        {}});
+    });
+  });
+}
+
+}  // namespace alltact

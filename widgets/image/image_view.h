@@ -1,0 +1,81 @@
+// A grey image with overlays: zoom down to a pixel, pan, and a probe that reports the pixel under
+// it.
+#pragma once
+
+#include "widgets/image/image_transform.h"
+#include "widgets/translated.h"
+
+#include <QPixmap>
+#include <QWidget>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include <opencv2/core.hpp>
+
+namespace alltact {
+
+/// Draws over the image, in widget coordinates.
+using Overlay = std::function<void(QPainter& painter, const ImageTransform& transform)>;
+
+/// Mouse: wheel zooms about the pointer, dragging pans, double click fits. Keys: + and - zoom, 0
+/// fits, 1 shows an image pixel as a screen pixel, arrows pan. Shift and arrows move the probe by a
+/// pixel, Escape removes it.
+class ImageView : public Translated<QWidget> {
+  Q_OBJECT
+ public:
+  explicit ImageView(QWidget* parent = nullptr);
+
+  /// CV_8UC1, shared and not copied. The zoom stays as long as the size does.
+  void show_image(const cv::Mat& grey, std::vector<Overlay> overlays);
+  /// Removes the image and shows the reason.
+  void show_message(const QString& message);
+
+  [[nodiscard]] const ImageTransform& transform() const { return transform_; }
+  [[nodiscard]] bool is_fitted() const { return is_fitted_; }
+  [[nodiscard]] const cv::Mat& image() const { return grey_; }
+  /// The reported pixel; nullopt where there is none.
+  [[nodiscard]] std::optional<QPoint> probe() const;
+
+  void fit();
+  void show_actual_size();
+  void zoom_by(double factor);
+
+  [[nodiscard]] QSize sizeHint() const override { return {800, 450}; }
+  [[nodiscard]] QSize minimumSizeHint() const override { return {240, 135}; }
+
+ Q_SIGNALS:
+  /// The probe moved, or the image under it may have changed.
+  void probe_changed();
+  void zoom_changed();
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  [[nodiscard]] QSize image_size() const { return {grey_.cols, grey_.rows}; }
+  void set_transform(const ImageTransform& transform, bool is_fitted);
+  void zoom_to(double scale, QPointF fixed);
+  void pan(QPointF by);
+  void move_probe(QPoint by);
+  void paint_probe(QPainter& painter) const;
+
+  cv::Mat grey_;
+  std::vector<Overlay> overlays_;
+  QString message_;
+  ImageTransform transform_;
+  bool is_fitted_ = true;
+  std::optional<QPointF> dragged_from_;
+  std::optional<QPoint> hovered_;  // pixel under the pointer
+  std::optional<QPoint> pinned_;   // pixel that the keys selected
+};
+
+}  // namespace alltact

@@ -1,0 +1,177 @@
+#include "widgets/pages/calibrate_page.h"
+
+#include "calibration/reference/new_reference.h"
+#include "widgets/shell/primary_button.h"
+
+namespace alltact {
+namespace {
+
+constexpr int kGoodPresses = 6;  // with fewer, another press is advised before the next step
+
+}  // namespace
+
+CalibratePage::CalibratePage(LiveSession& session,
+                             QUndoStack& undo,
+                             const CalibrateTools& tools,
+                             QWidget* parent)
+    : Page("calibrate", parent),
+      session_(session),
+      collection_(undo),
+      run_(collection_, undo, tools.version),
+      forecast_(collection_, run_),
+      lens_(new LensPage(session, tools.measure_lens, tools.work_folder)),
+      finger_(new FingerPage(session, undo)),
+      presses_(new PressesPage(session, collection_, run_, forecast_)),
+      mapping_(new MappingPage(collection_, run_, forecast_)),
+      verdict_(new VerdictPage(run_)),
+      check_(new CheckPage(session, collection_, run_, undo, tools.version)),
+      pages_{lens_, finger_, presses_, mapping_, verdict_, check_},
+      steps_(new StepList),
+      stack_(new QStackedWidget),
+      column_(new QVBoxLayout(this)),
+      foot_(new QWidget),
+      foot_row_(new QBoxLayout(QBoxLayout::LeftToRight, foot_)),
+      missing_(wrapped_text()),
+      next_(new QPushButton) {
+  column_->setContentsMargins(0, 0, 0, 0);
+  column_->setSpacing(3);
+  column_->addWidget(steps_);
+  connect(steps_, &StepList::chosen, this, &CalibratePage::go_to);
+  for (StepPage* page : pages_) {
+    stack_->addWidget(page);
+    connect(page, &StepPage::changed, this, &CalibratePage::show_steps);
+  }
+  column_->addWidget(stack_, 1);
+  foot_row_->setContentsMargins(0, 0, 0, 0);
+  foot_row_->addWidget(new UndoBar(undo, session));
+  foot_row_->addWidget(missing_, 1);
+  foot_row_->addWidget(next_);
+  missing_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  show_page(0);
+  connect(next_, &QPushButton::clicked, this, [this] { go_to(step_ + 1); });
+  connect(finger_, &FingerPage::new_finger_requested, this, &CalibratePage::new_finger_requested);
+  connect(finger_, &FingerPage::open_finger_requested, this, &CalibratePage::open_finger_requested);
+  connect(
+      finger_, &FingerPage::record_requested, this, [this] { Q_EMIT page_requested("record"); });
+  connect(mapping_, &MappingPage::press_requested, this, [this](const std::string& name) {
+    go_to(kPressesStep);
+    presses_->show_press(name);
+  });
+  connect(verdict_, &VerdictPage::presses_requested, this, [this] { go_to(kPressesStep); });
+  connect(verdict_, &VerdictPage::check_requested, this, [this] { go_to(kSteps - 1); });
+  connect(check_, &CheckPage::checked, &run_, &CalibrationRun::reload);
+  connect(&run_, &CalibrationRun::changed, this, &CalibratePage::follow_run);
+  connect(&session_, &LiveSession::status_ready, this, &CalibratePage::follow);
+  is_constructed_ = true;
+  say([this] { show_steps(); });
+}
+
+void CalibratePage::follow() {
+  const FingerStatus& finger = session_.status().finger;
+  const bool has_folder = finger.state == FingerState::kReady && !finger.folder.empty();
+  const auto folder = has_folder && finger.has_reference ? finger.folder : std::filesystem::path();
+  // While a finger is loaded again its presses stay.
+  if (finger.state != FingerState::kLoading && folder != collection_.folder()) {
+    collection_.open(folder);
+    run_.reload();
+  }
+  lens_->show_status();
+  finger_->show_status();
+  show_steps();
+}
+
+void CalibratePage::add_problems(std::vector<Problem>& problems) {
+  const FingerStatus& finger = session_.status().finger;
+  if (finger.state != FingerState::kReady || finger.folder.empty()) return;
+  const bool is_recorded = finger.finger->face.kind != FaceKind::kFinRay || finger.has_reference;
+  if (!is_recorded || finger.finger->mapping) return;
+  problems.push_back({Meaning::kDoubtful,
+                      tr("This finger is not calibrated yet, so that no depth is shown."),
+                      tr("Calibrate it with ball presses."),
+                      isVisible() ? QString() : tr("&Go to Calibrate"),
+                      [this] { Q_EMIT page_requested(name()); }});
+}
+
+void CalibratePage::reload() {
+  const auto finger = open_finger(collection_.folder());
+  const PressAnalyser* analyser = collection_.analyser();
+  const auto has_same_face = [](const Face& a, const Face& b) {
+    return a.width_mm == b.width_mm && a.layer_mm == b.layer_mm && a.plane_z_mm == b.plane_z_mm;
+  };
+  if (!finger || analyser == nullptr ||
+      !has_same_reference(analyser->finger(), (*finger)->finger) ||
+      !has_same_face(analyser->finger().face, (*finger)->finger.face))
+    collection_.open(collection_.folder());
+  run_.reload();
+}
+
+std::size_t CalibratePage::last_open() const {
+  std::size_t step = 0;
+  while (step + 1 < kSteps && pages_[step]->missing().isEmpty()) ++step;
+  return step;
+}
+
+void CalibratePage::begin_next_step() {
+  go_to(has_unseen_verdict_ ? kVerdictStep : last_open());
+}
+
+void CalibratePage::follow_run() {
+  const bool is_done = was_calibrating_ && !run_.is_running();
+  was_calibrating_ = run_.is_running();
+  if (is_done && !run_.problem()) has_unseen_verdict_ = pages_[step_] != verdict_;
+  if (run_.state() == CalibrationState::kNone) has_unseen_verdict_ = false;
+}
+
+void CalibratePage::go_to(std::size_t step) {
+  show_page(std::min(step, last_open()));
+  show_steps();
+  QWidget* control = pages_[step_]->main_control();
+  (control->isEnabled() && control->isVisible() ? control : pages_[step_])->setFocus();
+}
+
+void CalibratePage::show_page(std::size_t step) {
+  step_ = step;
+  stack_->setCurrentWidget(pages_[step_]);
+  if (step_ == kVerdictStep) has_unseen_verdict_ = false;
+  QVBoxLayout* side_column = pages_[step_]->foot();
+  foot_row_->setDirection(side_column != nullptr ? QBoxLayout::TopToBottom
+                                                 : QBoxLayout::LeftToRight);
+  (side_column != nullptr ? side_column : column_)->addWidget(foot_);
+  foot_->show();  // at once: a new parent hides it
+}
+
+void CalibratePage::show_steps() {
+  if (!is_constructed_) return;
+  finger_->set_camera_file(lens_->camera_file());
+  const std::size_t open = last_open();
+  if (step_ > open) show_page(open);  // an earlier step is not done any more
+  const bool is_reading = session_.status().finger.state == FingerState::kLoading;
+  std::vector<Step> steps;
+  for (std::size_t i = 0; i < kSteps; ++i)
+    steps.push_back({pages_[i]->title(),
+                     i <= open && pages_[i]->state() != StepState::kToDo ? pages_[i]->state()
+                     : is_reading                                        ? StepState::kReading
+                                                                         : StepState::kToDo,
+                     i <= open,
+                     pages_[open]->missing()});
+  steps_->show_steps(steps, step_);
+  const bool is_last = step_ + 1 == kSteps;
+  const QString missing = pages_[step_]->missing();
+  missing_->setText(missing);
+  missing_->setVisible(!missing.isEmpty());
+  next_->setVisible(!is_last);
+  next_->setEnabled(missing.isEmpty());
+  if (!is_last) next_->setText(tr("&Next: %1").arg(pages_[step_ + 1]->title()));
+  const bool has_presses = run_.state() == CalibrationState::kCurrent
+                               ? verdict_->state() == StepState::kDone
+                               : collection_.usable_count() >= kGoodPresses;
+  const bool is_enough = pages_[step_] != presses_ || has_presses;
+  const bool is_done = pages_[step_]->state() == StepState::kDone;
+  const bool goes_on = !is_last && missing.isEmpty() && is_enough && is_done;
+  set_primary(*next_, goes_on);
+  const QPushButton* action_button = goes_on ? nullptr : pages_[step_]->action_button();
+  for (auto* button : pages_[step_]->findChildren<QPushButton*>())
+    if (button != next_) set_primary(*button, button == action_button);
+}
+
+}  // namespace alltact

@@ -1,0 +1,87 @@
+// The page Calibrate: the steps lens, finger, presses, mapping and verdict, and the check of an
+// existing calibration.
+#pragma once
+
+#include "widgets/calibrating/calibration_run.h"
+#include "widgets/calibrating/check_page.h"
+#include "widgets/calibrating/finger_page.h"
+#include "widgets/calibrating/lens_page.h"
+#include "widgets/calibrating/mapping_page.h"
+#include "widgets/calibrating/presses_page.h"
+#include "widgets/calibrating/undo_bar.h"
+#include "widgets/calibrating/verdict_page.h"
+#include "widgets/pages/page.h"
+
+#include <QStackedWidget>
+#include <QVBoxLayout>
+#include <array>
+
+namespace alltact {
+
+/// Dependencies of the page.
+struct CalibrateTools {
+  LensMeasurer measure_lens;
+  std::filesystem::path work_folder;  ///< for unnamed files
+  std::string version;                ///< of the program, for the record
+};
+
+class CalibratePage : public Page {
+  Q_OBJECT
+ public:
+  CalibratePage(LiveSession& session,
+                QUndoStack& undo,
+                const CalibrateTools& tools,
+                QWidget* parent = nullptr);
+
+  [[nodiscard]] QString title() const override { return tr("Calibrate"); }
+  [[nodiscard]] QString menu_text() const override { return tr("&Calibrate"); }
+  /// Takes a press where one can be taken.
+  void press_pedal() override { pages_[step_]->press_pedal(); }
+  void add_problems(std::vector<Problem>& problems) override;
+  /// Call it after the reference has changed.
+  void reload() override;
+  /// Opens the first step that is not done.
+  void begin_next_step() override;
+
+  [[nodiscard]] PressCollection& collection() { return collection_; }
+  [[nodiscard]] CalibrationRun& run() { return run_; }
+  [[nodiscard]] const PressForecast& forecast() const { return forecast_; }
+  /// The latest check confirmed the calibration.
+  [[nodiscard]] bool is_checked() const { return check_->state() == StepState::kDone; }
+  /// A calibration was finished, and its verdict page was not opened yet.
+  [[nodiscard]] bool has_unseen_verdict() const { return has_unseen_verdict_; }
+
+ private:
+  static constexpr std::size_t kSteps = 6, kPressesStep = 2, kVerdictStep = 4;
+  void follow();
+  void follow_run();
+  void show_steps();
+  void go_to(std::size_t step);
+  void show_page(std::size_t step);
+  /// Last step that can be opened: no earlier step lacks anything.
+  [[nodiscard]] std::size_t last_open() const;
+
+  LiveSession& session_;
+  PressCollection collection_;
+  CalibrationRun run_;
+  PressForecast forecast_;
+  LensPage* lens_;
+  FingerPage* finger_;
+  PressesPage* presses_;
+  MappingPage* mapping_;
+  VerdictPage* verdict_;
+  CheckPage* check_;
+  std::array<StepPage*, kSteps> pages_;
+  StepList* steps_;
+  QStackedWidget* stack_;
+  QVBoxLayout* column_;
+  QWidget* foot_;  // Undo and Next: below the page, or in the column next to its image
+  QBoxLayout* foot_row_;
+  QLabel* missing_;
+  QPushButton* next_;
+  std::size_t step_ = 0;
+  bool was_calibrating_ = false, has_unseen_verdict_ = false;
+  bool is_constructed_ = false;  // pages emit signals while the constructor runs
+};
+
+}  // namespace alltact

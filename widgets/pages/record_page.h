@@ -1,0 +1,141 @@
+// The page Record: records a reference video with its coverage, and installs it in the finger.
+#pragma once
+
+#include "calibration/reference/bend_coverage.h"
+#include "calibration/reference/reference_recording.h"
+#include "widgets/background_work.h"
+#include "widgets/pages/page.h"
+#include "widgets/panels/image_panel.h"
+#include "widgets/recording/coverage_view.h"
+#include "widgets/recording/quick_bending.h"
+#include "widgets/recording/rig_check_box.h"
+#include "widgets/recording/take_judge.h"
+
+#include <QCheckBox>
+#include <QGroupBox>
+#include <QImage>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QProgressBar>
+#include <QPushButton>
+
+namespace alltact {
+
+class RecordPage : public Page {
+  Q_OBJECT
+ public:
+  RecordPage(LiveSession& session, ReferenceInstaller installer, QWidget* parent = nullptr);
+
+  [[nodiscard]] QString title() const override { return tr("Record"); }
+  [[nodiscard]] QString menu_text() const override { return tr("&Record"); }
+  /// Starts recording, or stops it.
+  void press_pedal() override {
+    if (record_->isEnabled()) start_or_stop();
+  }
+  void add_problems(std::vector<Problem>& problems) override;
+
+  void set_file(const QString& file) { file_->setText(file); }
+  [[nodiscard]] bool is_busy() const;
+
+ protected:
+  void changeEvent(QEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  static constexpr double kGigabyte = 1e9;
+
+  [[nodiscard]] QWidget* make_side();
+  void connect_parts();
+  void make_recording_group(QVBoxLayout& column);
+  void make_file_group(QVBoxLayout& column);
+  void make_result_group(QVBoxLayout& column);
+  void name_parts();
+  void begin_coverage();
+  void set_rest();
+  void analyse_frame();
+  void start_or_stop();
+  void begin_recording();
+  void choose_file();
+  void choose_video();
+  void propose_file();
+  /// Offers a video for installation: a recording, or a file chosen by the user.
+  void offer(const std::filesystem::path& video, std::optional<RestPose> rest_pose);
+  void defer_take();
+  void record_again();
+  void judge_take();
+  [[nodiscard]] ReferenceChoices choices() const;
+  [[nodiscard]] std::vector<Overlay> ghost(const LiveView& view) const;
+  void measure_space();
+  void install();
+  void install_now();
+  void stop_installing();
+  void follow_judge();
+  [[nodiscard]] bool is_installing() const;
+  [[nodiscard]] const BackgroundWork& installing_work() const;
+  void list_rejected();
+  /// Uses the frames with ticked boxes in the next installation.
+  void choose_frames();
+  void show_status();
+  void show_button(const LiveStatus& status);
+  void show_progress(const RecordingStatus& recording);
+  void show_recorded(const LiveStatus& status);
+  void show_offer(const LiveStatus& status);
+  void show_rig();
+  [[nodiscard]] static QString time_text(double seconds);  // minutes and seconds
+  [[nodiscard]] QString take_words(const RecordingStatus& recording) const;
+  [[nodiscard]] QString judged_words() const;
+  /// Highlights the button of the next action: recording, then installing.
+  void mark_primary();
+  void show_installing();
+  void show_coverage();
+  void show_problem_image();
+  void add_recording_problems(const LiveStatus& status, std::vector<Problem>& problems);
+  void add_contact_notes(const LiveStatus& status, std::vector<Problem>& problems) const;
+  [[nodiscard]] QString record_obstacle(const LiveStatus& status) const;
+  [[nodiscard]] QString install_obstacle(const LiveStatus& status) const;
+  [[nodiscard]] QString outcome_text() const;
+
+  LiveSession& session_;
+  ReferenceInstaller installer_;
+  ImagePanel* panel_;
+  QGroupBox *coverage_group_, *recording_group_, *result_group_, *file_group_;
+  CoverageView* coverage_view_;
+  QLabel* missing_;
+  QPushButton* rest_;
+  QLabel* rest_note_;
+  QLabel* file_label_;
+  QLineEdit* file_;
+  QPushButton *browse_, *record_;
+  QLabel *reason_, *progress_, *space_;
+  QLabel* summary_;
+  QPushButton *install_, *keep_, *again_, *onward_, *video_, *stop_install_;
+  QProgressBar* bar_;
+  QLabel *install_reason_, *judged_, *outcome_;
+  QListWidget* rejected_;
+  QCheckBox* skin_changed_;
+  RigCheckBox* rig_box_;
+
+  BendCoverage coverage_;
+  std::filesystem::path shown_finger_;
+  std::vector<std::filesystem::path> shown_source_;
+  bool was_recording_ = false;
+  std::uint64_t contact_frames_ = 0;
+  FaceContact touch_ = FaceContact::kUnknown;
+  bool is_in_contact_ = false;  // in the last frame, and not during quick bending
+  QuickBending bending_;
+  int unknown_frames_ = 0;  // consecutive
+  RigCheck rig_;
+  QElapsedTimer ghost_clock_, since_rig_;
+  TakeJudge judge_;
+  BackgroundWork install_work_, space_work_;
+  bool install_after_judging_ = false;  // the judging run is installed, not repeated
+  std::optional<double> free_gb_;
+  std::optional<Result<ReferenceReport>> report_;
+  std::filesystem::path recorded_, installed_, deferred_;
+  std::optional<RestPose> rest_pose_;     // of the recording
+  std::vector<FrameRange> contact_free_;  // frames without contact by the user's choice
+  QImage problem_image_;                  // findings of a failed installation, as an image
+  QElapsedTimer since_space_;
+};
+
+}  // namespace alltact
