@@ -1,7 +1,7 @@
 // Long work on a background thread, with progress and cancellation.
 #pragma once
 
-#include "core/job.h"
+#include "core/base/job.h"
 
 #include <QElapsedTimer>
 #include <QObject>

@@ -1,7 +1,10 @@
 #include "widgets/language.h"
 
+#include "core/numerics/readable_numbers.h"
+
 #include <QCoreApplication>
 #include <QLocale>
+#include <cmath>
 
 namespace alltact {
 namespace {
@@ -77,6 +80,79 @@ EnglishScope::EnglishScope() {
 EnglishScope::~EnglishScope() {
   --in_english;
   QLocale::setDefault(before_);
+}
+
+namespace {
+
+struct JoinedWords {
+  Q_DECLARE_TR_FUNCTIONS(alltact::JoinedWords)
+ public:
+  static QString between_things() { return tr(", ", "between things of one kind"); }
+  static QString between_parts() { return tr(", ", "between parts of a sentence"); }
+  static QString between_clauses() { return tr("; ", "between clauses"); }
+  static QString after_label() { return tr(": ", "after what names the next"); }
+};
+
+}  // namespace
+
+QString listed(const QStringList& things) {
+  return things.join(JoinedWords::between_things());
+}
+
+QString joined(const QStringList& parts) {
+  QStringList parts_shown = parts;
+  parts_shown.removeAll(QString());
+  return parts_shown.join(JoinedWords::between_parts());
+}
+
+QString joined_clauses(const QStringList& clauses) {
+  return clauses.join(JoinedWords::between_clauses());
+}
+
+QString labelled(const QString& label, const QString& what) {
+  return label + JoinedWords::after_label() + what;
+}
+
+namespace {
+
+struct NumberText {
+  Q_DECLARE_TR_FUNCTIONS(alltact::NumberText)
+ public:
+  static QString sd(double sd, int digits) {
+    switch (sd_kind(sd, digits)) {
+      case SdKind::kNumber:
+        return plain_number(sd, digits);
+      case SdKind::kUnder:
+        return tr("under %1", "of a standard deviation")
+            .arg(plain_number(std::pow(10, -digits), digits));
+      case SdKind::kUnknown:
+        break;
+    }
+    return tr("unknown", "of a standard deviation");
+  }
+  static QString at_least() { return tr("at least %1"); }
+  static QString at_most() { return tr("at most %1"); }
+};
+
+}  // namespace
+
+QString plain_number(double value, int digits) {
+  const double unit = std::pow(10, digits);
+  return QLocale().toString(std::round(value * unit) / unit + 0.0, 'f', digits);
+}
+
+QString number_and_sd(double value, const std::optional<double>& sd, int digits) {
+  const QString text = plain_number(value, digits);
+  return sd ? QStringLiteral("%1 ± %2").arg(text, NumberText::sd(*sd, digits)) : text;
+}
+
+QString sd_number(double sd, int digits) {
+  return NumberText::sd(sd, digits);
+}
+
+QString limit_and_sd(double value, const std::optional<double>& sd, int digits) {
+  return (value < 0 ? NumberText::at_most() : NumberText::at_least())
+      .arg(number_and_sd(value, sd, digits));
 }
 
 }  // namespace alltact

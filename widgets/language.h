@@ -1,11 +1,13 @@
 // Messages of the libraries in the window's language.
 #pragma once
 
-#include "core/message.h"
+#include "core/base/message.h"
 
 #include <QLocale>
 #include <QString>
+#include <QStringList>
 #include <QTranslator>
+#include <optional>
 
 namespace alltact {
 
@@ -42,5 +44,34 @@ class EnglishScope {
  private:
   QLocale before_;
 };
+
+// Joins words and sentences with the punctuation of the window's language.
+
+/// Items of one kind: "left, right, up".
+QString listed(const QStringList& things);
+
+/// Parts of a sentence without the empty ones: "3 contacts, deepest 0.41 mm in frame 7".
+QString joined(const QStringList& parts);
+
+/// Clauses without full stops: "depth 0.41 mm; x 3.1, y 0.2, z 24.6 mm".
+QString joined_clauses(const QStringList& clauses);
+
+/// A label and its value: "Camera: front".
+QString labelled(const QString& label, const QString& what);
+
+// Measured numbers as text in the window's language.
+
+/// Never "-0.0".
+[[nodiscard]] QString plain_number(double value, int digits);
+
+/// Plain text: "1.23 ± 0.04"; "1.23 ± under 0.01" where the digits would make the sd 0; "1.23 ±
+/// unknown" where it is 0 or not finite; "1.23" without an sd.
+[[nodiscard]] QString number_and_sd(double value, const std::optional<double>& sd, int digits);
+
+/// The sd alone, in the same form.
+[[nodiscard]] QString sd_number(double sd, int digits);
+
+/// A number that was cut at a limit: "at least 1.50 ± 0.04"; "at most" for a negative one.
+[[nodiscard]] QString limit_and_sd(double value, const std::optional<double>& sd, int digits);
 
 }  // namespace alltact

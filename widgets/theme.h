@@ -4,7 +4,10 @@
 
 #include <QColor>
 #include <QFont>
+#include <QIcon>
 #include <QPalette>
+#include <QProxyStyle>
+#include <QPushButton>
 
 namespace alltact {
 
@@ -32,5 +35,51 @@ enum class Theme { kSystem = 1, kLight, kDark, kHighContrast };
 enum class Meaning { kGood = 1, kDoubtful, kBad };
 /// For borders and symbols next to text; contrast of at least 3:1 against the palette's window.
 [[nodiscard]] QColor meaning_colour(Meaning meaning, const QPalette& palette);
+
+// The project's own symbols, in the palette's colours.
+
+/// `name`: a file of resources/icons without its ending. Sharp at any scale; make it again when the
+/// palette changes.
+[[nodiscard]] QIcon icon(const QString& name, const QPalette& palette);
+
+/// The same in one given colour.
+[[nodiscard]] QPixmap symbol(const QString& name, const QColor& colour, int size, double ratio);
+
+/// The symbol of a meaning; symbols also differ in shape.
+[[nodiscard]] QString meaning_symbol(Meaning meaning);
+
+// Qt's Fusion style with visible outlines on dark backgrounds, a visible focus, a primary button,
+// and uniform spacing. A group is a title and a line instead of nested boxes.
+
+class StudioStyle : public QProxyStyle {
+ public:
+  StudioStyle();
+
+  void drawPrimitive(PrimitiveElement element,
+                     const QStyleOption* option,
+                     QPainter* painter,
+                     const QWidget* widget = nullptr) const override;
+  void drawControl(ControlElement element,
+                   const QStyleOption* option,
+                   QPainter* painter,
+                   const QWidget* widget = nullptr) const override;
+  void drawComplexControl(ComplexControl control,
+                          const QStyleOptionComplex* option,
+                          QPainter* painter,
+                          const QWidget* widget = nullptr) const override;
+  [[nodiscard]] QRect subControlRect(ComplexControl control,
+                                     const QStyleOptionComplex* option,
+                                     SubControl part,
+                                     const QWidget* widget = nullptr) const override;
+  [[nodiscard]] int pixelMetric(PixelMetric metric,
+                                const QStyleOption* option = nullptr,
+                                const QWidget* widget = nullptr) const override;
+};
+
+// The primary action of a page: its largest button, in the colour of the selection.
+
+/// Sets or clears the mark. At most one button of a page has it at a time.
+void set_primary(QPushButton& button, bool is_primary = true);
+[[nodiscard]] bool is_primary(const QWidget& widget);
 
 }  // namespace alltact

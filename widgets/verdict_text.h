@@ -5,6 +5,7 @@
 
 #include "calibration/joint/calibrate.h"
 #include "calibration/verdict/verdict.h"
+#include "core/sensing/pipeline_settings.h"
 #include "widgets/theme.h"
 
 #include <QString>
@@ -54,5 +55,12 @@ struct Headline {
 
 /// In the number format of the window's language.
 [[nodiscard]] QString local_mm(double value, int digits);
+
+// Settings as text in the window's language.
+
+/// "nearest recorded image, no smoothing": the settings of `choice` that differ from `base`; empty
+/// where none does.
+[[nodiscard]] QString difference_words(const PipelineSettings& choice,
+                                       const PipelineSettings& base);
 
 }  // namespace alltact

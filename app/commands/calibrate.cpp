@@ -1,15 +1,12 @@
 #include "app/commands/commands.h"
 #include "app/console/command_names.h"
 #include "app/console/flags.h"
-#include "app/console/number_flags.h"
-#include "app/console/press_flags.h"
 #include "app/figures/figures.h"
 #include "calibration/finger/calibrate_finger.h"
 #include "calibration/finger/calibration_report.h"
-#include "calibration/verdict/verdict_json.h"
-#include "core/numerics/sd_text.h"
-#include "core/program.h"
-#include "core/utc_time.h"
+#include "core/base/program.h"
+#include "core/base/utc_time.h"
+#include "core/numerics/readable_numbers.h"
 
 #include <fmt/format.h>
 

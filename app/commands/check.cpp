@@ -1,15 +1,14 @@
 #include "app/commands/commands.h"
 #include "app/console/command_names.h"
-#include "app/console/number_flags.h"
-#include "app/console/press_flags.h"
+#include "app/console/flags.h"
 #include "calibration/checks/check_history.h"
 #include "calibration/checks/contact_free_check.h"
 #include "calibration/checks/finger_check.h"
 #include "calibration/finger/calibrate_finger.h"
+#include "calibration/finger/calibration_report.h"
 #include "calibration/hard_cases/hard_cases.h"
-#include "calibration/verdict/verdict_json.h"
-#include "core/program.h"
-#include "core/utc_time.h"
+#include "core/base/program.h"
+#include "core/base/utc_time.h"
 
 #include <fmt/format.h>
 

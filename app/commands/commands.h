@@ -11,27 +11,31 @@
 #include "calibration/lens/calibrate_lens.h"
 #include "calibration/reference/motion_coverage.h"
 #include "calibration/reference/reference_recording.h"
+#include "core/base/message.h"
+#include "core/base/result.h"
 #include "core/batch/parts.h"
-#include "core/camera/flat_port.h"
+#include "core/camera/camera.h"
+#include "core/devices/hid_button.h"
+#include "core/devices/open_gauge.h"
+#include "core/devices/v4l2_camera.h"
 #include "core/finger/finger_store.h"
-#include "core/finger/new_finger.h"
 #include "core/recording/recorder.h"
-#include "core/result.h"
 #include "core/sensing/pipeline_settings.h"
-#include "core/sources/gauge/open_gauge.h"
-#include "core/sources/hid/hid_button.h"
 #include "core/sources/source.h"
 #include "widgets/scene3d/scene_options.h"
 
 #include <cstdint>
+#include <cstdlib>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 #include <Eigen/Core>
+#include <opencv2/core/utility.hpp>
 
 namespace alltact {
 
@@ -302,5 +306,78 @@ void add_thumbnail(CLI::App& program, Chosen& chosen);
 
 /// Warns of unusual entries in finger.yaml.
 [[nodiscard]] Result<FingerPtr> open_finger(const Path& folder, Console& console);
+
+// How many threads OpenCV may use.
+
+inline void set_opencv_threads([[maybe_unused]] int threads) {
+#if defined(__SANITIZE_THREAD__)
+  cv::setNumThreads(1);  // it cannot see how TBB's threads hand memory over
+#else
+  cv::setNumThreads(threads);
+#endif
+}
+
+// The settings that a command measures a finger with.
+
+/// The finger's settings in use; where `preset` is not empty, those of that name. Errors: those of
+/// presets_of_finger() and preset_settings().
+[[nodiscard]] Result<PipelineSettings> stored_settings(const std::filesystem::path& finger,
+                                                       const std::string& preset);
+
+/// A mapping is valid for the settings that its presses were measured with.
+void warn_of_other_settings(const PipelineSettings& stored,
+                            const PipelineSettings& requested,
+                            Console& console);
+
+// Remarks of a camera while a command reads it.
+
+/// Prints each remark once; does nothing for sources that are no camera.
+class CameraRemarks {
+ public:
+  explicit CameraRemarks(const Source& source) {
+    if (const auto* from_camera = dynamic_cast<const CameraSource*>(&source))
+      camera_ = from_camera->shared_camera();
+  }
+  void report(Console& console) {
+    if (!camera_) return;
+    const CameraStatus status = camera_->status();
+    const std::uint64_t first_stored = status.remarked - status.remarks.size();
+    for (; reported_ < status.remarked; ++reported_)
+      if (reported_ >= first_stored)
+        console.warn(status.remarks[reported_ - first_stored].english());
+  }
+
+ private:
+  std::shared_ptr<V4l2Camera> camera_;
+  std::uint64_t reported_ = 0;
+};
+
+// A temporary folder for one run.
+
+/// Removed when it is destroyed.
+class ScopedFolder {
+ public:
+  /// Error: `cannot`, there is no room or no permission.
+  static Result<ScopedFolder> make(const Message& cannot) {
+    std::error_code failed;
+    std::string path = (std::filesystem::temp_directory_path(failed) / "alltact-XXXXXX").string();
+    if (failed || mkdtemp(path.data()) == nullptr)
+      return Error{cannot, path, en::say("free space, or -o with a folder")};
+    return ScopedFolder(path);
+  }
+  ScopedFolder(ScopedFolder&& other) noexcept : path_(std::move(other.path_)) {
+    other.path_.clear();
+  }
+  ScopedFolder& operator=(ScopedFolder&&) = delete;
+  ~ScopedFolder() {
+    std::error_code failed;
+    if (!path_.empty()) std::filesystem::remove_all(path_, failed);
+  }
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  explicit ScopedFolder(std::filesystem::path path) : path_(std::move(path)) {}
+  std::filesystem::path path_;
+};
 
 }  // namespace alltact

@@ -1,10 +1,9 @@
 #include "app/commands/commands.h"
 #include "app/console/command_names.h"
 #include "app/console/flags.h"
-#include "app/console/number_flags.h"
 #include "calibration/study/evaluate.h"
-#include "core/io/atomic_file.h"
-#include "core/program.h"
+#include "core/base/atomic_file.h"
+#include "core/base/program.h"
 
 #include <cstdlib>
 #include <optional>

@@ -1,7 +1,7 @@
 #include "app/commands/commands.h"
 #include "app/console/command_names.h"
-#include "core/sources/hid/hid_button.h"
-#include "core/sources/v4l2/camera_list.h"
+#include "core/devices/camera_list.h"
+#include "core/devices/hid_button.h"
 
 #include <fmt/format.h>
 

@@ -1,17 +1,14 @@
 #include "calibration/experiments/experiments.h"
 
 #include "app/commands/commands.h"
-#include "app/commands/opencv_threads.h"
 #include "app/console/command_names.h"
 #include "app/console/flags.h"
-#include "app/console/number_flags.h"
-#include "app/console/temporary_folder.h"
 #include "app/figures/figures.h"
-#include "core/io/atomic_file.h"
-#include "core/io/cache_folder.h"
-#include "core/program.h"
-#include "core/sensing/stop_watch.h"
-#include "core/utc_time.h"
+#include "core/base/atomic_file.h"
+#include "core/base/cache.h"
+#include "core/base/program.h"
+#include "core/base/utc_time.h"
+#include "core/sensing/frame_result.h"
 
 #include <cmath>
 
@@ -209,7 +206,7 @@ Status run_experiments(const ExperimentsOptions& options, Console& console) {
   if (!options.fresh) bench.cache = cache_folder("fingers");
   if (!options.folder) {
     const auto passing =
-        TemporaryFolder::make(en::say("a folder for the simulated fingers cannot be made"));
+        ScopedFolder::make(en::say("a folder for the simulated fingers cannot be made"));
     if (!passing) return passing.error();
     bench.folder = passing.value().path();
     return run_and_report(*chosen, bench, options, console);

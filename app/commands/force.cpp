@@ -1,12 +1,10 @@
 #include "app/commands/commands.h"
 #include "app/commands/gauge_flags.h"
-#include "app/commands/opencv_threads.h"
 #include "app/console/command_names.h"
 #include "app/console/flags.h"
-#include "app/console/number_flags.h"
 #include "calibration/force/collect_force.h"
-#include "calibration/force/finger_force_model.h"
-#include "core/io/atomic_file.h"
+#include "calibration/force/train_force.h"
+#include "core/base/atomic_file.h"
 
 #include <fmt/format.h>
 

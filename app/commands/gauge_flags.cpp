@@ -1,8 +1,8 @@
 #include "app/commands/gauge_flags.h"
 
-#include "app/console/number_flags.h"
-#include "core/sources/gauge/force_unit.h"
-#include "core/sources/gauge/serial_port.h"
+#include "app/console/flags.h"
+#include "core/devices/gauge_source.h"
+#include "core/devices/open_gauge.h"
 
 #include <fmt/format.h>
 

@@ -3,8 +3,8 @@
 
 #include "app/console/console.h"
 #include "calibration/force/collect_force.h"
-#include "core/sources/gauge/gauge_log.h"
-#include "core/sources/gauge/open_gauge.h"
+#include "core/devices/gauge_log.h"
+#include "core/devices/open_gauge.h"
 
 #include <CLI/CLI.hpp>
 

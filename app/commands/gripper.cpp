@@ -3,13 +3,11 @@
 
 #include "app/commands/commands.h"
 #include "app/console/command_names.h"
-#include "app/console/number_flags.h"
-#include "core/gripper/face_gap.h"
+#include "app/console/flags.h"
+#include "core/gripper/gripper_recording.h"
 #include "core/gripper/held_object.h"
-#include "core/gripper/motor_log.h"
-#include "core/gripper/recorded_contacts.h"
-#include "core/io/image_file.h"
-#include "core/numerics/sd_text.h"
+#include "core/image/image_file.h"
+#include "core/numerics/readable_numbers.h"
 
 #include <cmath>
 

@@ -1,10 +1,9 @@
 #include "app/commands/commands.h"
 #include "app/console/command_names.h"
 #include "app/console/flags.h"
-#include "app/console/number_flags.h"
-#include "calibration/lens/lens_views.h"
-#include "calibration/lens/measure_lens.h"
-#include "core/sources/open/open_source.h"
+#include "calibration/lens/board_views.h"
+#include "calibration/lens/calibrate_lens.h"
+#include "core/open/open_source.h"
 
 #include <fmt/format.h>
 

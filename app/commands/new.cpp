@@ -1,6 +1,6 @@
 #include "app/commands/commands.h"
 #include "app/console/command_names.h"
-#include "app/console/number_flags.h"
+#include "app/console/flags.h"
 
 #include <fmt/format.h>
 

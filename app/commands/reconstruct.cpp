@@ -1,29 +1,288 @@
+// The files that `alltact reconstruct` writes for each frame, besides results.jsonl.
 #include "app/commands/commands.h"
-#include "app/commands/opencv_threads.h"
-#include "app/commands/reconstruct_part.h"
-#include "app/commands/recorded_depth.h"
-#include "app/commands/result_files.h"
-#include "app/commands/stored_settings.h"
-#include "app/console/camera_remarks.h"
 #include "app/console/command_names.h"
 #include "app/console/flags.h"
-#include "app/console/number_flags.h"
+#include "app/figures/figures.h"
 #include "calibration/finger/paper_pipeline.h"
-#include "calibration/reference/settings_record.h"
+#include "calibration/reference/reference_recording.h"
+#include "core/base/atomic_file.h"
 #include "core/batch/batch.h"
-#include "core/io/atomic_file.h"
+#include "core/batch/parts.h"
+#include "core/image/image_file.h"
+#include "core/mesh/surface_file.h"
+#include "core/open/open_source.h"
+#include "core/recording/depth_video.h"
+#include "core/sensing/depth/depth_sd.h"
 #include "core/sensing/pipeline.h"
 #include "core/sensing/result_json.h"
-#include "core/sources/newest_source.h"
-#include "core/sources/open/open_source.h"
+#include "core/sources/source.h"
 
+#include <memory>
+#include <mutex>
+#include <optional>
 #include <set>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <opencv2/core/utility.hpp>
 
 namespace alltact {
 namespace {
+
+/// Any thread may write, except 3D images, which belong to the thread that made this.
+class ResultFiles {
+ public:
+  /// `options` outlives it.
+  [[nodiscard]] static Result<ResultFiles> create(const ReconstructOptions& options);
+
+  /// Writes the complete files of one frame without waiting for the disk (write_file_unsynced), and
+  /// returns its line. Error: they cannot be written, nor could those of others.
+  [[nodiscard]] Result<FrameLine> write(BatchFrame& frame, const Pipeline& pipeline) const;
+
+ private:
+  explicit ResultFiles(const ReconstructOptions& options) : options_(&options) {}
+  [[nodiscard]] Status write_maps(const FrameResult& result, const Pipeline& pipeline) const;
+  [[nodiscard]] Status write_sd(const FrameResult& result, const Finger& finger) const;
+  [[nodiscard]] Status write_surfaces(const FrameResult& result, const Finger& finger) const;
+  [[nodiscard]] Path file(const FrameResult& result, const std::string& ending) const;
+
+  const ReconstructOptions* options_;
+  std::unique_ptr<FaceRenderer> faces_;  // where 3D images are requested
+};
+
+/// As results.jsonl names it.
+ReferenceMethod reference_method(const ReconstructOptions& options) {
+  return options.as_paper ? ReferenceMethod::kNearest : options.pipeline.reference;
+}
+
+FrameLine failed(const std::string& name, std::size_t index, const Error& problem) {
+  FrameLine line;
+  line.frame = name;
+  line.line = failure_line(name, index, {as_sentence(problem)});
+  line.warnings = {problem.sentence()};
+  return line;
+}
+
+/// Adds to a line, as `name`, where its depth in integer steps (depth_file.h) is, and the unit of
+/// these.
+///   where: members of a JSON object
+void add_depth_steps(std::string& line, const std::string& name, const std::string& where) {
+  const std::size_t at = line.rfind(",\"times_ms\":");
+  assert(at != std::string::npos);
+  line.insert(at,
+              fmt::format(",\"{}\":{{{},\"mm_per_step\":{},\"zero_at\":{},\"none\":0}}",
+                          name,
+                          where,
+                          kDepthStep_mm,
+                          kDepthZero));
+}
+
+Result<ResultFiles> ResultFiles::create(const ReconstructOptions& options) {
+  ResultFiles files(options);
+  if (!options.image) return files;
+  const auto drawing = load_figures();
+  if (!drawing) return drawing.error();
+  auto faces = (*drawing)->faces({1280, 720}, options.scene, options.viewpoint);
+  if (!faces) return faces.error();
+  files.faces_ = std::move(*faces);
+  return files;
+}
+
+Path ResultFiles::file(const FrameResult& result, const std::string& ending) const {
+  return options_->folder / (result.frame->name + ending);
+}
+
+Result<FrameLine> ResultFiles::write(BatchFrame& frame, const Pipeline& pipeline) const {
+  if (!frame.result) {
+    const Error problem = frame.problem.value_or(Error());
+    return failed(
+        frame.frame ? frame.frame->name : frame_name(problem, frame.index), frame.index, problem);
+  }
+  const FrameResult& result = *frame.result;
+  FrameLine line;
+  line.frame = result.frame->name;
+  line.line = result_line(result, frame.index, reference_method(*options_));
+  line.is_measured = result.depth.has_value();
+  line.total_ms = result.times_ms.total;
+  if (frame.contacts) line.contacts = contacts_of(*frame.contacts);
+  if (!result.depth) {
+    for (const Message& problem : result.problems)
+      line.warnings.push_back(fmt::format("{}: {}", result.frame->name, problem));
+    return line;
+  }
+  if (options_->depth16) add_depth_steps(line.line, "depth16", "\"in\":\"png\"");
+  if (const Status status = write_maps(result, pipeline); !status) return status.error();
+  if (const Status status = write_sd(result, pipeline.finger()); !status) return status.error();
+  if (const Status status = write_surfaces(result, pipeline.finger()); !status)
+    return status.error();
+  return line;
+}
+
+Status ResultFiles::write_maps(const FrameResult& result, const Pipeline& pipeline) const {
+  const cv::Mat& depth = result.depth->depth_mm;
+  if (options_->depth)
+    if (Status status = write_file_unsynced(file(result, ".depth.tiff"), depth_tiff(depth));
+        !status)
+      return status;
+  if (options_->depth16)
+    if (Status status = write_file_unsynced(file(result, ".depth16.png"), depth_png(depth));
+        !status)
+      return status;
+  if (options_->flags)
+    if (Status status =
+            write_file_unsynced(file(result, ".flags.png"), grey_png(result.depth->flags));
+        !status)
+      return status;
+  if (!faces_) return {};
+  const auto image = faces_->image(result, pipeline);
+  if (!image) return Error{image.error().what, file(result, ".3d.png"), image.error().advice};
+  return write_image(file(result, ".3d.png"), *image);
+}
+
+Status ResultFiles::write_sd(const FrameResult& result, const Finger& finger) const {
+  if (!options_->depth_sd && !options_->sd_causes && !options_->limits) return {};
+  const auto mapping = Mapping::create(*finger.mapping);
+  if (!mapping) return mapping.error();
+  const auto write = [&](const std::string& ending, const cv::Mat& sd_mm) {
+    return write_file_unsynced(file(result, ending), depth_tiff(sd_mm));
+  };
+  if (options_->depth_sd || options_->limits) {
+    const DepthSdAndLimits made =
+        depth_sd_and_limits(*result.depth, *result.reference, *result.shape, *mapping);
+    if (options_->depth_sd)
+      if (Status status = write(".depth_sd.tiff", made.sd_mm); !status) return status;
+    if (options_->limits)
+      if (Status status = write_file_unsynced(file(result, ".limits.png"), grey_png(made.limits));
+          !status)
+        return status;
+  }
+  if (!options_->sd_causes) return {};
+  for (const auto& [cause, sd_mm] :
+       depth_sd_by_cause(*result.depth, *result.reference, *result.shape, *mapping))
+    if (Status status = write(std::string(".sd_") + cause + ".tiff", sd_mm); !status) return status;
+  return {};
+}
+
+Status ResultFiles::write_surfaces(const FrameResult& result, const Finger& finger) const {
+  if (options_->points)
+    if (Status status =
+            write_image(file(result, ".points.tiff"), contact_face_points_mm(result, finger.face));
+        !status)
+      return status;
+  if (options_->surfaces.empty()) return {};
+  const FaceVertices vertices = contact_face_vertices(result, finger.face);
+  for (const std::string& kind : options_->surfaces)
+    if (Status status =
+            write_surface(file(result, "." + kind), vertices.points_mm, vertices.depth_mm);
+        !status)
+      return status;
+  return {};
+}
+
+class RecordedDepth {
+ public:
+  /// In the options' folder; for a part, next to the part's results. Errors: DepthVideoWriter's.
+  [[nodiscard]] static Result<std::unique_ptr<RecordedDepth>> create(
+      const ReconstructOptions& options, cv::Size size, double frames_per_s);
+
+  /// Adds the compressed depth frame to the line, and its index to the line's text. Any thread.
+  [[nodiscard]] Status compress(const BatchFrame& frame, FrameLine& line);
+  /// The next depth frame, in the frames' order, one thread at a time.
+  [[nodiscard]] Status take(const FrameLine& line) { return video_.add(line.depth_packet); }
+  [[nodiscard]] Status finish() { return video_.finish(); }
+
+ private:
+  RecordedDepth(cv::Size size, DepthVideoWriter video) : size_(size), video_(std::move(video)) {}
+
+  cv::Size size_;
+  DepthVideoWriter video_;
+  std::mutex lock_;  // over:
+  std::vector<DepthPackets> idle_;
+};
+
+Result<std::unique_ptr<RecordedDepth>> RecordedDepth::create(const ReconstructOptions& options,
+                                                             cv::Size size,
+                                                             double frames_per_s) {
+  const std::string name = options.part ? part_video(*options.part) : std::string(kDepthVideoFile);
+  auto video = DepthVideoWriter::create(options.folder / name, size, frames_per_s);
+  if (!video) return video.error();
+  return std::unique_ptr<RecordedDepth>(new RecordedDepth(size, std::move(*video)));
+}
+
+Status RecordedDepth::compress(const BatchFrame& frame, FrameLine& line) {
+  std::optional<DepthPackets> packets;
+  {
+    const std::lock_guard lock(lock_);
+    if (!idle_.empty()) {
+      packets = std::move(idle_.back());
+      idle_.pop_back();
+    }
+  }
+  if (!packets) {
+    auto made = DepthPackets::create(size_);
+    if (!made) return made.error();
+    packets = std::move(*made);
+  }
+  const bool has_depth = frame.result && frame.result->depth;
+  auto packet = packets->packet(has_depth ? depth_steps(frame.result->depth->depth_mm)
+                                          : cv::Mat(size_, CV_16UC1, cv::Scalar(0)));
+  if (!packet) return packet.error();
+  line.depth_packet = std::move(*packet);
+  if (has_depth)
+    add_depth_steps(line.line,
+                    "depth_video",
+                    fmt::format("\"file\":\"{}\",\"picture\":{}", kDepthVideoFile, frame.index));
+  const std::lock_guard lock(lock_);
+  idle_.push_back(std::move(*packets));
+  return {};
+}
+
+/// Runs with the same name give the same results: same program, finger, settings, requested files,
+/// and inputs by name and number of frames.
+std::string name_of_run(const ReconstructOptions& options, std::size_t frame_count) {
+  std::string all = fmt::format("{} {} {}", ALLTACT_VERSION, options.as_paper, frame_count);
+  for (const Path& input : options.inputs) all += " " + input.filename().string();
+  for (const bool is_requested : {options.depth,
+                                  options.depth16,
+                                  options.depth_video,
+                                  options.depth_sd,
+                                  options.sd_causes,
+                                  options.flags,
+                                  options.limits,
+                                  options.points,
+                                  options.image})
+    all += is_requested ? '1' : '0';
+  for (const std::string& kind : options.surfaces) all += " " + kind;
+  for (const auto& setting : pipeline_settings())
+    all += fmt::format(" {}={}", setting.name, setting.get(options.pipeline));
+  if (const auto finger = read_file(options.finger / Finger::kFileName)) all += *finger;
+  std::uint64_t sum = 0xcbf29ce484222325U;  // FNV-1a
+  for (const char letter : all) sum = (sum ^ static_cast<unsigned char>(letter)) * 0x100000001b3U;
+  return fmt::format("{:016x}", sum);
+}
+
+/// The requested frames. Error: a part of a source without a known number of frames, or of one that
+/// cannot be split.
+Result<BatchFrames> requested_frames(const ReconstructOptions& options,
+                                     const Source& source,
+                                     const Pipeline& pipeline) {
+  if (!options.part) return BatchFrames{};
+  const auto count = source.count();
+  if (!count)
+    return Error{en::say("only recordings can be reconstructed in parts"),
+                 options.inputs.front().string(),
+                 en::say("record it first")};
+  if (pipeline.has_long_memory())
+    return Error{options.as_paper
+                     ? en::say("the source paper's method follows the markers through all frames, "
+                               "so that no part can be measured by itself")
+                     : en::say("the finger's force model knows creep, which depends on all frames "
+                               "before, so that no part can be measured by itself"),
+                 options.finger.string(),
+                 en::say("without --shard")};
+  return frames_of(*options.part, *count);
+}
 
 /// The state of a run.
 struct Progress {
@@ -385,6 +644,33 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
       return run_reconstruct(*options, console);
     };
   });
+}
+
+Status run_merge(const std::vector<Path>& folders, Console& console) {
+  const auto merged = merge_parts(folders);
+  if (!merged) return merged.error();
+  console.say(fmt::format("{} frames, {} of them without depth; results in {}",
+                          merged->frames,
+                          merged->failed,
+                          merged->results.parent_path().string()));
+  Console::Json& answer = console.answer();
+  answer["frames"] = merged->frames;
+  answer["failed"] = merged->failed;
+  answer["results"] = merged->results.string();
+  return {};
+}
+
+void add_merge(CLI::App& program, Chosen& chosen) {
+  auto folders = std::make_shared<std::vector<Path>>();
+  CLI::App* command = add_command(program, "merge");
+  command
+      ->add_option("DIR",
+                   *folders,
+                   "Where `alltact reconstruct --shard` left its parts; the results go into the "
+                   "first")
+      ->required();
+  command->callback(
+      [=, &chosen] { chosen = [=](Console& console) { return run_merge(*folders, console); }; });
 }
 
 }  // namespace alltact

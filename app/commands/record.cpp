@@ -1,20 +1,127 @@
+// Presses of a foot pedal or button while a command runs, and its problems.
 #include "app/commands/commands.h"
 #include "app/commands/gauge_flags.h"
-#include "app/commands/source_reader.h"
 #include "app/console/command_names.h"
+#include "app/console/console.h"
 #include "app/console/flags.h"
-#include "app/console/number_flags.h"
-#include "core/io/image_file.h"
+#include "core/base/message.h"
+#include "core/base/result.h"
+#include "core/devices/hid_button.h"
+#include "core/devices/led_dimmer.h"
+#include "core/image/image_file.h"
+#include "core/open/open_source.h"
 #include "core/recording/journal.h"
-#include "core/sources/files/file_extension.h"
-#include "core/sources/hid/lit_source.h"
-#include "core/sources/newest_source.h"
-#include "core/sources/open/open_source.h"
+#include "core/sources/file_source.h"
+#include "core/sources/source.h"
+
+#include <atomic>
+#include <memory>
+#include <string>
 
 #include <fmt/format.h>
 
 namespace alltact {
 namespace {
+
+/// One thread asks; the presses arrive on another.
+class ButtonPresses {
+ public:
+  /// Errors: the device is not there, or may not be used (with the udev rule to install).
+  [[nodiscard]] static Result<std::unique_ptr<ButtonPresses>> listen(const LearntButton& button);
+
+  /// True when it was pressed since the last call. Warns once when the device was unplugged, waits
+  /// for it, and reports its return.
+  [[nodiscard]] bool taken(Console& console);
+  /// Drops presses that came before now.
+  void forget() { presses_ = 0; }
+
+ private:
+  ButtonPresses(std::unique_ptr<HidPort> port, const LearntButton& button);
+
+  std::atomic<int> presses_{0};
+  bool is_away_ = false;
+  HidButton button_;  // last: its thread ends first
+};
+
+/// Returns the port that is open already, and opens the device again from then on.
+HidButton::Opener opener(std::unique_ptr<HidPort> port, const std::string& device) {
+  auto first = std::make_shared<std::unique_ptr<HidPort>>(std::move(port));
+  return [first, device]() -> Result<std::unique_ptr<HidPort>> {
+    if (*first != nullptr) return std::move(*first);
+    return open_hid(device);
+  };
+}
+
+ButtonPresses::ButtonPresses(std::unique_ptr<HidPort> port, const LearntButton& button)
+    : button_(opener(std::move(port), button.device), button.pattern, [this] { ++presses_; }) {}
+
+Result<std::unique_ptr<ButtonPresses>> ButtonPresses::listen(const LearntButton& button) {
+  auto port = open_hid(button.device);
+  if (!port) return port.error();
+  return std::unique_ptr<ButtonPresses>(new ButtonPresses(std::move(*port), button));
+}
+
+bool ButtonPresses::taken(Console& console) {
+  const Status status = button_.status();
+  if (!status && !is_away_)
+    console.warn("The button is not heard now. " + status.error().sentence());
+  if (status && is_away_) console.warn("The button is heard again.");
+  is_away_ = !status.ok();
+  return presses_.exchange(0) > 0;
+}
+
+/// Prints each fault and each remark of the camera once, and takes button presses between frames.
+class SourceReader {
+ public:
+  SourceReader(Source& source, CameraRemarks remarks, ButtonPresses* button, Console& console)
+      : source_(source), remarks_(std::move(remarks)), button_(button), console_(console) {}
+
+  /// The next frame; null when the source is over, with the reason in why(), or when the button was
+  /// pressed while no frame came.
+  FramePtr next() {
+    while (true) {
+      if (is_stopped()) return end(en::say("stopped by hand"));
+      auto frame = source_.next();
+      remarks_.report(console_);
+      is_pressed_ = button_ != nullptr && button_->taken(console_);
+      if (frame && *frame) {
+        last_problem_.clear();
+        return *frame;
+      }
+      if (frame)
+        return end(is_stopped() ? en::say("stopped by hand") : en::say("the source ended"));
+      // An unplugged camera reports the same error again and again, and may come back.
+      const std::string problem = frame.error().sentence();
+      if (problem != last_problem_) console_.warn(problem);
+      last_problem_ = problem;
+      ++unreadable_;
+      if (is_pressed_) return nullptr;
+    }
+  }
+  /// The button was pressed since the call of next() before the last.
+  [[nodiscard]] bool is_pressed() const { return is_pressed_; }
+  /// Empty as long as frames may follow.
+  [[nodiscard]] const Message& why() const { return why_; }
+  [[nodiscard]] bool is_over() const { return !why_.empty(); }
+  [[nodiscard]] bool is_stopped() const { return console_.job().stop_requested(); }
+  [[nodiscard]] std::uint64_t unreadable() const { return unreadable_; }
+  [[nodiscard]] Source& source() const { return source_; }
+
+ private:
+  FramePtr end(Message why) {
+    why_ = std::move(why);
+    return nullptr;
+  }
+
+  Source& source_;
+  CameraRemarks remarks_;
+  ButtonPresses* button_;
+  Console& console_;
+  bool is_pressed_ = false;
+  Message why_;
+  std::string last_problem_;
+  std::uint64_t unreadable_ = 0;
+};
 
 constexpr double kGigabyte = 1e9;
 

@@ -1,7 +1,7 @@
 #include "app/commands/commands.h"
 #include "app/console/command_names.h"
-#include "app/console/number_flags.h"
-#include "calibration/reference/new_reference.h"
+#include "app/console/flags.h"
+#include "calibration/reference/reference_recording.h"
 
 #include <charconv>
 

@@ -1,16 +1,18 @@
 #include "app/commands/commands.h"
 #include "app/console/command_names.h"
 #include "app/console/flags.h"
-#include "app/console/number_flags.h"
-#include "core/finger/camera_yaml.h"
-#include "core/io/atomic_file.h"
-#include "core/io/image_file.h"
-#include "core/recording/video_writer.h"
-#include "core/simulation/effect_costs.h"
+#include "calibration/twin/twin_inputs.h"
+#include "core/base/atomic_file.h"
+#include "core/base/message.h"
+#include "core/finger/finger_yaml.h"
+#include "core/image/image_file.h"
+#include "core/recording/video_file.h"
+#include "core/simulation/effect_catalogue.h"
 #include "core/simulation/plan.h"
 #include "core/simulation/scene.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace alltact {
 namespace {
@@ -348,6 +350,173 @@ void add_simulate(CLI::App& program, Chosen& chosen) {
     options->scene = inputs->front();
     chosen = [=](Console& console) { return run_simulate(*options, console); };
   });
+}
+
+// `alltact simulate --effects [NAME]`.
+
+namespace {
+
+Console::Json effect_json(const EffectDescription& effect) {
+  Console::Json json{{"name", effect.kind->name},
+                     {"stage", to_string(effect.kind->stage)},
+                     {"what", effect.sentence.english()},
+                     {"several", effect.is_repeatable},
+                     {"needs", effect.kind->needs},
+                     {"example", effect.kind->example}};
+  Console::Json& parameters = json["parameters"] = Console::Json::array();
+  for (const EffectParameter& parameter : effect.parameters)
+    parameters.push_back({{"key", parameter.key},
+                          {"values", parameter.values},
+                          {"in_example", parameter.in_example}});
+  return json;
+}
+
+void say_effect(const EffectDescription& effect, Console& console) {
+  const EffectKind& kind = *effect.kind;
+  console.say(
+      fmt::format("{} ({}): {}.", kind.name, to_string(kind.stage), effect.sentence.english()));
+  if (effect.is_repeatable) console.say("May be named several times at once.");
+  if (!kind.needs.empty())
+    console.say(fmt::format("The example needs beside it: {}.", fmt::join(kind.needs, ", ")));
+  for (const EffectParameter& parameter : effect.parameters)
+    console.say(fmt::format("  {:<16} {}{}",
+                            parameter.key,
+                            parameter.values,
+                            parameter.in_example ? "" : "; may be left out"));
+  console.say(fmt::format(
+      "  - {{use: {}{}{}}}", kind.name, kind.example.empty() ? "" : ", ", kind.example));
+}
+
+}  // namespace
+
+Status run_simulate_effects(const std::string& name, Console& console) {
+  const auto effects = describe_effects();
+  if (name.empty()) {
+    Console::Json& list = console.answer()["effects"] = Console::Json::array();
+    for (const EffectDescription& effect : effects) {
+      console.say(fmt::format("{:<20} {:<10} {}",
+                              effect.kind->name,
+                              to_string(effect.kind->stage),
+                              effect.sentence.english()));
+      list.push_back(effect_json(effect));
+    }
+    return {};
+  }
+  std::vector<std::string> names;
+  for (const EffectDescription& effect : effects) {
+    if (effect.kind->name == name) {
+      say_effect(effect, console);
+      console.answer() = effect_json(effect);
+      return {};
+    }
+    names.push_back(effect.kind->name);
+  }
+  std::sort(names.begin(), names.end());
+  return Error{en::say("there is no effect '{}'", printable(name)), "", one_of(names, name)};
+}
+
+// `alltact simulate --fit`: the scene whose frames match a real finger's.
+
+namespace {
+
+Console::Json figures_json(const std::vector<TwinFigure>& figures) {
+  Console::Json list = Console::Json::array();
+  for (const TwinFigure& figure : figures) {
+    Console::Json one{
+        {"key", figure.key}, {"what", figure.what.english()}, {"value", figure.value}};
+    if (figure.sd) one["sd"] = *figure.sd;
+    if (!figure.remark.empty()) one["remark"] = figure.remark.english();
+    list.push_back(std::move(one));
+  }
+  return list;
+}
+
+Console::Json residuals_json(const std::vector<TwinResidual>& residuals) {
+  Console::Json list = Console::Json::array();
+  for (const TwinResidual& residual : residuals) {
+    Console::Json rings = Console::Json::array();
+    for (const TwinRing& ring : residual.profile)
+      rings.push_back({{"radius_px", ring.radius_px},
+                       {"real", ring.real},
+                       {"twin", ring.twin},
+                       {"se", ring.se}});
+    list.push_back({{"press", residual.press},
+                    {"reach_px", residual.reach_px},
+                    {"rms", residual.rms},
+                    {"profile_rms", residual.profile_rms},
+                    {"ratio_rms", residual.ratio_rms},
+                    {"ratio_profile_rms", residual.ratio_profile_rms},
+                    {"profile", std::move(rings)}});
+  }
+  return list;
+}
+
+void print_figures(const Twin& twin, Console& console) {
+  console.say(fmt::format("{:<52} {:>12} {:>10}", "what", "fitted", "+- sd"));
+  for (const TwinFigure& figure : twin.figures)
+    console.say(fmt::format("{:<52} {:>12.5g} {:>10}{}",
+                            figure.what.english(),
+                            figure.value,
+                            figure.sd ? fmt::format("{:.2g}", *figure.sd) : "-",
+                            figure.remark.empty() ? "" : "  " + figure.remark.english()));
+}
+
+void print_residuals(const Twin& twin, Console& console) {
+  console.say("");
+  console.say("How far the twin's pictures are from the real ones, grey levels RMS:");
+  console.say(fmt::format("untouched face {:.2f}", twin.untouched_rms));
+  console.say(fmt::format("{:<24} {:>10} {:>8} {:>8} {:>12} {:>12}",
+                          "press",
+                          "within px",
+                          "pixels",
+                          "rings",
+                          "pixels*",
+                          "rings*"));
+  for (const TwinResidual& one : twin.residuals)
+    console.say(fmt::format("{:<24} {:>10.0f} {:>8.2f} {:>8.2f} {:>12.2f} {:>12.2f}",
+                            one.press,
+                            one.reach_px,
+                            one.rms,
+                            one.profile_rms,
+                            one.ratio_rms,
+                            one.ratio_profile_rms));
+  console.say(
+      "* the real picture over the real untouched one, times the twin's untouched one: without "
+      "what "
+      "the lamps cannot match");
+}
+
+}  // namespace
+
+Status run_simulate_fit(const SimulateFitOptions& options, Console& console) {
+  const auto finger = open_finger(options.finger, console);
+  if (!finger) return finger.error();
+  TwinFiles files;
+  files.presses.files = options.presses;
+  files.untouched = options.untouched;
+  files.press_set.ball_radius_mm = options.ball_radius_mm;
+  const auto measured = measure_for_twin(**finger, files, Job(console.job(), 0.0, 0.1));
+  if (!measured) return measured.error();
+  for (const Message& reason : measured->left_out)
+    console.warn(fmt::format("Left out: {}", reason));
+  const auto twin = fit_twin(measured->input, Job(console.job(), 0.1, 1.0));
+  if (!twin) return twin.error();
+  if (const Status written = write_file_atomically(options.scene, twin->yaml); !written)
+    return written.error();
+  print_figures(*twin, console);
+  print_residuals(*twin, console);
+  for (const Message& remark : twin->remarks) console.say(fmt::format("Remark: {}.", remark));
+  console.say(
+      fmt::format("The twin's scene is {}: frame 0 is untouched, the others show its presses.",
+                  options.scene.string()));
+  Console::Json& answer = console.answer();
+  answer["scene"] = options.scene.string();
+  answer["figures"] = figures_json(twin->figures);
+  answer["untouched_rms"] = twin->untouched_rms;
+  answer["presses"] = residuals_json(twin->residuals);
+  answer["left_out"] = in_english(measured->left_out);
+  answer["remarks"] = in_english(twin->remarks);
+  return {};
 }
 
 }  // namespace alltact

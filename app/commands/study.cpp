@@ -1,25 +1,323 @@
+// Output files of every study.
 #include "app/commands/commands.h"
-#include "app/commands/opencv_threads.h"
-#include "app/commands/study_files.h"
-#include "app/commands/study_use.h"
 #include "app/console/command_names.h"
 #include "app/console/flags.h"
-#include "app/console/number_flags.h"
-#include "app/console/temporary_folder.h"
-#include "calibration/experiments/simulated_world.h"
-#include "calibration/finger/measuring_settings.h"
+#include "app/figures/figures.h"
+#include "calibration/experiments/experiment_bench.h"
+#include "calibration/experiments/simulating_study.h"
+#include "calibration/finger/measuring_presets.h"
+#include "calibration/study/accuracy_study.h"
+#include "calibration/study/calibrating_study.h"
 #include "calibration/study/real_presses.h"
-#include "calibration/study/study_figure.h"
+#include "calibration/study/recommended_settings.h"
+#include "calibration/study/scaling_study.h"
 #include "calibration/study/study_file.h"
 #include "calibration/study/study_machine.h"
-#include "core/io/atomic_file.h"
-#include "core/program.h"
+#include "calibration/study/study_plot.h"
+#include "core/base/atomic_file.h"
+#include "core/base/program.h"
+#include "core/base/result.h"
+#include "core/base/utc_time.h"
 
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <opencv2/core.hpp>
 
 namespace alltact {
 namespace {
+
+/// Program, date, machine with its power, seed.
+[[nodiscard]] Console::Json study_provenance(const StudyCommandOptions& options);
+
+struct StudyFiles {
+  nlohmann::json json;   ///< of the study itself
+  std::string csv, svg;  ///< svg: empty where there is no figure
+};
+
+/// Writes study.json (with `provenance`), study.csv and study.svg into the folder, and prints it.
+/// Also study.png and study.pdf where this computer has the library that draws. Error: a file
+/// cannot be written.
+[[nodiscard]] Status write_study(const StudyFiles& files,
+                                 const Console::Json& provenance,
+                                 const Path& folder,
+                                 Console& console);
+
+constexpr int kQuickSceneFrames = 4, kSceneFrames = 12;
+constexpr const char* kDefaultScene = "demo_presses";
+
+/// The given scene: a file, or a name among the program's own.
+Result<Path> scene_file(const std::vector<Path>& named) {
+  if (named.empty()) return find_resource(fmt::format("scenes/{}.yaml", kDefaultScene));
+  std::error_code failed;
+  if (named.front().extension() == ".yaml" || std::filesystem::exists(named.front(), failed))
+    return named.front();
+  return find_resource("scenes/" + named.front().string() + ".yaml");
+}
+
+/// The figure, also as PNG and PDF where this computer has the library that draws.
+Status add_figures(const std::string& svg,
+                   const Console::Json& provenance,
+                   std::vector<ReportFile>& all,
+                   Console& console) {
+  all.push_back({"study.svg", svg});
+  const auto drawing = load_figures();
+  if (!drawing) {
+    console.warn(drawing.error().sentence());
+    return {};
+  }
+  auto drawn = (*drawing)->figure_files(svg, "study", provenance.value("date", std::string()));
+  if (!drawn) return drawn.error();
+  all.insert(all.end(), drawn->begin(), drawn->end());
+  return {};
+}
+
+/// Prints a study and stores it; `name` is of its folder below the given one.
+template <class Study>
+Status publish_study(const Study& study,
+                     const std::string& svg,
+                     const std::string& name,
+                     const StudyCommandOptions& options,
+                     Console& console) {
+  console.say(text_of(study));
+  console.answer()["studies"].push_back(Console::Json::parse(json_of(study).dump()));
+  if (!options.folder) return {};
+  const Path folder = *options.folder / name;
+  if (const Status made = make_folder(folder); !made) return made;
+  return write_study(
+      {json_of(study), csv_of(study), svg}, study_provenance(options), folder, console);
+}
+
+/// The demonstration's finger, which measures all that a study needs.
+Result<FingerPtr> simulated_finger(const StudyCommandOptions& options,
+                                   const Path& folder,
+                                   Console& console) {
+  BenchOptions bench_options;
+  bench_options.folder = folder;
+  bench_options.seed = options.seed;
+  bench_options.threads = options.threads;
+  const auto bench = ExperimentBench::make(bench_options, console.job());
+  if (!bench) return bench.error();
+  return open_finger(bench->finger().folder);
+}
+
+Console::Json study_provenance(const StudyCommandOptions& options) {
+  Console::Json json{{"program", program_version()}, {"date", utc_now()}};
+  json["machine"] = Console::Json::parse(json_of(this_machine()).dump());
+  json["threads"] = options.threads;
+  json["seed"] = options.seed;
+  return json;
+}
+
+Status write_study(const StudyFiles& files,
+                   const Console::Json& provenance,
+                   const Path& folder,
+                   Console& console) {
+  Console::Json json = provenance;
+  json["study"] = Console::Json::parse(files.json.dump());
+  std::vector<ReportFile> all{{"study.json", json.dump(2) + "\n"}, {"study.csv", files.csv}};
+  if (!files.svg.empty())
+    if (const Status drawn = add_figures(files.svg, provenance, all, console); !drawn) return drawn;
+  std::string names;
+  for (const ReportFile& file : all) {
+    if (const Status written = write_file_atomically(folder / file.name, file.content); !written)
+      return written;
+    names += (names.empty() ? "" : ", ") + file.name;
+  }
+  console.say(fmt::format("Kept in {}: {}.", folder.string(), names));
+  return {};
+}
+
+/// `alltact study --calibrating`, `--simulating` and `--scaling`.
+Status run_calibrating_study(const StudyCommandOptions& options, Console& console) {
+  if (options.fingers.empty())
+    return Error{en::say("no finger was named whose calibration is to be studied"),
+                 "",
+                 en::say("alltact study --calibrating FINGER")};
+  console.answer() = study_provenance(options);
+  console.answer()["studies"] = Console::Json::array();
+  for (const Path& folder : options.fingers) {
+    const auto finger = open_finger(folder, console);
+    if (!finger) return finger.error();
+    CalibratingOptions how;
+    how.seed = options.seed;
+    how.quick = options.quick;
+    const auto study = study_calibrating(*finger, how, console.job());
+    if (!study) return study.error();
+    console.say(study->about.english());
+    if (const Status published = publish_study(
+            *study, svg_of(*study), folder.filename().string() + "_calibrating", options, console);
+        !published)
+      return published;
+  }
+  return {};
+}
+
+Status run_simulating_study(const StudyCommandOptions& options, Console& console) {
+  if (options.fingers.size() > 1)
+    return Error{en::say("one scene at a time is studied"), options.fingers[1].string(), ""};
+  console.answer() = study_provenance(options);
+  console.answer()["studies"] = Console::Json::array();
+  const auto scene = scene_file(options.fingers);
+  if (!scene) return scene.error();
+  const auto passing = ScopedFolder::make(en::say("a folder for the study cannot be made"));
+  if (!passing) return passing.error();
+  const auto finger = simulated_finger(options, passing->path(), console);
+  if (!finger) return finger.error();
+  SimulatingOptions how;
+  how.seed = options.seed;
+  how.frames = options.quick ? kQuickSceneFrames : kSceneFrames;
+  const auto study = study_simulating(*scene, *finger, how, console.job());
+  if (!study) return study.error();
+  console.say(fmt::format("{}, {} pictures (simulated)", study->scene, study->rows.front().frames));
+  return publish_study(*study, svg_of(*study), study->scene + "_simulating", options, console);
+}
+
+Status run_scaling_study(const StudyCommandOptions& options, Console& console) {
+  console.answer() = study_provenance(options);
+  console.answer()["studies"] = Console::Json::array();
+  ScalingOptions how;
+  how.seed = options.seed;
+  how.quick = options.quick;
+  how.threads = options.threads;
+  const auto study_one = [&](const FingerPtr& finger, const std::string& name) -> Status {
+    const auto study = study_scaling(finger, how, console.job());
+    if (!study) return study.error();
+    return publish_study(*study, {}, name + "_scaling", options, console);
+  };
+  if (options.fingers.empty()) {
+    const auto passing = ScopedFolder::make(en::say("a folder for the study cannot be made"));
+    if (!passing) return passing.error();
+    const auto finger = simulated_finger(options, passing->path(), console);
+    return finger ? study_one(*finger, "simulated") : Status(finger.error());
+  }
+  for (const Path& folder : options.fingers) {
+    const auto finger = open_finger(folder, console);
+    if (!finger) return finger.error();
+    if (Status published = study_one(*finger, folder.filename().string()); !published)
+      return published;
+  }
+  return {};
+}
+
+constexpr const char* kWithin = "within-ms";
+constexpr const char* kKeep = "keep-mm";
+constexpr const char* kCalibrated = "calibrated";
+
+Status use(const Path& finger,
+           const PipelineSettings& settings,
+           const std::string& name,
+           Console& console) {
+  const auto store = FingerStore::of(finger);
+  if (const Status used = use_settings(*store, settings, name); !used) return used;
+  const auto presets = presets_of_finger(finger);
+  if (!presets) return presets.error();
+  const std::string flags = flags_of(settings, presets->calibrated);
+  console.say(
+      fmt::format("{} measures as '{}' from now on: {}. The way back: alltact study {} "
+                  "--use {}",
+                  finger.string(),
+                  name,
+                  flags.empty() ? "as it was calibrated" : flags,
+                  finger.string(),
+                  kCalibrated));
+  console.answer()["used"] = {{"name", name}, {"flags", flags}};
+  return {};
+}
+
+/// The row within a limit, with the request as text.
+Result<std::pair<std::size_t, std::string>> row_within(const StudyCommandOptions& options,
+                                                       const AccuracyStudy& study) {
+  const bool is_time = options.use == kWithin;
+  const auto row = is_time ? most_accurate_within(study, *options.max_time_ms, options.position_mm)
+                           : fastest_within(study, *options.max_error_mm, options.position_mm);
+  const std::string name = is_time ? fmt::format("within {} ms", *options.max_time_ms)
+                                   : fmt::format("95 % within {} mm", *options.max_error_mm);
+  if (!row)
+    return Error{en::say("no setting is {}", name),
+                 "",
+                 en::say("a wider limit; the table above tells what there is")};
+  return std::pair{*row, name};
+}
+
+/// `--save` and `--use`.
+void add_use_flags(CLI::App& command, StudyCommandOptions& options) {
+  command.add_flag("--save",
+                   options.save,
+                   "Keep the presets fast, balanced and finest with the finger, for --preset");
+  command
+      .add_option("--use",
+                  options.use,
+                  "Let the finger measure with it from now on, everywhere: a preset that it keeps "
+                  "or, with --save, that this study finds; within-ms or keep-mm, what those "
+                  "options find; calibrated, the way back")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"fast", "balanced", "finest", kCalibrated, kWithin, kKeep}));
+}
+
+/// Refuses options that do not go together. Throws CLI::ValidationError.
+void check_use_flags(const StudyCommandOptions& options) {
+  if ((options.save || !options.use.empty()) && options.fingers.empty())
+    throw CLI::ValidationError(options.save ? "--save" : "--use", "there is no finger to keep it");
+  if ((options.save || !options.use.empty()) &&
+      (options.calibrating || options.simulating || options.scaling))
+    throw CLI::ValidationError(options.save ? "--save" : "--use",
+                               "that study tells nothing of what frames are measured with");
+  if (options.use == kWithin && !options.max_time_ms) throw CLI::RequiredError("--within-ms");
+  if (options.use == kKeep && !options.max_error_mm) throw CLI::RequiredError("--keep-mm");
+}
+
+/// The requested preset is stored already, so that no study is needed.
+bool uses_stored_preset(const StudyCommandOptions& options) {
+  return !options.save && !options.use.empty() && options.use != kWithin && options.use != kKeep;
+}
+
+/// Makes a finger measure with one of its stored presets, or as it was calibrated. Errors: those of
+/// preset_settings() and use_settings().
+Status use_stored_preset(const Path& finger, const std::string& name, Console& console) {
+  if (name == kCalibrated) {
+    const auto store = FingerStore::of(finger);
+    if (const auto there = store->snapshot(); !there) return there.error();
+    if (const Status back = use_calibrated_settings(*store); !back) return back;
+    console.say(fmt::format("{} measures as it was calibrated from now on.", finger.string()));
+    console.answer()["used"] = {{"name", name}, {"flags", ""}};
+    return {};
+  }
+  const auto settings = preset_settings(finger, name);
+  if (!settings) return settings.error();
+  return use(finger, *settings, name, console);
+}
+
+/// Stores and uses the result of a study of the finger, as far as the options request it. Errors:
+/// the preset has no advantage on this finger; nothing is within the limit; those of
+/// save_presets().
+Status save_and_use(const StudyCommandOptions& options,
+                    const AccuracyStudy& study,
+                    const Path& finger,
+                    const std::string& machine,
+                    Console& console) {
+  if (options.save) {
+    const auto store = FingerStore::of(finger);
+    const MeasuringPresets presets = presets_to_save(study, machine);
+    if (const Status saved = save_presets(*store, presets); !saved) return saved;
+    std::vector<std::string> names;
+    for (const MeasuringPreset& preset : presets.presets) names.push_back(preset.name);
+    console.say(fmt::format(
+        "Kept with {}: {}.", finger.string(), fmt::format("{}", fmt::join(names, ", "))));
+    console.answer()["kept"] = names;
+  }
+  if (options.use == kWithin || options.use == kKeep) {
+    const auto row = row_within(options, study);
+    if (!row) return row.error();
+    return use(finger, study.rows[row->first].settings, row->second, console);
+  }
+  if (options.save && !options.use.empty()) return use_stored_preset(finger, options.use, console);
+  return {};
+}
 
 constexpr const char* kRowsFile = "study_rows.jsonl";
 constexpr int kQuickFrames = 9, kFrames = 24;
@@ -252,7 +550,7 @@ Status run_study(const StudyCommandOptions& options, Console& console) {
     if (const Status made = make_folder(*options.folder); !made) return made;
     return StudyCommand(options, *options.folder, console).run();
   }
-  const auto passing = TemporaryFolder::make(en::say("a folder for the study cannot be made"));
+  const auto passing = ScopedFolder::make(en::say("a folder for the study cannot be made"));
   if (!passing) return passing.error();
   return StudyCommand(options, passing->path(), console).run();
 }

@@ -2,8 +2,8 @@
 
 #include "app/commands/commands.h"
 #include "app/console/command_names.h"
-#include "app/console/number_flags.h"
-#include "core/io/atomic_file.h"
+#include "app/console/flags.h"
+#include "core/base/atomic_file.h"
 
 #include <fmt/format.h>
 #include <opencv2/imgcodecs.hpp>

@@ -2,8 +2,8 @@
 // progress only when a person is watching.
 #pragma once
 
-#include "core/job.h"
-#include "core/result.h"
+#include "core/base/job.h"
+#include "core/base/result.h"
 
 #include <string>
 #include <string_view>

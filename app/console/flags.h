@@ -1,12 +1,18 @@
 // Command-line flags made from the tables of settings: declared once there, never repeated here.
 #pragma once
 
-#include "app/console/number_flags.h"
-#include "core/settings.h"
+#include "calibration/presses/press_note_kinds.h"
+#include "core/base/message.h"
+#include "core/base/result.h"
+#include "core/base/settings.h"
+#include "core/base/typed_number.h"
 
+#include <cstdint>
+#include <limits>
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -15,6 +21,24 @@
 #include <fmt/ranges.h>
 
 namespace alltact {
+
+// Numbers of flags: core/typed_number.h parses every one. Use
+// `add_option(...)->transform(typed_number(0.1, 100))` instead of CLI11's own checks.
+
+/// From `low` to `high`, for any floating-point option.
+[[nodiscard]] CLI::Validator typed_number(double low, double high);
+/// A possible value; one that is not plausible is added to number_warnings().
+[[nodiscard]] CLI::Validator typed_number(const Quantity& quantity);
+/// From `low` to `high`, for any integral option.
+[[nodiscard]] CLI::Validator typed_integer(
+    std::uint64_t low, std::uint64_t high = std::numeric_limits<std::uint64_t>::max());
+
+/// Of the numbers on the command line that was read last: "--layer-mm: ...".
+[[nodiscard]] std::vector<Message>& number_warnings();
+
+/// Texts of numbers between commas or, where one has a decimal comma, semicolons: "0,5;2;1,49".
+/// Error: not `count` of them.
+[[nodiscard]] Result<std::vector<double>> typed_numbers(std::string_view text, std::size_t count);
 
 /// "What it does (range; default). What more of it brings; what that costs."
 template <class S>
@@ -78,5 +102,41 @@ inline void add_threads_flag(CLI::App& command, int& threads) {
       ->type_name("N")
       ->transform(typed_integer(1, 64));
 }
+
+// Command-line options that annotate single presses.
+
+class PressFlags {
+ public:
+  /// All of press_note_kinds(), or the one of this name.
+  void add_to(CLI::App& command, std::string_view only = {}) {
+    for (const PressNoteKind& kind : press_note_kinds()) {
+      if (!only.empty() && only != kind.flag) continue;
+      auto texts = std::make_shared<std::vector<std::string>>();
+      std::string help = std::string(kind.help) + "; may be given again for another";
+      if (only.empty() && kind.reset_word != nullptr)
+        help += std::string(". With --again NAME=") + kind.reset_word + " takes it back";
+      command.add_option("--" + std::string(kind.flag), *texts, help)
+          ->type_name(kind.form)
+          ->allow_extra_args(false)
+          ->take_all()
+          ->check([&kind](const std::string& text) {
+            PressSet nothing;
+            const Status status = set_press_note(kind, text, nothing);
+            return status ? std::string() : status.error().what.english();
+          });
+      given_.emplace_back(&kind, std::move(texts));
+    }
+  }
+
+  /// Applies the given annotations to `presses`.
+  void say(PressSet& presses) const {
+    for (const auto& [kind, texts] : given_)
+      for (const std::string& text : *texts)
+        [[maybe_unused]] const Status checked = set_press_note(*kind, text, presses);
+  }
+
+ private:
+  std::vector<std::pair<const PressNoteKind*, std::shared_ptr<std::vector<std::string>>>> given_;
+};
 
 }  // namespace alltact

@@ -3,9 +3,8 @@
 #include "widgets/report/calibration_pages.h"
 #include "widgets/report/experiment_pages.h"
 #include "widgets/report/offscreen.h"
-#include "widgets/report/svg_figure.h"
 #include "widgets/scene3d/face_surface.h"
-#include "widgets/scene3d/offscreen_scene.h"
+#include "widgets/scene3d/vtk_view.h"
 
 #include <new>
 

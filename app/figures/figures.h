@@ -4,8 +4,8 @@
 
 #include "calibration/experiments/experiments.h"
 #include "calibration/finger/calibrate_finger.h"
-#include "core/job.h"
-#include "core/result.h"
+#include "core/base/job.h"
+#include "core/base/result.h"
 #include "core/sensing/pipeline.h"
 #include "widgets/scene3d/scene_options.h"
 

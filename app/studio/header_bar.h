@@ -2,14 +2,54 @@
 // summary.
 #pragma once
 
-#include "app/studio/finger_summary.h"
-#include "widgets/translated.h"
+#include "app/studio/workspace.h"
+#include "widgets/background_work.h"
+#include "widgets/shell/finger_card.h"
+#include "widgets/widget_base.h"
 
 #include <QLabel>
 #include <QMenu>
+#include <QPushButton>
+#include <QTimer>
 #include <QToolButton>
+#include <string>
 
 namespace alltact {
+
+// Grade of the open finger, ages of its calibration and its last check, and what is due: one line
+// at the window's top, with a button that leads to what is due.
+
+class FingerSummary : public Translated<QWidget> {
+  Q_OBJECT
+ public:
+  FingerSummary(const LiveSession& session, const Workspace& work, QWidget* parent = nullptr);
+  /// Of the open finger, read from its folder; nullopt where none is open or it cannot be read.
+  [[nodiscard]] const std::optional<FingerCard>& card() const { return card_; }
+
+ Q_SIGNALS:
+  /// `page`: name of the page where it is done.
+  void due_requested(const std::string& page);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void follow();
+  /// On a background thread, where a file was written since.
+  void read();
+  void show_summary();
+
+  const LiveSession& session_;
+  const Workspace& work_;
+  std::optional<FingerCard> card_;
+  std::filesystem::path read_;  // the folder card_ is of
+  std::string written_;         // modification times of its files, as of card_
+  QTimer poll_timer_;           // for checks, and files that other programs write
+  QLabel* symbol_;
+  ElidedLabel* text_;
+  QPushButton* due_;
+  BackgroundWork reading_;
+};
 
 class HeaderBar : public Translated<QWidget> {
   Q_OBJECT

@@ -1,11 +1,11 @@
 // `alltact-studio`: the desktop program.
 #include "app/console/studio_arguments.h"
 #include "app/studio/main_window.h"
+#include "core/base/program.h"
+#include "core/base/slow_disk.h"
 #include "core/finger/finger.h"
-#include "core/io/disk_wait.h"
-#include "core/program.h"
 #include "widgets/scene3d/vtk_view.h"
-#include "widgets/shell/studio_style.h"
+#include "widgets/theme.h"
 
 #include <QApplication>
 #include <QSettings>

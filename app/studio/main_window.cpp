@@ -1,35 +1,60 @@
 #include "app/studio/main_window.h"
 
-#include "app/studio/edit_menu.h"
-#include "app/studio/finger_menu.h"
 #include "app/studio/header_bar.h"
-#include "app/studio/help_menu.h"
-#include "app/studio/menu_keys.h"
-#include "app/studio/navigation_bar.h"
-#include "app/studio/notification_bar.h"
-#include "app/studio/page_hint.h"
-#include "app/studio/source_menu.h"
-#include "app/studio/status_line.h"
-#include "app/studio/tutorial.h"
-#include "calibration/lens/measure_lens.h"
-#include "calibration/reference/new_reference.h"
-#include "calibration/reference/settings_record.h"
-#include "core/program.h"
+#include "app/studio/help.h"
+#include "app/studio/menus.h"
+#include "app/studio/onboarding.h"
+#include "app/studio/window_bars.h"
+#include "calibration/lens/calibrate_lens.h"
+#include "calibration/reference/reference_recording.h"
+#include "core/base/program.h"
 #include "widgets/pages/accuracy_page.h"
 #include "widgets/pages/calibrate_page.h"
 #include "widgets/pages/inspect_page.h"
 #include "widgets/pages/live_page.h"
 #include "widgets/pages/record_page.h"
-#include "widgets/shell/icons.h"
+#include "widgets/theme.h"
 
+#include <QApplication>
 #include <QCloseEvent>
 #include <QHBoxLayout>
+#include <QLibraryInfo>
+#include <QLocale>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QSettings>
 #include <QVBoxLayout>
+#include <QWidget>
 
 namespace alltact {
+
+void ProgramAppearance::apply(const Appearance& appearance) {
+  appearance_ = appearance;
+  QApplication::setPalette(theme_palette(appearance.theme));
+  set_language(appearance.language.isEmpty() ? QLocale::system().name() : appearance.language);
+}
+
+void ProgramAppearance::set_language(const QString& language) {
+  if (language == language_) return;
+  language_ = language;
+  QCoreApplication::removeTranslator(&app_translator_);
+  QCoreApplication::removeTranslator(&qt_translator_);
+  const QLocale locale(language);
+  QLocale::setDefault(locale);
+  // Open windows took the locale from before: their fields would go on writing its numbers.
+  for (QWidget* window : QApplication::topLevelWidgets()) window->setLocale(locale);
+  if (qt_translator_.load(locale,
+                          QStringLiteral("qtbase"),
+                          QStringLiteral("_"),
+                          QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
+    QCoreApplication::installTranslator(&qt_translator_);
+  // Plural forms need a translation, in English too: "1 frame", "2 frames".
+  if (app_translator_.load(
+          locale, QStringLiteral("alltact"), QStringLiteral("_"), QStringLiteral(":/i18n")) ||
+      app_translator_.load(QStringLiteral(":/i18n/alltact_en")))
+    QCoreApplication::installTranslator(&app_translator_);
+}
+
 namespace {
 
 Result<ReferenceReport> install(const std::filesystem::path& folder,
@@ -121,7 +146,7 @@ void MainWindow::put_together() {
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
   row->addWidget(navigation_);
-  row->addWidget(centre, 1);
+  row->addWidget(content, 1);
   setCentralWidget(centre);
   setStatusBar(new StatusLine(session_));
 }

@@ -2,18 +2,34 @@
 // notification bar, and the menus.
 #pragma once
 
-#include "app/studio/program_appearance.h"
-#include "app/studio/session_store.h"
+#include "app/studio/session.h"
 #include "app/studio/workspace.h"
-#include "core/sources/open/open_source.h"
-#include "widgets/live/camera_finder.h"
-#include "widgets/live/pedal.h"
+#include "core/open/open_source.h"
+#include "widgets/controls/devices.h"
+#include "widgets/language.h"
+#include "widgets/shell/settings_dialog.h"
 
 #include <QMainWindow>
 #include <QStackedWidget>
 #include <QUndoStack>
 
 namespace alltact {
+
+// Sets the theme and the language of the full program.
+
+class ProgramAppearance {
+ public:
+  /// Widgets follow by PaletteChange and LanguageChange.
+  void apply(const Appearance& appearance);
+  [[nodiscard]] const Appearance& appearance() const { return appearance_; }
+
+ private:
+  void set_language(const QString& language);
+
+  Appearance appearance_;
+  QString language_;  // empty at first: English has plural forms to load, too
+  WindowTranslator app_translator_, qt_translator_;
+};
 
 class FingerMenu;
 class InspectPage;

@@ -1,6 +1,6 @@
 #include "app/studio/workspace.h"
 
-#include "widgets/value_change.h"
+#include "widgets/undo_step.h"
 
 #include <chrono>
 

@@ -1,7 +1,7 @@
 // The open finger and the open source of frames, both undoable, and the choices made for them.
 #pragma once
 
-#include "app/studio/session_file.h"
+#include "app/studio/session.h"
 #include "core/finger/finger_store.h"
 #include "widgets/background_work.h"
 #include "widgets/live/live_session.h"

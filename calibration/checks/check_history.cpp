@@ -1,6 +1,6 @@
 #include "calibration/checks/check_history.h"
 
-#include "core/io/atomic_file.h"
+#include "core/base/atomic_file.h"
 
 #include <charconv>
 #include <cmath>

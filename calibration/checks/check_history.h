@@ -5,8 +5,8 @@
 #pragma once
 
 #include "calibration/checks/press_check.h"
-#include "core/result.h"
-#include "core/utc_time.h"
+#include "core/base/result.h"
+#include "core/base/utc_time.h"
 
 #include <filesystem>
 #include <string>

@@ -1,10 +1,10 @@
 #include "calibration/checks/contact_free_check.h"
 
-#include "calibration/finger/measuring_settings.h"
-#include "calibration/reference/reference_suspect.h"
-#include "core/sensing/depth/depth_cells.h"
+#include "calibration/finger/measuring_presets.h"
+#include "calibration/reference/contact_search.h"
+#include "core/open/open_source.h"
+#include "core/sensing/depth/depth_map.h"
 #include "core/sensing/pipeline.h"
-#include "core/sources/open/open_source.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "calibration/checks/press_check.h"
-#include "calibration/reference/reference_suspect.h"
+#include "calibration/reference/contact_search.h"
+#include "core/base/job.h"
+#include "core/base/result.h"
 #include "core/finger/finger_store.h"
-#include "core/job.h"
-#include "core/result.h"
 
 #include <filesystem>
 #include <optional>

@@ -20,17 +20,20 @@
 // the error is that of its step's height.
 #pragma once
 
+#include "calibration/presses/press.h"
 #include "calibration/presses/press_input.h"
-#include "calibration/verdict/press_coverage.h"
 #include "calibration/verdict/verdict.h"
+#include "core/base/job.h"
+#include "core/base/result.h"
 #include "core/finger/finger_store.h"
-#include "core/job.h"
-#include "core/result.h"
+#include "core/finger/mapping.h"
 
 #include <array>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <Eigen/Core>
 
 namespace alltact {
 
@@ -74,5 +77,28 @@ struct PressCheck {
 inline constexpr double kLightLimit = 0.02;  // lamps that are warm stay within
 inline constexpr double kLightOff = 0.06;
 inline constexpr double kMinErrorMm = kGoodErrorMm / 3;
+
+// Estimates the ball of one press from the shape of its contact, and the mapping's errors there.
+
+struct BallByShape {
+  Eigen::Vector3d centre_mm;                             ///< camera frame
+  double factor = 1;                                     ///< true depth / depth read
+  double depth_mm = 0;                                   ///< of its deepest point
+  Eigen::Vector2d on_face_mm = Eigen::Vector2d::Zero();  ///< of its contact, along and across
+  /// Mapping minus ball, mm, of the samples in the inner zone of the contact (kInnerRim); never
+  /// empty.
+  std::vector<double> errors_mm;
+};
+
+/// Fits the centre and one factor on all depths, so that the ball cannot sink in to meet a mapping
+/// that is too deep. The errors are those of the mapping without that factor. Errors: those of
+/// find_ball(); a contact of too few pixels; no ball fits; stopped.
+[[nodiscard]] Result<BallByShape> ball_by_shape(const Press& press,
+                                                const Face& face,
+                                                const Mapping& mapping,
+                                                const Job& job);
+
+/// The depth by the mapping; below zero it continues as a straight line.
+[[nodiscard]] double reading_mm(const Mapping& mapping, double x);
 
 }  // namespace alltact

@@ -2,8 +2,8 @@
 // dots that are found, each with advice.
 #pragma once
 
-#include "core/message.h"
-#include "core/sensing/pipeline.h"
+#include "core/base/message.h"
+#include "core/sensing/frame_result.h"
 
 #include <deque>
 #include <optional>

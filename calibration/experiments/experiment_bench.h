@@ -2,14 +2,14 @@
 // scenes of it that are measured frame by frame with their ground truth.
 #pragma once
 
-#include "calibration/experiments/finger_variant.h"
 #include "calibration/force/train_force.h"
+#include "core/base/job.h"
+#include "core/base/result.h"
 #include "core/finger/finger_store.h"
-#include "core/job.h"
-#include "core/result.h"
 #include "core/sensing/pipeline.h"
 #include "core/sensing/reference/reference_library.h"
 #include "core/simulation/plan.h"
+#include "core/simulation/scene.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -18,9 +18,53 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace alltact {
+
+// Scenes on other fingers than the one they were written for.
+//
+// BACKGROUND
+// A result on one finger may hold for that finger only. A scene describes a finger and what happens
+// to it. The finger can be exchanged, so that the same experiment runs on other sizes, lenses,
+// light, markers and stiffness.
+
+/// A scene's description of its finger. Defaults: that of the demonstration.
+struct FingerVariant {
+  double width_mm = 24, layer_mm = 1.5;
+  double x_mm = -25, z_mm = 28, incline_deg = 34, length_mm = 116;
+  double focal_px = 523.9;  ///< in an image of 960 x 540
+  double cx_px = 479.5, cy_px = 269.5;
+  int per_row = 6;
+  double dot_radius_mm = 1.5, setback_mm = 4, first = 0.1, last = 0.92, dot_albedo = 0.9;
+  double scatter_per_mm = 0.6, side_albedo = 0.12;
+  double light = 1;  ///< of all lamps, as a factor on the scene's value
+  double shore_a = 40, wall_mm = 4, base_depth_mm = 34, tip_depth_mm = 12, coupling = 0.6;
+  double layer_shore_a = 5;
+  double scale = 1;                  ///< of the image: 0.5 is 480 x 270
+  std::optional<double> room_level;  ///< of the effect ambient; empty: the scene's value
+
+  /// A random finger, as another maker might cast it, in images of 960 x 540; the same for the same
+  /// seed and number. Half that resolution costs a quarter of the time, but a ball at the tip
+  /// covers ten pixels only. Its presses do not determine the layer's direction of thickness, and
+  /// the wrong one moves every position by layer_mm tan(incline), a millimetre.
+  [[nodiscard]] static FingerVariant draw(std::uint64_t seed, int number);
+};
+
+/// A scene of the resources with its finger exchanged: camera, face, pose and number of markers. Of
+/// the effects markers, layer, sides, leds, body and push the parts that describe the finger
+/// change, and the light of the room where it is given. Keys that a scene does not name are not
+/// added. Errors: those of Scene::parse.
+///   origin: the file, for errors; other files that it names are relative to it
+[[nodiscard]] Result<Scene> scene_on_finger(std::string_view yaml,
+                                            const std::filesystem::path& origin,
+                                            const FingerVariant& finger);
+
+/// The text of that scene.
+[[nodiscard]] Result<std::string> scene_text_on_finger(std::string_view yaml,
+                                                       const std::filesystem::path& origin,
+                                                       const FingerVariant& finger);
 
 struct BenchOptions {
   /// Folder for the fingers. Those of earlier experiments are removed: experiment_finger,
@@ -125,5 +169,30 @@ class ExperimentBench {
   mutable std::map<int, std::shared_ptr<const ExperimentBench>> untrained_variants_;
   mutable std::map<int, std::shared_ptr<const TrainedVariant>> variants_;
 };
+
+// Cache of simulated fingers, recorded and calibrated, so that the next run of an experiment takes
+// seconds.
+//
+// A folder of the cache holds one complete finger: it is filled in an adjacent folder and renamed.
+// Its name encodes everything that the finger depends on, so that another program, scene or seed
+// uses another folder. The folder holds a checksum of every file. A damaged finger is not loaded,
+// and is replaced by the next one. Any number of programs may use the cache at once.
+
+/// The name for a finger made by this program (its version and its code bytes) from these texts, in
+/// this order.
+[[nodiscard]] std::string cached_finger_name(const std::vector<std::string_view>& made_by);
+
+/// Copies a cached finger to `to`, which must not exist, and returns the `note` stored with it.
+/// nullopt: there is none, or it is damaged; then nothing exists at `to` either.
+[[nodiscard]] std::optional<std::string> load_cached_finger(const std::filesystem::path& cache,
+                                                            const std::string& name,
+                                                            const std::filesystem::path& to);
+
+/// Caches the files of a finger's folder. The eight newest fingers are retained. Errors: the cache
+/// cannot be made or written.
+[[nodiscard]] Status cache_finger(const std::filesystem::path& cache,
+                                  const std::string& name,
+                                  const std::filesystem::path& finger_folder,
+                                  const std::string& note);
 
 }  // namespace alltact

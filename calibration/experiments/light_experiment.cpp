@@ -1,6 +1,6 @@
 // Influence of the room's light on the measurements.
-#include "calibration/experiments/experiment_runs.h"
-#include "calibration/experiments/push_experiments.h"
+#include "calibration/experiments/experiments.h"
+#include "calibration/experiments/force_experiments.h"
 #include "calibration/study/evaluate.h"
 
 #include <array>

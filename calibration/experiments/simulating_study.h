@@ -2,10 +2,11 @@
 #pragma once
 
 #include "calibration/study/accuracy_study.h"
+#include "calibration/study/study_world.h"
+#include "core/base/job.h"
+#include "core/base/message.h"
+#include "core/base/result.h"
 #include "core/finger/finger_store.h"
-#include "core/job.h"
-#include "core/message.h"
-#include "core/result.h"
 #include "core/sensing/reference/reference_library.h"
 
 #include <cstdint>
@@ -56,5 +57,15 @@ struct SimulatingOptions {
 [[nodiscard]] nlohmann::json json_of(const SimulatingStudy& study);
 /// As study_plot.h: change without an effect over the time that it saves; the seven greatest named.
 [[nodiscard]] std::string svg_of(const SimulatingStudy& study);
+
+// Simulated images to compare settings on.
+
+/// The scene study_presses (the demonstration's finger, pressed by a ball at random positions and
+/// poses), measured by a finger that is recorded and calibrated from scenes as well.
+///   folder: for that finger; those of earlier studies are removed
+/// Errors: those of ExperimentBench; stopped.
+[[nodiscard]] Result<StudyWorld> simulated_world(const std::filesystem::path& folder,
+                                                 const StudyWorldOptions& options,
+                                                 const Job& job);
 
 }  // namespace alltact

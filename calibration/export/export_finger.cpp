@@ -1,13 +1,13 @@
 #include "calibration/export/export_finger.h"
 
-#include "calibration/checks/finger_worth.h"
+#include "calibration/checks/finger_check.h"
 #include "calibration/export/export_texts.h"
 #include "calibration/finger/calibration_inputs.h"
-#include "calibration/finger/measuring_settings.h"
-#include "core/io/atomic_file.h"
-#include "core/io/zip_file.h"
+#include "calibration/finger/measuring_presets.h"
+#include "core/base/atomic_file.h"
+#include "core/base/utc_time.h"
+#include "core/base/zip_file.h"
 #include "core/recording/journal.h"
-#include "core/utc_time.h"
 
 #include <fmt/format.h>
 

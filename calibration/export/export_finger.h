@@ -1,9 +1,9 @@
 // Exports a finger's calibration for other programs, alike from the window and the command line.
 #pragma once
 
+#include "core/base/job.h"
+#include "core/base/result.h"
 #include "core/finger/finger_store.h"
-#include "core/job.h"
-#include "core/result.h"
 
 #include <filesystem>
 #include <optional>

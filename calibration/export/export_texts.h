@@ -1,13 +1,16 @@
-// Content of the exported files. Numbers have all their digits and do not depend on the locale.
+// Content of exported files and of messages to other programs. Numbers have all their digits and do
+// not depend on the locale.
 #pragma once
 
 #include "calibration/verdict/verdict.h"
+#include "core/base/result.h"
 #include "core/finger/finger.h"
-#include "core/result.h"
 #include "core/sensing/pipeline_settings.h"
 
 #include <optional>
 #include <string>
+
+#include <nlohmann/json.hpp>
 
 namespace alltact {
 
@@ -21,5 +24,10 @@ namespace alltact {
     const Finger& finger,
     const PipelineSettings& settings = {},
     const std::optional<Verdict>& worth = std::nullopt);
+
+// Camera and face for other programs, alike in files and streams.
+
+[[nodiscard]] nlohmann::ordered_json camera_json(const CameraParameters& camera);
+[[nodiscard]] nlohmann::ordered_json face_json(const Face& face);
 
 }  // namespace alltact

@@ -1,22 +1,82 @@
 #include "calibration/finger/calibrate_finger.h"
 
+#include "calibration/finger/calibrate_presses.h"
 #include "calibration/finger/calibration_report.h"
-#include "calibration/finger/press_problem.h"
-#include "calibration/finger/solve_presses.h"
-#include "calibration/finger/take_presses.h"
-#include "calibration/reference/new_reference.h"
-#include "calibration/reference/settings_record.h"
+#include "calibration/reference/reference_recording.h"
+#include "calibration/report/problem_image.h"
+#include "core/base/atomic_file.h"
+#include "core/base/utc_time.h"
 #include "core/finger/finger_store.h"
-#include "core/io/atomic_file.h"
-#include "core/io/image_file.h"
-#include "core/utc_time.h"
+#include "core/image/image_file.h"
+#include "core/sensing/reference/recorded_poses.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <string>
 
 #include <fmt/format.h>
+#include <opencv2/core.hpp>
 
 namespace alltact {
 namespace {
+
+constexpr const char* kPressProblem = "calibration.problem.png";
+
+constexpr std::size_t kMaxShown = 8;
+constexpr double kDarker = 0.02;  // of the untouched brightness: fainter marks are noise
+
+/// Why a press is not used; empty: it is, or a person excluded it.
+std::string reason_of(const TakenPress& press, const FingerCalibration& done) {
+  if (done.inputs.press_set.of(press.name).excluded) return {};
+  if (!press.left_out.empty()) return press.name + ": " + press.left_out.english();
+  for (const Message& message : done.calibration.left_out)
+    if (std::string sentence = message.english(); sentence.starts_with(press.name + ':'))
+      return sentence;
+  return {};
+}
+
+cv::Mat image_of(const TakenPress& press, const std::string& words) {
+  ProblemScene scene;
+  scene.grey = press.grey;
+  scene.words = {words};
+  if (press.press) {
+    scene.edges = edge_curves(press.press->shape);
+    scene.darker = press.press->difference.x > kDarker;
+  }
+  return problem_image(scene);
+}
+
+/// The presses that were left out, one below the other (problem_image.h), each with its reason;
+/// eight at most, without those that a person excluded. `refused`: why there is no calibration at
+/// all, in English; presses without a reason of their own are then shown as well. Empty where there
+/// is nothing to show.
+cv::Mat press_problem(const FingerCalibration& done, const std::string& refused) {
+  std::vector<cv::Mat> images;
+  const auto add = [&](const TakenPress& press, const std::string& words) {
+    if (images.size() < kMaxShown && !press.grey.empty()) images.push_back(image_of(press, words));
+  };
+  for (const TakenPress& press : done.presses)
+    if (const std::string reason = reason_of(press, done); !reason.empty()) add(press, reason);
+  if (images.empty() && !refused.empty())
+    for (const TakenPress& press : done.presses)
+      if (press.left_out.empty()) add(press, press.name + ": " + refused);
+  cv::Mat stacked;
+  if (!images.empty()) cv::vconcat(images, stacked);  // one camera: all are equally wide
+  return stacked;
+}
+
+/// Writes that image into the finger's folder, or removes that of an earlier calibration. Returns
+/// its path; empty where there is none.
+std::filesystem::path leave_press_problem(const std::filesystem::path& finger_folder,
+                                          const FingerCalibration& done,
+                                          const std::string& refused) {
+  const auto file = finger_folder / kPressProblem;
+  const cv::Mat image = press_problem(done, refused);
+  if (!image.empty() && write_image(file, image)) return file;
+  std::error_code absent;
+  std::filesystem::remove(file, absent);
+  return {};
+}
 
 namespace fs = std::filesystem;
 

@@ -5,15 +5,13 @@
 #include "calibration/finger/calibration_inputs.h"
 #include "calibration/joint/calibrate.h"
 #include "calibration/presses/press_input.h"
-#include "calibration/report/fault_signs.h"
-#include "calibration/report/halo.h"
-#include "calibration/report/method_table.h"
-#include "calibration/report/press_residuals.h"
+#include "calibration/report/calibration_faults.h"
+#include "calibration/report/press_errors.h"
 #include "calibration/verdict/verdict.h"
+#include "core/base/job.h"
+#include "core/base/message.h"
+#include "core/base/result.h"
 #include "core/finger/finger.h"
-#include "core/job.h"
-#include "core/message.h"
-#include "core/result.h"
 #include "core/sensing/pipeline_settings.h"
 
 #include <filesystem>
@@ -49,7 +47,7 @@ struct FingerCalibration {
   bool is_complete = true;         ///< false: stopped before the solution had settled
   std::vector<Contradiction> contradictions;  ///< between numbers given and presses
   Verdict verdict;
-  std::vector<Message> fault_signs;     ///< see fault_signs.h
+  std::vector<Message> fault_signs;     ///< see calibration_faults.h
   std::vector<Message> made_of;         ///< the averaged bursts, a sentence each
   std::filesystem::path problem_image;  ///< of presses that were left out; empty: none
   std::vector<Message> warnings;        ///< about files and options

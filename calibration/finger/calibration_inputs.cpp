@@ -1,10 +1,10 @@
 #include "calibration/finger/calibration_inputs.h"
 
-#include "core/io/atomic_file.h"
-#include "core/io/image_file.h"
+#include "core/base/atomic_file.h"
+#include "core/base/message.h"
+#include "core/image/image_file.h"
 #include "core/numerics/checksum.h"
-#include "core/printable.h"
-#include "core/sources/files/image_source.h"
+#include "core/sources/file_source.h"
 
 #include <algorithm>
 #include <cctype>

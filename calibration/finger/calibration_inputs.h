@@ -21,10 +21,10 @@
 #pragma once
 
 #include "calibration/joint/calibrate.h"
+#include "core/base/message.h"
+#include "core/base/result.h"
 #include "core/finger/finger.h"
 #include "core/finger/press_set.h"
-#include "core/message.h"
-#include "core/result.h"
 #include "core/sensing/pipeline_settings.h"
 
 #include <filesystem>

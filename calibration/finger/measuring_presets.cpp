@@ -1,11 +1,9 @@
 #include "calibration/finger/measuring_presets.h"
 
-#include "calibration/finger/measuring_settings.h"
-#include "core/io/atomic_file.h"
-#include "core/printable.h"
-#include "core/yaml/yaml_file.h"
-#include "core/yaml/yaml_reader.h"
-#include "core/yaml/yaml_writer.h"
+#include "calibration/finger/calibration_inputs.h"
+#include "core/base/atomic_file.h"
+#include "core/base/message.h"
+#include "core/base/yaml.h"
 
 #include <algorithm>
 
@@ -256,6 +254,20 @@ Result<PipelineSettings> preset_settings(const fs::path& folder, const std::stri
   return Error{en::say("'{}' is no preset of this finger", printable(name)),
                folder.string(),
                en::say("{}", either(names))};
+}
+
+PipelineSettings calibrated_settings(const std::filesystem::path& finger_folder) {
+  const PipelineSettings defaults;
+  const auto inputs = CalibrationInputs::load(finger_folder);
+  if (!inputs) return defaults;
+  PipelineSettings settings = inputs->pipeline;
+  settings.contact_threshold_mm = defaults.contact_threshold_mm;
+  return settings;
+}
+
+PipelineSettings measuring_settings(const std::filesystem::path& finger_folder) {
+  const auto presets = presets_of_finger(finger_folder);
+  return presets ? presets->now : calibrated_settings(finger_folder);
 }
 
 }  // namespace alltact

@@ -11,8 +11,8 @@
 // those that the mapping requires.
 #pragma once
 
+#include "core/base/result.h"
 #include "core/finger/finger_store.h"
-#include "core/result.h"
 #include "core/sensing/pipeline_settings.h"
 
 #include <filesystem>
@@ -76,5 +76,16 @@ struct MeasuringPresets {
 /// own. Errors: no study is stored; the preset improves nothing on this finger.
 [[nodiscard]] Result<PipelineSettings> preset_settings(const std::filesystem::path& folder,
                                                        const std::string& name);
+
+// The settings of a finger for all measurements.
+
+/// Those of its calibration, with the changes of the preset in use (measuring_presets.h). An
+/// unreadable preset file changes nothing.
+[[nodiscard]] PipelineSettings measuring_settings(const std::filesystem::path& finger_folder);
+
+/// The pipeline's settings in calibration_inputs.yaml: a mapping requires the smoothing, edges and
+/// reference that its presses were measured with. contact_threshold_mm, which no mapping depends
+/// on, has its default. Without a readable file (not calibrated): the default settings.
+[[nodiscard]] PipelineSettings calibrated_settings(const std::filesystem::path& finger_folder);
 
 }  // namespace alltact

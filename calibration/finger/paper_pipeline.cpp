@@ -1,8 +1,8 @@
 #include "calibration/finger/paper_pipeline.h"
 
 #include "calibration/finger/calibration_inputs.h"
-#include "calibration/joint/paper_calibration.h"
-#include "core/io/image_file.h"
+#include "calibration/joint/outline_methods.h"
+#include "core/image/image_file.h"
 
 namespace alltact {
 namespace {

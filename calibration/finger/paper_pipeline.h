@@ -3,11 +3,11 @@
 #pragma once
 
 #include "calibration/presses/press.h"
+#include "core/base/job.h"
+#include "core/base/result.h"
 #include "core/finger/finger_store.h"
 #include "core/finger/press_set.h"
-#include "core/frame.h"
-#include "core/job.h"
-#include "core/result.h"
+#include "core/image/frame.h"
 #include "core/sensing/paper_method.h"
 #include "core/sensing/pipeline.h"
 

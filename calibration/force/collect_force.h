@@ -2,10 +2,10 @@
 #pragma once
 
 #include "calibration/force/force_table.h"
+#include "core/base/job.h"
+#include "core/base/message.h"
+#include "core/base/result.h"
 #include "core/finger/finger_store.h"
-#include "core/job.h"
-#include "core/message.h"
-#include "core/result.h"
 #include "core/sensing/markers/markers.h"
 
 #include <filesystem>

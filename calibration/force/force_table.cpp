@@ -1,13 +1,14 @@
 #include "calibration/force/force_table.h"
 
-#include "calibration/force/csv_lines.h"
-#include "core/io/atomic_file.h"
-#include "core/message.h"
-#include "core/printable.h"
+#include "core/base/atomic_file.h"
+#include "core/base/message.h"
+#include "core/numerics/philox.h"
 
+#include <algorithm>
 #include <charconv>
 #include <limits>
 #include <map>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -357,6 +358,182 @@ std::string ForceTable::to_csv() const {
     text += '\n';
   }
   return text;
+}
+
+namespace {
+
+std::vector<Eigen::Index> rows_where(const std::vector<int>& of, int fold, bool is_in) {
+  std::vector<Eigen::Index> rows;
+  for (std::size_t i = 0; i < of.size(); ++i)
+    if ((of[i] == fold) == is_in) rows.push_back(static_cast<Eigen::Index>(i));
+  return rows;
+}
+
+ForceFolds folds_by_name(const std::vector<std::string>& names) {
+  std::map<std::string, int> groups;  // in order of first occurrence
+  ForceFolds folds;
+  for (const std::string& name : names)
+    folds.of.push_back(groups.emplace(name, static_cast<int>(groups.size())).first->second);
+  folds.count = std::min(kMaxFolds, static_cast<int>(groups.size()));
+  for (int& fold : folds.of) fold %= folds.count;
+  return folds;
+}
+
+ForceFolds folds_of_stretches(const ForceTable& table) {
+  std::vector<Eigen::Index> order(static_cast<std::size_t>(table.rows()));
+  std::iota(order.begin(), order.end(), 0);
+  if (table.time_s.size() > 0)
+    std::stable_sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) {
+      return table.time_s[a] < table.time_s[b];
+    });
+  ForceFolds folds;
+  folds.count = kStretches;
+  folds.by_time = true;
+  folds.of.resize(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+    folds.of[static_cast<std::size_t>(order[i])] = static_cast<int>(i * kStretches / order.size());
+  return folds;
+}
+
+}  // namespace
+
+std::vector<Eigen::Index> ForceFolds::rows_in(int fold) const {
+  return rows_where(of, fold, true);
+}
+std::vector<Eigen::Index> ForceFolds::rows_without(int fold) const {
+  return rows_where(of, fold, false);
+}
+
+std::vector<Eigen::Index> drawn_order(Eigen::Index n,
+                                      std::uint64_t seed,
+                                      std::string_view who,
+                                      std::uint32_t which) {
+  std::vector<Eigen::Index> order(static_cast<std::size_t>(n));
+  std::iota(order.begin(), order.end(), 0);
+  for (std::size_t i = order.size(); i > 1; --i) {
+    const double drawn = philox_uniform(seed, who, which, static_cast<std::uint32_t>(i));
+    std::swap(order[i - 1], order[std::min(i - 1, static_cast<std::size_t>(drawn * i))]);
+  }
+  return order;
+}
+
+Result<ForceFolds> force_folds(const ForceTable& table, ForceSplit split, std::uint64_t seed) {
+  if (split == ForceSplit::kRandom) {
+    ForceFolds folds;
+    folds.count = table.rows() < 500 ? kStretches : kMaxFolds;
+    folds.of.resize(static_cast<std::size_t>(table.rows()));
+    const auto order = drawn_order(table.rows(), seed, "force random split");
+    for (std::size_t i = 0; i < order.size(); ++i)
+      folds.of[static_cast<std::size_t>(order[i])] = static_cast<int>(i) % folds.count;
+    return folds;
+  }
+  if (split == ForceSplit::kBlock) {
+    ForceFolds folds = folds_by_name(table.block);
+    return folds.count > 1 ? folds : folds_of_stretches(table);
+  }
+  const bool by_day = split == ForceSplit::kDay;
+  ForceFolds folds = folds_by_name(by_day ? table.day : table.indenter);
+  if (folds.count > 1) return folds;
+  const std::string column(by_day ? "day" : "indenter");
+  return Error{folds.count == 0 ? en::say("the table has no column '{}'", column)
+                                : en::say("the column '{}' is the same in all rows", column),
+               std::string("--split"),
+               en::say("--split block, or a table of several")};
+}
+
+// Joins force tables.
+
+namespace {
+
+using Names = std::vector<std::string>;
+
+/// Appends names; a part without names is empty where another has them.
+void append_names(const Names& part, std::size_t rows, std::size_t before, Names& joined) {
+  if (part.empty() && joined.empty()) return;
+  joined.resize(before);
+  joined.insert(joined.end(), part.begin(), part.end());
+  joined.resize(before + rows);
+}
+
+void append_rows(const Eigen::MatrixXd& part, Eigen::MatrixXd& joined) {
+  const Eigen::Index before = joined.rows();
+  joined.conservativeResize(before + part.rows(), part.cols());
+  joined.bottomRows(part.rows()) = part;
+}
+
+Eigen::MatrixXd positions_of(const ForceTable& table) {
+  if (table.has_position()) return table.position_mm;
+  return Eigen::MatrixXd::Constant(table.rows(), 2, std::numeric_limits<double>::quiet_NaN());
+}
+
+/// Distinguishes blocks of the same name in two recordings. Where a table has none, stretches of
+/// its rows are blocks.
+void name_blocks_after(const std::string& file, ForceTable& table) {
+  for (std::string& block : table.block) block = fmt::format("{} {}", file, block);
+  if (!table.block.empty()) return;
+  const auto rows = static_cast<std::size_t>(table.rows());
+  for (std::size_t row = 0; row < rows; ++row)
+    table.block.push_back(fmt::format("{} {}", file, row * kStretches / rows));
+}
+
+void append_table(const ForceTable& part, ForceTable& joined) {
+  const auto before = static_cast<std::size_t>(joined.rows());
+  const auto rows = static_cast<std::size_t>(part.rows());
+  Eigen::MatrixXd positions = positions_of(joined);
+  append_rows(positions_of(part), positions);
+  if (part.has_position() || joined.has_position()) joined.position_mm = std::move(positions);
+  append_rows(part.layouts, joined.layouts);
+  append_rows(part.seen, joined.seen);
+  if (part.time_s.size() > 0 && joined.time_s.size() > 0) {
+    Eigen::VectorXd times(joined.time_s.size() + part.time_s.size());
+    times << joined.time_s, part.time_s;
+    joined.time_s = std::move(times);
+  } else {
+    joined.time_s.resize(0);
+  }
+  append_rows(part.force_N, joined.force_N);
+  append_names(part.block, rows, before, joined.block);
+  append_names(part.day, rows, before, joined.day);
+  append_names(part.indenter, rows, before, joined.indenter);
+  append_names(part.frame, rows, before, joined.frame);
+  for (const std::string& name : part.ignored_columns)
+    if (std::find(joined.ignored_columns.begin(), joined.ignored_columns.end(), name) ==
+        joined.ignored_columns.end())
+      joined.ignored_columns.push_back(name);
+}
+
+Result<ForceTable> load_part(const std::filesystem::path& file) {
+  const auto content = read_file(file, ForceTable::kMaxBytes);
+  if (!content) return content.error();
+  return ForceTable::parse_part(*content, file);
+}
+
+}  // namespace
+
+Result<ForceTable> ForceTable::load_all(const std::vector<std::filesystem::path>& files) {
+  if (files.size() == 1) return load(files.front());
+  std::optional<ForceTable> joined;
+  for (const std::filesystem::path& file : files) {
+    auto part = load_part(file);
+    if (!part) return part.error();
+    const std::string name = file.stem().string();
+    name_blocks_after(name, *part);
+    if (!joined) {
+      joined = std::move(*part);
+      continue;
+    }
+    if (part->marker_count != joined->marker_count || part->axes != joined->axes)
+      return Error{en::say("has {} markers and {} axes, the tables before it {} and {}",
+                           part->marker_count,
+                           part->axes,
+                           joined->marker_count,
+                           joined->axes),
+                   file,
+                   en::say("tables of one finger and one kind of gauge")};
+    append_table(*part, *joined);
+  }
+  if (Status status = joined->check(files.front()); !status) return status.error();
+  return *joined;
 }
 
 }  // namespace alltact

@@ -1,15 +1,18 @@
-// Trains a force model from a table: compares every kind of regression on held-out blocks.
+// Trains a force model: compares every kind of regression on held-out blocks of a table, and saves
+// the selected one in a finger.
 #pragma once
 
 #include "calibration/force/force_regression.h"
-#include "calibration/force/force_split.h"
 #include "calibration/force/force_table.h"
+#include "core/base/job.h"
+#include "core/base/message.h"
+#include "core/base/result.h"
+#include "core/finger/finger_store.h"
 #include "core/finger/force_model.h"
-#include "core/job.h"
-#include "core/message.h"
-#include "core/result.h"
 
+#include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -70,5 +73,31 @@ struct TrainedForce {
 
 /// See TrainedForce::label_noise_N, without the bound.
 [[nodiscard]] Eigen::VectorXd force_label_noise_N(const ForceTable& table, const ForceFolds& folds);
+
+// Trains the force model of a finger on disk, and restores the previous one.
+
+/// Trains a model and saves it in the finger, as force/model-HASH.json with its table. Both are
+/// named after their content, so an earlier model stays, and revert_force() returns to it.
+/// Errors, after which the finger is unchanged: a finger without markers or without reference; a
+/// table of other markers; those of train_force and FingerStore::update; another process works on
+/// the finger.
+[[nodiscard]] Result<TrainedForce> train_finger_force(const std::filesystem::path& folder,
+                                                      const ForceTable& table,
+                                                      const ForceTraining& options,
+                                                      const Job& job);
+
+/// Restores the model from before the last train_finger_force(), or none where there was none; a
+/// second call reverts the first. Errors: no model was trained yet; the file is gone.
+[[nodiscard]] Result<FingerPtr> revert_force(const std::filesystem::path& folder);
+
+/// The table of the finger's force model. Errors: it has none, or the table is gone.
+[[nodiscard]] Result<ForceTable> stored_force_table(const std::filesystem::path& folder);
+
+/// Options of the training of the finger's force model: split, kind if one was requested, creep.
+/// Other options are the defaults. Errors: those of stored_force_table, but for the table itself.
+[[nodiscard]] Result<ForceTraining> stored_force_training(const std::filesystem::path& folder);
+
+/// Error: the rows are not of this finger's markers.
+[[nodiscard]] Status check_force_markers(const ForceTable& table, const Finger& finger);
 
 }  // namespace alltact

@@ -1,7 +1,5 @@
 #include "calibration/hard_cases/hard_cases.h"
 
-#include "calibration/hard_cases/groups.h"
-
 #include <algorithm>
 #include <cassert>
 #include <cmath>

@@ -1,24 +1,227 @@
 #include "calibration/joint/calibrate.h"
 
-#include "calibration/joint/cross_validation.h"
+#include "calibration/joint/contact_model.h"
 #include "calibration/joint/joint_fit.h"
-#include "calibration/joint/measured_presses.h"
+#include "calibration/joint/mapping_curve.h"
 #include "calibration/joint/model_choice.h"
 #include "calibration/joint/outline_methods.h"
-#include "calibration/joint/paper_calibration.h"
-#include "calibration/joint/starting_balls.h"
-#include "calibration/joint/stored_curve.h"
-#include "calibration/joint/tangent_arc.h"
+#include "calibration/joint/step_press.h"
+#include "calibration/presses/press.h"
 #include "calibration/verdict/verdict.h"
+#include "core/base/job.h"
+#include "core/base/message.h"
+#include "core/finger/finger.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <functional>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
 
+#include <Eigen/Core>
 #include <Eigen/Dense>
 
 namespace alltact {
 namespace {
+
+/// A press with its ball.
+struct FoundBall {
+  const Press* press;
+  BallGuess guess;
+  PressSamples fine, coarse;   ///< for the solution; for the choice of the model
+  double tangent_arc_deg = 0;  ///< of the outline that entered the fit
+};
+
+constexpr int kFineSamples = 1500;   // a press, for the solution
+constexpr int kCoarseSamples = 400;  // a press, for the choice of the model
+// of these in the inner zone, where skin and ball touch
+constexpr std::ptrdiff_t kMinBallSamples = 16;
+
+bool same_image(const Press& a, const Press& b) {
+  const cv::Mat& x = a.difference.x;
+  const cv::Mat& y = b.difference.x;
+  if (x.size() != y.size() || x.type() != y.type()) return false;
+  for (int row = 0; row < x.rows; ++row)
+    if (std::memcmp(x.ptr(row), y.ptr(row), static_cast<std::size_t>(x.cols) * x.elemSize()) != 0)
+      return false;
+  return true;
+}
+
+std::ptrdiff_t contact_samples(const PressSamples& press, const Eigen::Vector3d& centre_mm) {
+  const ContactDisc disc(press, MappingAlong::kNormal, centre_mm);
+  return std::count_if(press.samples.begin(), press.samples.end(), [&](const Sample& sample) {
+    return disc.position_of(sample).radius < kInnerZone;
+  });
+}
+
+/// An order by the measurements only, so that results do not depend on the order of the presses.
+bool before(const FoundBall& a, const FoundBall& b) {
+  const auto key = [](const FoundBall& f) {
+    double sum = 0;
+    for (const Sample& sample : f.fine.samples) sum += sample.x;
+    return std::tuple(f.fine.samples.size(), sum, f.guess.centre_mm.x(), f.guess.centre_mm.y());
+  };
+  return key(a) < key(b);
+}
+
+/// Finds the balls of all presses but punches, in an order that depends only on the measurements.
+/// `unusable` receives a sentence without full stop for each other press: no ball to be found, the
+/// same image as another press, too few samples in the contact. A stopped job ends it early.
+std::vector<FoundBall> find_balls(const std::vector<Press>& presses,
+                                  const Face& face,
+                                  const Job& job,
+                                  std::vector<Message>* unusable) {
+  std::vector<FoundBall> found;
+  for (std::size_t i = 0; i < presses.size() && !job.stop_requested(); ++i) {
+    const Press& press = presses[i];
+    if (press.step_mm) continue;
+    job.report(0.2 * static_cast<double>(i) / static_cast<double>(presses.size()),
+               en::say("looking for the ball in {}", press.name));
+    const auto duplicate = std::find_if(presses.begin(),
+                                        presses.begin() + static_cast<std::ptrdiff_t>(i),
+                                        [&](const Press& p) { return same_image(p, press); });
+    if (duplicate != presses.begin() + static_cast<std::ptrdiff_t>(i)) {
+      unusable->push_back(en::at(Message::typed(press.name),
+                                 en::say("the same picture as {}, counted once", duplicate->name)));
+      continue;
+    }
+    auto guess =
+        press.ball_mm ? guess_of_manual_ball(press, face, *press.ball_mm) : find_ball(press, face);
+    if (!guess) {
+      unusable->push_back(guess.error().message());
+      continue;
+    }
+    const Eigen::Vector3d& centre = guess->centre_mm;
+    const double reach = 1.06 * press.ball_radius_mm;
+    FoundBall one{&press,
+                  *guess,
+                  sample_around(press, face, centre, reach, kFineSamples),
+                  sample_around(press, face, centre, reach, kCoarseSamples)};
+    if (contact_samples(one.coarse, centre) < kMinBallSamples) {
+      unusable->push_back(Error{en::say("the contact covers too few pixels"),
+                                press.name,
+                                en::say("pressing deeper, or a larger picture")}
+                              .message());
+      continue;
+    }
+    found.push_back(std::move(one));
+  }
+  std::stable_sort(found.begin(), found.end(), before);
+  return found;
+}
+
+/// A press of a ball, thinned twice.
+struct MeasuredPress {
+  std::string name;
+  Eigen::Vector3d centre_mm;  ///< start of the fit
+  PressSamples* coarse;
+  PressSamples* fine;
+};
+
+constexpr double kFar = 4.0;  // standard deviations
+
+bool is_far(double measured, double seen, double measured_sd, double seen_sd) {
+  return std::abs(measured - seen) > kFar * std::hypot(measured_sd, seen_sd);
+}
+
+/// Finds the punches among the presses. `left_out` receives the reasons of unusable ones.
+std::vector<StepSamples> find_steps(const std::vector<Press>& presses,
+                                    const Face& face,
+                                    std::vector<Message>* left_out) {
+  std::vector<StepSamples> steps;
+  for (const Press& press : presses) {
+    if (!press.step_mm) continue;
+    auto step = find_step(press, face);
+    if (step)
+      steps.push_back(std::move(step).value());
+    else
+      left_out->push_back(en::say("{}.", step.error().message()));
+  }
+  return steps;
+}
+
+/// The steps as a fitted curve measures them.
+std::vector<StepFit> steps_of(const std::vector<StepSamples>& steps,
+                              const MappingCurve& curve,
+                              MappingAlong along) {
+  std::vector<StepFit> fits;
+  for (const StepSamples& step : steps) {
+    const StepReading reading = read_step(step, curve, curve.values().data(), along);
+    fits.push_back({step.press, step.step_mm, reading.height_mm, reading.sd_mm});
+  }
+  return fits;
+}
+
+/// Solves from the images alone and drops measured depths and steps that contradict the solution.
+/// The limit is four standard deviations of both: a gauge that was not set to zero must not stretch
+/// all depths. Returns the reasons. Drops nothing where the images alone leave the depth open.
+std::vector<Message> drop_contradicting(const std::vector<MeasuredPress>& presses,
+                                        std::vector<StepSamples>& steps,
+                                        const CalibrationSettings& settings,
+                                        const Job& job) {
+  const bool any_depth = std::any_of(presses.begin(), presses.end(), [](const MeasuredPress& one) {
+    return one.fine->given_depth.has_value();
+  });
+  if (!any_depth && steps.empty()) return {};
+  ChoiceInput images_only;
+  std::vector<PressSamples> without_depths;
+  for (const MeasuredPress& one : presses) {
+    without_depths.push_back(*one.coarse);
+    without_depths.back().given_depth.reset();
+    images_only.centres_mm.push_back(one.centre_mm);
+  }
+  for (const PressSamples& samples : without_depths) images_only.presses.push_back(&samples);
+  const auto choice = choose_model(images_only, settings, job);
+  if (!choice) return {};
+  const Eigen::MatrixXd covariance =
+      covariance_of(images_only.presses, choice->fit, choice->options).covariance;
+  if (covariance.size() == 0) return {};
+
+  std::vector<Message> reasons;
+  const Eigen::Index numbers = choice->fit.curve.values().size();
+  for (std::size_t i = 0; i < presses.size(); ++i) {
+    const auto& measured = presses[i].fine->given_depth;
+    if (!measured) continue;
+    const Eigen::Vector3d& centre = choice->fit.centres_mm[i];
+    const PressedPlane plane = plane_below(without_depths[i], centre);
+    const auto first = numbers + 3 * static_cast<Eigen::Index>(i);
+    const double seen_mm = without_depths[i].ball_radius_mm - plane.height_mm(centre);
+    const double seen_sd_mm = std::sqrt(
+        std::max(0.0, plane.normal.dot(covariance.block<3, 3>(first, first) * plane.normal)));
+    if (!is_far(measured->mm, seen_mm, measured->sd_mm, seen_sd_mm)) continue;
+    reasons.push_back(en::at(
+        Message::typed(presses[i].name),
+        en::say("its measured depth of {:.3f} +- {:.3f} mm was left out, because the pictures say "
+                "{:.3f} +- {:.3f} mm; it counts from where the ball first touches, normal to the "
+                "face",
+                measured->mm,
+                measured->sd_mm,
+                seen_mm,
+                seen_sd_mm)));
+    presses[i].coarse->given_depth.reset();
+    presses[i].fine->given_depth.reset();
+  }
+  std::erase_if(steps, [&](const StepSamples& step) {
+    const MappingCurve& curve = choice->fit.curve;
+    const StepReading seen = read_step(step, curve, curve.values().data(), choice->options.along);
+    const double seen_sd_mm = std::sqrt(std::max(
+        0.0, seen.by_values.dot(covariance.topLeftCorner(numbers, numbers) * seen.by_values)));
+    if (!is_far(step.step_mm, seen.height_mm, seen.sd_mm, seen_sd_mm)) return false;
+    reasons.push_back(en::at(
+        Message::typed(step.press),
+        en::say(
+            "its step of {:.3f} mm was left out, because the balls say {:.3f} +- {:.3f} mm; is the "
+            "balls' radius right",
+            step.step_mm,
+            seen.height_mm,
+            std::hypot(seen.sd_mm, seen_sd_mm))));
+    return true;
+  });
+  return reasons;
+}
 
 Error no_press(const std::vector<Press>& presses, const std::vector<Message>& left_out) {
   if (presses.empty())
@@ -328,6 +531,54 @@ Result<Calibration> calibrate(const std::vector<Press>& presses,
                  "",
                  en::say("fewer presses")};
   }
+}
+
+namespace {
+
+MethodRow row_of(CalibrationMethod method, const Calibration& made, const Calibration& joint) {
+  MethodRow row;
+  row.method = method;
+  row.presses = static_cast<int>(made.balls.size());
+  row.residual_mm = made.residual_mm;
+  for (const BallFit& ball : made.balls) row.press_depth_mm += ball.depth_mm / row.presses;
+  const auto mapping = Mapping::create(made.mapping), reads = Mapping::create(joint.mapping);
+  if (!mapping || !reads) {
+    row.failed = en::say("no mapping came of it");
+    return row;
+  }
+  const double x = std::min(mapping->x_max(), reads->x_max());
+  row.at_depth_mm = mapping->depth_mm(x);
+  row.joint_depth_mm = reads->depth_mm(x);
+  return row;
+}
+
+}  // namespace
+
+std::vector<MethodRow> compare_methods(const std::vector<Press>& presses,
+                                       const Result<std::vector<Press>>& as_paper,
+                                       const Camera& camera,
+                                       const Face& face,
+                                       const Calibration& joint,
+                                       const Job& job) {
+  std::vector<MethodRow> rows{row_of(CalibrationMethod::kJoint, joint, joint)};
+  for (const CalibrationMethod method :
+       {CalibrationMethod::kPaper, CalibrationMethod::kCircle, CalibrationMethod::kCone}) {
+    CalibrationSettings settings;
+    settings.method = method;
+    const bool is_paper = method == CalibrationMethod::kPaper;
+    const auto made = is_paper && !as_paper
+                          ? Result<Calibration>(as_paper.error())
+                          : calibrate(is_paper ? *as_paper : presses, camera, face, settings, job);
+    if (job.stop_requested()) break;
+    if (made) {
+      rows.push_back(row_of(method, *made, joint));
+    } else {
+      rows.push_back({});
+      rows.back().method = method;
+      rows.back().failed = made.error().what;
+    }
+  }
+  return rows;
 }
 
 }  // namespace alltact

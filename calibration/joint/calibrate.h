@@ -8,7 +8,7 @@
 //
 // MODEL
 // With g the inverse of M, d_i(c) the depth of the skin over the ball at sample i (joint_fit.h,
-// lift_off.h), s_i = M'(g(d_i(c))) and sigma_i the noise of x_i as depth, the joint method
+// contact_model.h), s_i = M'(g(d_i(c))) and sigma_i the noise of x_i as depth, the joint method
 // minimises
 //   sum_i rho(s_i (x_i - g(d_i(c))) / sigma_i)             brightness in the contacts
 // + sum_k rho((angle(r_k, c) - asin(R / |c|)) / sigma_k)   rays r_k of the occluding contour
@@ -18,7 +18,7 @@
 // squares; rho is the soft L1 loss. Samples are block means of the image. The face's own distance
 // is known to 0.05 mm. The component of the rays' residuals that moves ball and face apart along z
 // is weighted accordingly. Only the zone of a contact where skin and ball certainly touch is read,
-// and more where that is needed and explained (contact_zone.h). The other methods
+// and more where that is needed and explained (model_choice.h). The other methods
 // (outline_methods.h) serve for comparison.
 //
 // GAUGE
@@ -59,14 +59,14 @@
 #pragma once
 
 #include "calibration/joint/calibration_settings.h"
-#include "calibration/joint/press_advice.h"
-#include "calibration/joint/round.h"
+#include "calibration/joint/uncertainty.h"
 #include "calibration/presses/press.h"
+#include "core/base/job.h"
+#include "core/base/message.h"
+#include "core/base/result.h"
 #include "core/finger/finger.h"
-#include "core/job.h"
-#include "core/message.h"
-#include "core/result.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -74,6 +74,19 @@
 #include <Eigen/Core>
 
 namespace alltact {
+
+// Progress of the joint fit, round by round.
+
+/// State after one round of the joint fit.
+struct Round {
+  int number = 1;          ///< from 1; restarts with each stage of the calculation
+  double residual_mm = 0;  ///< mean absolute inside the contacts, of the solution so far
+  double change_mm = 0;    ///< how much the unknowns moved in this round
+};
+
+/// Called on the calibrating thread, which waits for it. Empty: the figures of a round are not
+/// computed.
+using RoundListener = std::function<void(const Round& round)>;
 
 /// The ball of one press in the solution.
 struct BallFit {
@@ -129,5 +142,28 @@ struct Calibration {
                                             const CalibrationSettings& settings,
                                             const Job& job,
                                             const RoundListener& on_round = {});
+
+// Comparison of the methods on the same presses.
+
+/// Result of one method. Where `failed` is not empty other fields are unset.
+struct MethodRow {
+  CalibrationMethod method = CalibrationMethod::kJoint;
+  int presses = 0;            ///< with a ball found
+  double press_depth_mm = 0;  ///< greatest depth of the ball, mean over presses
+  double residual_mm = 0;     ///< mean absolute, of its own mapping on its own balls
+  double at_depth_mm = 0;     ///< depth by this method where the joint method's mapping reads...
+  double joint_depth_mm = 0;  ///< ...this, which lies within both domains
+  Message failed;             ///< why there is no mapping
+};
+
+/// `joint` is the solution of calibrate() for these presses; circle and cone are run on them
+/// unchanged. `as_paper`: the same presses measured by the source paper's method, for its row, or
+/// why that failed. Rows: joint, paper, circle, cone; fewer when the job was stopped.
+[[nodiscard]] std::vector<MethodRow> compare_methods(const std::vector<Press>& presses,
+                                                     const Result<std::vector<Press>>& as_paper,
+                                                     const Camera& camera,
+                                                     const Face& face,
+                                                     const Calibration& joint,
+                                                     const Job& job);
 
 }  // namespace alltact

@@ -1,7 +1,7 @@
 // Settings of a calibration, each declared once for flags, files and dialogs.
 #pragma once
 
-#include "core/settings.h"
+#include "core/base/settings.h"
 
 #include <string>
 #include <vector>

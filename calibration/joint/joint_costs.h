@@ -5,7 +5,7 @@
 #include "calibration/joint/joint_fit.h"
 #include "calibration/joint/mapping_curve.h"
 #include "calibration/joint/step_press.h"
-#include "calibration/presses/press_samples.h"
+#include "calibration/presses/press.h"
 
 #include <optional>
 #include <vector>
@@ -48,8 +48,8 @@ constexpr double kFaceSdMm = 0.05;
 /// Smoothing::blur_px2 has their mean.
 constexpr double kOpticsSdPx2 = 0.4;
 
-/// Standard deviation of the distance between skin and ball by lift_off.h, as a fraction of it.
-/// Beds other than Winkler's return earlier or later.
+/// Standard deviation of the distance between skin and ball by contact_model.h, as a fraction of
+/// it. Beds other than Winkler's return earlier or later.
 constexpr double kLiftPart = 0.5;
 
 /// Whether the lift-off length is a free parameter of the fit.

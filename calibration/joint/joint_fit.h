@@ -6,15 +6,15 @@
 // skin and ball certainly touch. Residuals of depth, M(x_i) - d_i, would make all depths too small
 // by 2 to 12 % at ordinary noise. The cause is regression dilution: a straight line through points
 // that are uncertain along it comes out too flat. Where part of the ball's outline is seen
-// (tangent_arc.h), the angles of its rays to the centre, less asin(R / |c|), join the sum. So do
-// measured depths of presses and heights of the steps of punches.
+// (outline_methods.h), the angles of its rays to the centre, less asin(R / |c|), join the sum. So
+// do measured depths of presses and heights of the steps of punches.
 #pragma once
 
+#include "calibration/joint/contact_model.h"
 #include "calibration/joint/mapping_curve.h"
-#include "calibration/joint/sample_misfit.h"
 #include "calibration/joint/step_press.h"
-#include "calibration/presses/press_samples.h"
-#include "core/job.h"
+#include "calibration/presses/press.h"
+#include "core/base/job.h"
 
 #include <functional>
 #include <vector>
@@ -43,7 +43,7 @@ struct JointFit {
   MappingCurve curve;
   std::vector<Eigen::Vector3d> centres_mm;  ///< one for each press
   bool converged = false;                   ///< finite, and the unknowns no longer change
-  double lift_mm = 0;  ///< of lift_off.h; 0: the skin leaves the ball at the rim
+  double lift_mm = 0;  ///< of contact_model.h; 0: the skin leaves the ball at the rim
 };
 
 /// Improves `start`. A stopped job returns the best fit so far.
@@ -84,5 +84,29 @@ struct JointCovariance {
 [[nodiscard]] JointCovariance chance_covariance_of(const std::vector<const PressSamples*>& presses,
                                                    const JointFit& fit,
                                                    const JointOptions& options);
+
+// Start of the joint fit: the balls as found, and the mapping that follows from them.
+
+/// Presses and their start: the balls as found, one a press, and the punches.
+struct ChoiceInput {
+  std::vector<const PressSamples*> presses;
+  std::vector<Eigen::Vector3d> centres_mm;
+  const std::vector<StepSamples>* steps = nullptr;  ///< see JointOptions
+  int max_rounds = 60;                              ///< likewise
+};
+
+inline constexpr CurveFamily kMoebiusFamily{MappingKind::kMoebius, 2};
+inline constexpr CurveFamily kLayerFamily{MappingKind::kMoebius, 3};
+
+/// The end of the domain: the largest difference in the inner zones of the contacts and on the
+/// punches' levels. 0: nothing is darker than the reference.
+[[nodiscard]] double domain_of(const ChoiceInput& input, MappingAlong along);
+
+/// A straight line through the balls as found, over the domain up to `x_max`.
+[[nodiscard]] JointFit straight_start(const ChoiceInput& input, MappingAlong along, double x_max);
+
+/// The same curve in another family where that contains it, else the straight line to its end.
+/// Balls and lift-off length stay.
+[[nodiscard]] JointFit as_family(const JointFit& fit, CurveFamily family);
 
 }  // namespace alltact

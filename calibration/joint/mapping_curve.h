@@ -1,8 +1,9 @@
 // The mapping in the fits: a family of curves with derivatives, without the checks of Mapping.
 #pragma once
 
+#include "calibration/presses/press.h"
+#include "core/base/message.h"
 #include "core/finger/mapping.h"
-#include "core/message.h"
 
 #include <vector>
 
@@ -101,5 +102,15 @@ struct StoredCurve {
 
 /// The curve of a stored mapping, with its variation over the face.
 [[nodiscard]] MappingCurve curve_of(const MappingParameters& parameters);
+
+// A fitted curve as a finger file stores it.
+
+/// The stored form of a fitted curve; `part`: the area of the face that its variation refers to.
+[[nodiscard]] MappingParameters mapping_parameters(const MappingCurve& curve,
+                                                   MappingAlong along,
+                                                   const PressedArea& part = {});
+
+/// Whether a fitted curve is a mapping: increasing over its entire domain.
+[[nodiscard]] bool increases(const MappingCurve& curve, MappingAlong along);
 
 }  // namespace alltact

@@ -1,16 +1,214 @@
 #include "calibration/joint/model_choice.h"
 
-#include "calibration/joint/contact_zone.h"
-#include "calibration/joint/cross_validation.h"
-#include "calibration/joint/stored_curve.h"
-#include "calibration/joint/thickness_direction.h"
+#include "calibration/joint/contact_model.h"
+#include "calibration/joint/joint_fit.h"
+#include "calibration/joint/mapping_curve.h"
+#include "calibration/verdict/verdict.h"
+#include "core/base/job.h"
+#include "core/base/message.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Dense>
 
 namespace alltact {
 namespace {
+
+constexpr double kQuietRingMm = 0.002;  // mean residual of a ring that is always accepted
+constexpr double kRingExcess = 1.5;     // times the scatter of a ring's sectors
+constexpr double kSmallSd = 0.01;       // of the depth: small enough a standard deviation by chance
+// of the rim's radius: the skin is not exactly that membrane
+constexpr double kContactMargin = 0.03;
+
+/// Standard deviation of the depth at the end of the domain, as a fraction of that depth.
+double relative_depth_sd(const JointFit& fit, const Eigen::MatrixXd& all) {
+  if (all.size() == 0) return std::numeric_limits<double>::infinity();
+  Eigen::VectorXd gradient(fit.curve.values().size());
+  const double depth = fit.curve.depth_mm(fit.curve.x_max(), gradient.data());
+  const auto n = gradient.size();
+  return std::sqrt(std::max(0.0, gradient.dot(all.topLeftCorner(n, n) * gradient))) / depth;
+}
+
+/// Whether the mean residuals of the rings, common to all presses, are chance, and the skin has
+/// lifted off so little that its form does not matter.
+bool rings_agree(const FitQuality& quality) {
+  const double chance_mm = std::max(kQuietRingMm, kRingExcess * quality.scatter_mm);
+  return quality.ring_mm <= chance_mm && quality.lifted_sd_mm <= kQuietRingMm;
+}
+
+/// Mean over presses of the contact radius, where the skin leaves the ball, over the rim's radius.
+double contact_fraction(const ChoiceInput& input, const JointFit& fit) {
+  double sum = 0;
+  for (std::size_t i = 0; i < input.presses.size(); ++i) {
+    const PressSamples& press = *input.presses[i];
+    const double radius = press.ball_radius_mm,
+                 height = plane_below(press, fit.centres_mm[i]).height_mm(fit.centres_mm[i]);
+    const double rim2 = std::max(1e-6, (radius - height) * (radius + height));
+    sum += contact_radius_mm(rim2, fit.lift_mm) / std::sqrt(rim2);
+  }
+  return sum / static_cast<double>(input.presses.size());
+}
+
+Message inner_sentence(double zone) {
+  return en::say(
+      "the inner {:.0f} % of each contact's radius was used, where the skin surely touches the "
+      "ball",
+      100.0 * zone);
+}
+
+/// Fits as much of each contact as ball and lift-off explain, from the rim inwards, by the family
+/// of layers. Stores the zone in `options`, and a sentence on it in `remark`. The inner zone alone
+/// leaves an offset between balls and mapping open. A curve that is not quite the layer's takes
+/// that offset up; near the rim it shows. The rim shows how far the skin follows the ball, but not
+/// the form in which it leaves it. Where rings show a form that contact_model.h does not model, the
+/// scale would take up ten times its error.
+JointFit choose_zone(const ChoiceInput& input,
+                     JointFit fit,
+                     JointOptions* options,
+                     Message* remark,
+                     const Job& job) {
+  options->zone = kInnerZone;
+  fit = fit_jointly(input.presses, as_family(fit, kLayerFamily), *options, job);
+  *remark = inner_sentence(options->zone);
+  // Any skin is in contact there. The zone further out is read only where it is needed.
+  if (relative_depth_sd(fit, chance_covariance_of(input.presses, fit, *options).covariance) <
+      kSmallSd)
+    return fit;
+  const double inner_part =
+      relative_depth_sd(fit, covariance_of(input.presses, fit, *options).covariance);
+  JointFit start = fit;
+  start.lift_mm = kTypicalLiftMm;
+  JointOptions wider = *options;
+  wider.zone = 1.0;
+  wider.free_lift = true;
+  const double touching = contact_fraction(input, fit_jointly(input.presses, start, wider, job));
+  for (const double zone : {1.0, 0.93, 0.85, 0.75}) {
+    if (zone > touching - kContactMargin) continue;
+    wider.zone = zone;
+    const JointFit next = fit_jointly(input.presses, start, wider, job);
+    if (job.stop_requested()) break;
+    const FitQuality quality = quality_of(input.presses, next, wider);
+    if (!next.converged || !rings_agree(quality)) continue;
+    const double part =
+        relative_depth_sd(next, covariance_of(input.presses, next, wider).covariance);
+    if (part >= inner_part) continue;
+    *options = wider;
+    // Further in the length has no effect and stays at its prior.
+    constexpr double kShownMm = 1e-4;
+    *remark = quality.lifted_sd_mm > kShownMm
+                  ? en::say(
+                        "the inner {:.0f} % of each contact's radius was used; the skin comes back "
+                        "from the ball over {:.2f} mm",
+                        100.0 * zone,
+                        next.lift_mm)
+                  : inner_sentence(zone);
+    return next;
+  }
+  return fit;
+}
+
+/// Held-out errors with the thickness in direction `along`. All directions use one zone of the
+/// contacts, or their rims would decide.
+std::vector<double> held_out_along(const ChoiceInput& input,
+                                   CurveFamily family,
+                                   MappingAlong along,
+                                   const Job& job) {
+  constexpr double kZone = 0.75;
+  JointOptions options;
+  options.along = along;
+  options.zone = kZone;
+  options.settled_mm = kSettledMm;
+  options.steps = input.steps;
+  options.max_rounds = input.max_rounds;
+  const double x_max = domain_of(input, along);
+  if (!(x_max > 0.0)) return {};
+  const JointFit start =
+      fit_jointly(input.presses, straight_start(input, along, x_max), options, job);
+  const JointFit fit = fit_jointly(input.presses, as_family(start, family), options, job);
+  if (!fit.converged || !increases(fit.curve, along)) return {};
+  return hold_out(input, fit, options, job).errors_mm;
+}
+
+double finite_mean_mm(std::vector<double> errors) {
+  std::erase_if(errors, [](double e) { return !std::isfinite(e); });
+  return mean_mm(errors);
+}
+
+/// Whether errors a are larger than b, and not by chance, on the presses with both errors. The
+/// excess depends on a press's incline, so the scatter between presses is more than chance.
+bool is_significantly_worse(const std::vector<double>& a, const std::vector<double>& b) {
+  constexpr double kPart = 0.25;  // of the better one
+  std::vector<double> a_finite, b_finite;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (std::isfinite(a[i]) && std::isfinite(b[i]))
+      a_finite.push_back(a[i]), b_finite.push_back(b[i]);
+  if (a_finite.size() < 2) return false;
+  const Excess excess = excess_of(a_finite, b_finite);
+  return excess.mean > std::max({kTieMm, kPart * mean_mm(b_finite), excess.standard_error});
+}
+
+/// Distance along the face between the contact positions by the two directions, mean over the
+/// presses, mm.
+double separation_mm(const ChoiceInput& input) {
+  double sum = 0;
+  for (std::size_t i = 0; i < input.presses.size(); ++i)
+    if (const Sample* sample = nearest_sample(*input.presses[i], input.centres_mm[i])) {
+      const Eigen::Vector3d off = sample->untouched_z - sample->untouched_n;
+      sum += (off - off.dot(sample->normal) * sample->normal).norm();
+    }
+  return sum / static_cast<double>(input.presses.size());
+}
+
+/// Chooses the direction of the thickness by the held-out errors of `family`. The default is the
+/// normal, as in a layer that scatters light; another direction needs evidence beyond chance.
+/// Otherwise one shallow press on a steep face would decide, and all other depths would change with
+/// the incline. `remark` reports another direction than the normal, or one that is equally good.
+/// The two displace positions on the face by layer_mm tan(incline). For two presses and more.
+MappingAlong choose_along(const ChoiceInput& input,
+                          CurveFamily family,
+                          Message* remark,
+                          const Job& job) {
+  const auto by_normal = held_out_along(input, family, MappingAlong::kNormal, job);
+  MappingAlong chosen = MappingAlong::kNormal;
+  std::vector<double> best = by_normal;
+  std::vector<double> rival;  // of another direction that is not significantly worse
+  for (const MappingAlong along : {MappingAlong::kZ, MappingAlong::kProjected}) {
+    const auto other = held_out_along(input, family, along, job);
+    if (job.stop_requested() || other.size() < input.presses.size()) continue;
+    if (!best.empty() && !is_significantly_worse(best, other)) {
+      if (!is_significantly_worse(other, best)) rival = other;
+      continue;
+    }
+    chosen = along;
+    best = other;
+  }
+  const Message direction = chosen == MappingAlong::kZ
+                                ? en::say("along z")
+                                : en::say("along z projected onto its normal");
+  if (chosen != MappingAlong::kNormal && !by_normal.empty())
+    *remark = en::say(
+        "brightness follows the layer's thickness {}: {:.4f} mm on presses left out, against "
+        "{:.4f} mm along its normal",
+        direction,
+        finite_mean_mm(best),
+        finite_mean_mm(by_normal));
+  if (chosen == MappingAlong::kNormal && !by_normal.empty() && !rival.empty())
+    *remark = en::say(
+        "the presses do not tell whether brightness follows the layer's thickness along its normal "
+        "({:.4f} mm on presses left out) or along z ({:.4f} mm): the normal is taken, and if that "
+        "is wrong, places on the face lie {:.1f} mm off along it; larger pictures tell, and "
+        "presses "
+        "where the face is steep and where it is flat",
+        finite_mean_mm(by_normal),
+        finite_mean_mm(rival),
+        separation_mm(input));
+  return chosen;
+}
 
 constexpr double kInclineDeg = 3.0;  // needed to separate thickness along z from along the normal
 constexpr int kMaxCoefficients = 6;
@@ -76,7 +274,7 @@ void store_errors(const HeldOutPresses& held_out, ModelChoice* choice) {
   choice->spread_mm = spread_of(held_out.curves);
 }
 
-struct Candidate {
+struct FamilyCandidate {
   JointFit fit;
   HeldOutPresses held_out;
 };
@@ -84,21 +282,21 @@ struct Candidate {
 /// Fits the families, the simplest first, and returns those with an increasing curve and their
 /// held-out errors (none with one press). It ends where more coefficients no longer help. One press
 /// takes the first family that fits.
-std::vector<Candidate> try_families(const ChoiceInput& input,
-                                    const std::vector<CurveFamily>& families,
-                                    const JointFit& start,
-                                    const JointOptions& options,
-                                    const Job& job) {
+std::vector<FamilyCandidate> try_families(const ChoiceInput& input,
+                                          const std::vector<CurveFamily>& families,
+                                          const JointFit& start,
+                                          const JointOptions& options,
+                                          const Job& job) {
   constexpr int kMaxWorse = 3;
-  std::vector<Candidate> candidates;
+  std::vector<FamilyCandidate> candidates;
   double best_mm = std::numeric_limits<double>::infinity();
   int worse = 0;
   for (std::size_t i = 0; i < families.size() && worse < kMaxWorse; ++i) {
     if (job.stop_requested() && !candidates.empty()) break;
     job.report(static_cast<double>(i) / static_cast<double>(families.size()),
                en::say("trying a {}", families[i].name()));
-    Candidate candidate{fit_jointly(input.presses, as_family(start, families[i]), options, job),
-                        {}};
+    FamilyCandidate candidate{
+        fit_jointly(input.presses, as_family(start, families[i]), options, job), {}};
     if (!candidate.fit.converged || !increases(candidate.fit.curve, options.along)) continue;
     if (input.presses.size() < 2) return {std::move(candidate)};
     candidate.held_out = hold_out(input, candidate.fit, options, job);
@@ -113,7 +311,7 @@ std::vector<Candidate> try_families(const ChoiceInput& input,
 }
 
 /// Why `chosen` was taken, where `best` has the smallest held-out error.
-Message why(const Candidate& chosen, const Candidate& best) {
+Message why(const FamilyCandidate& chosen, const FamilyCandidate& best) {
   const Message name = chosen.fit.curve.family().name();
   const double error_mm = mean_mm(chosen.held_out.errors_mm);
   if (&chosen == &best)
@@ -150,7 +348,7 @@ std::optional<ModelChoice> choose_family(const ChoiceInput& input,
       std::min_element(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
         return mean_mm(a.held_out.errors_mm) < mean_mm(b.held_out.errors_mm);
       });
-  const auto chosen = std::find_if(candidates.begin(), best, [&](const Candidate& one) {
+  const auto chosen = std::find_if(candidates.begin(), best, [&](const FamilyCandidate& one) {
     return is_no_worse(one.held_out.errors_mm, best->held_out.errors_mm);
   });
   choice.fit = chosen->fit;
@@ -198,7 +396,7 @@ void try_variation(const ChoiceInput& input, ModelChoice* choice, const Job& job
   CurveFamily family = choice->fit.curve.family();
   family.varies = true;
   job.report(1.0, en::say("trying a {}", family.name()));
-  Candidate varying{
+  FamilyCandidate varying{
       fit_jointly(input.presses, as_family(choice->fit, family), choice->options, job), {}};
   if (!varying.fit.converged || !increases(varying.fit.curve, choice->options.along)) return;
   varying.held_out = hold_out(input, varying.fit, choice->options, job);
@@ -231,6 +429,119 @@ std::optional<ModelChoice> choose_model(const ChoiceInput& input,
     choice->spread_mm =
         std::hypot(choice->spread_mm, beyond_family_mm(input, choice->fit, choice->options, job));
   return choice;
+}
+
+namespace {
+
+constexpr double kTiePart = 0.1;  // of the better error: closer errors are ties
+
+/// The contact's position on the face, by the ball fitted to it.
+ContactSpot spot_of(const PressSamples& press, const Eigen::Vector3d& centre_mm) {
+  const Sample* nearest = nearest_sample(press, centre_mm);
+  if (nearest == nullptr) return {};
+  const double height_mm = plane_below(press, centre_mm).height_mm(centre_mm);
+  const double rim2 = (press.ball_radius_mm - height_mm) * (press.ball_radius_mm + height_mm);
+  return {nearest->position_mm.x(), nearest->position_mm.y(), std::sqrt(std::max(0.0, rim2)), 0};
+}
+
+/// The position of each press, numbered from 0. With fewer than three positions each press has its
+/// own: one press alone does not show the scale.
+std::vector<int> positions_of(const ChoiceInput& input, const JointFit& all) {
+  std::vector<ContactSpot> spots;
+  for (std::size_t i = 0; i < input.presses.size(); ++i)
+    spots.push_back(spot_of(*input.presses[i], all.centres_mm[i]));
+  std::vector<int> positions = position_numbers(spots);
+  constexpr int kFewest = 3;
+  if (std::all_of(positions.begin(), positions.end(), [](int n) { return n + 1 < kFewest; }))
+    std::iota(positions.begin(), positions.end(), 0);
+  return positions;
+}
+
+}  // namespace
+
+double error_of_press(const PressSamples& press,
+                      const JointFit& mapping,
+                      const Eigen::Vector3d& centre_mm,
+                      const JointOptions& options,
+                      const Job& job) {
+  // The inner zone only: the rim does not show the mapping's shape.
+  JointOptions ball_only = options;
+  ball_only.fix_mapping = true;
+  ball_only.zone = kInnerZone;
+  ball_only.watch = nullptr;
+  const std::vector<const PressSamples*> one{&press};
+  const JointFit ball =
+      fit_jointly(one, {mapping.curve, {centre_mm}, false, mapping.lift_mm}, ball_only, job);
+  return ball.converged ? quality_of(one, ball, ball_only).residual_mm.front()
+                        : std::numeric_limits<double>::infinity();
+}
+
+HeldOutPresses hold_out(const ChoiceInput& input,
+                        const JointFit& all,
+                        const JointOptions& options,
+                        const Job& job) {
+  const std::vector<int> positions = positions_of(input, all);
+  const int count =
+      positions.empty() ? 0 : 1 + *std::max_element(positions.begin(), positions.end());
+  HeldOutPresses result;
+  std::vector<double> errors_mm(input.presses.size(), -1.0);
+  for (int left = 0; left < count && !job.stop_requested(); ++left) {
+    std::vector<const PressSamples*> others;
+    JointFit fit{all.curve, {}, false, all.lift_mm};
+    for (std::size_t i = 0; i < input.presses.size(); ++i) {
+      if (positions[i] == left) continue;
+      others.push_back(input.presses[i]);
+      fit.centres_mm.push_back(all.centres_mm[i]);
+    }
+    fit = fit_jointly(others, std::move(fit), options, job);
+    const bool is_good = fit.converged && increases(fit.curve, options.along);
+    for (std::size_t i = 0; i < input.presses.size(); ++i)
+      if (positions[i] == left)
+        errors_mm[i] = is_good
+                           ? error_of_press(*input.presses[i], fit, all.centres_mm[i], options, job)
+                           : std::numeric_limits<double>::infinity();
+    result.curves.push_back(std::move(fit.curve));
+  }
+  for (const double error_mm : errors_mm) {
+    if (error_mm < 0) break;  // stopped before it
+    result.errors_mm.push_back(error_mm);
+  }
+  return result;
+}
+
+double spread_of(const std::vector<MappingCurve>& curves) {
+  const auto n = static_cast<double>(curves.size());
+  if (curves.size() < 2) return 0;
+  double spread = 0;
+  for (int i = 1; i <= kDomainPoints; ++i) {
+    const double x = curves.front().x_max() * i / kDomainPoints;
+    double mean = 0, squares = 0;
+    for (const MappingCurve& curve : curves) mean += curve.depth_mm(x) / n;
+    for (const MappingCurve& curve : curves) squares += std::pow(curve.depth_mm(x) - mean, 2);
+    spread += kMeanOfSd * std::sqrt(squares * (n - 1) / n) / kDomainPoints;
+  }
+  return spread;
+}
+
+double mean_mm(const std::vector<double>& values) {
+  double mean = 0;
+  for (const double v : values) mean += v / static_cast<double>(values.size());
+  return mean;
+}
+
+Excess excess_of(const std::vector<double>& a, const std::vector<double>& b) {
+  const auto n = static_cast<double>(a.size());
+  double mean = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) mean += (a[i] - b[i]) / n;
+  double variance = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    variance += (a[i] - b[i] - mean) * (a[i] - b[i] - mean) / (n - 1.0);
+  return {mean, std::sqrt(variance / n)};
+}
+
+bool is_no_worse(const std::vector<double>& a, const std::vector<double>& b) {
+  const Excess excess = excess_of(a, b);
+  return excess.mean <= std::max({kTieMm, kTiePart * mean_mm(b), excess.standard_error});
 }
 
 }  // namespace alltact

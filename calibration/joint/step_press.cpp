@@ -1,6 +1,6 @@
 #include "calibration/joint/step_press.h"
 
-#include "calibration/presses/measured_pixels.h"
+#include "calibration/presses/press.h"
 #include "core/numerics/median.h"
 
 #include <algorithm>

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "calibration/joint/mapping_curve.h"
-#include "calibration/presses/press_samples.h"
+#include "calibration/presses/press.h"
+#include "core/base/result.h"
 #include "core/finger/mapping.h"
-#include "core/result.h"
 
 #include <string>
 #include <vector>

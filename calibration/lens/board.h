@@ -1,8 +1,8 @@
 // Flat boards of known size, and their views in images.
 #pragma once
 
+#include "core/base/result.h"
 #include "core/camera/camera.h"
-#include "core/result.h"
 
 #include <string>
 #include <vector>

@@ -1,12 +1,139 @@
 #include "calibration/lens/calibrate_lens.h"
 
-#include "calibration/lens/lens_start.h"
+#include "calibration/lens/board_views.h"
+#include "calibration/lens/lens_fit.h"
 #include "calibration/lens/lens_verdict.h"
-#include "calibration/lens/outlier_views.h"
+#include "core/base/message.h"
+#include "core/base/message_json.h"
+#include "core/base/program.h"
+#include "core/base/utc_time.h"
 #include "core/numerics/median.h"
+#include "core/open/open_source.h"
+
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace alltact {
 namespace {
+
+struct OutlierView {
+  std::size_t index = 0;
+  Message reason;
+};
+
+constexpr double kOutlierScatter = 2.5;  // times the median view's
+constexpr double kMinScatterPx = 0.05;   // below, no view is an outlier
+constexpr double kBlurred = 1.6;         // times the median view's edge width
+constexpr double kShapeSigmas = 6;       // significance of a board's shape
+
+/// Robust scatter of one coordinate of all corners of a view, outliers included.
+double scatter_px(const std::vector<double>& errors_px) {
+  std::vector<double> errors = errors_px;
+  return upper_median(errors) / 1.1774;
+}
+
+Message outlier_reason(const BoardView& view,
+                       const LensFit& fit,
+                       std::size_t index,
+                       double scatter,
+                       double median_scatter,
+                       double median_edge_px) {
+  const Message found = en::say(
+      "its corners lie {:.2f} px from where the lens sees them, those of the others {:.2f} px",
+      scatter,
+      median_scatter);
+  if (view.edge_px > kBlurred * median_edge_px)
+    return en::say(
+        "blurred, by motion or focus: its edges are {:.1f} px wide, those of the "
+        "others {:.1f} px",
+        view.edge_px,
+        median_edge_px);
+  const std::vector<double> ones(view.pixels.size(), 1.0);
+  BoardPose flat_pose = fit.poses[index], bent_pose = flat_pose;
+  BoardShape shape;
+  const double flat = fit_pose(view, fit.lens, ones, flat_pose);
+  const double bent = fit_pose(view, fit.lens, ones, bent_pose, &shape);
+  if (bent < 0.5 * flat)
+    return en::clauses({found, en::say("the board is bent in it, glue it to something stiff")});
+  const auto wrong = std::count(fit.weights[index].begin(), fit.weights[index].end(), 0.0);
+  if (scatter < kOutlierScatter * median_scatter)
+    return en::say(
+        "{} of its {} corners lie elsewhere: covered, mirrored in something, or "
+        "blurred",
+        wrong,
+        view.pixels.size());
+  return en::clauses({found, en::say("moved during the exposure, or not this board")});
+}
+
+/// Views in which more than a quarter of the corners are outliers, or that scatter 2.5 times as
+/// much as the median view, in order of their index.
+std::vector<OutlierView> outlier_views(const std::vector<BoardView>& views, const LensFit& fit) {
+  std::vector<double> scatters, edges;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    scatters.push_back(scatter_px(fit.errors_px[i]));
+    edges.push_back(views[i].edge_px);
+  }
+  std::vector<double> sorted = scatters;
+  const double median_scatter = upper_median(sorted);
+  const double median_edge_px = upper_median(edges);
+  std::vector<OutlierView> outliers;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const auto wrong = std::count(fit.weights[i].begin(), fit.weights[i].end(), 0.0);
+    const bool scattered =
+        scatters[i] > kOutlierScatter * median_scatter && scatters[i] > kMinScatterPx;
+    if (!scattered && 4 * static_cast<std::size_t>(wrong) <= views[i].pixels.size()) continue;
+    outliers.push_back(
+        {i, outlier_reason(views[i], fit, i, scatters[i], median_scatter, median_edge_px)});
+  }
+  return outliers;
+}
+
+/// Fits again with a board that may be stretched and bent. Returns the board's defect in words;
+/// empty when there is none, and with fewer than six views.
+Message board_problem(const std::vector<BoardView>& views,
+                      const LensFit& fit,
+                      const LensFitOptions& options,
+                      const Job& job) {
+  constexpr std::size_t kFewestViewsForShape = 6;
+  if (views.size() < kFewestViewsForShape) return {};
+  LensFitOptions with_shape = options;
+  with_shape.free_shape = true;
+  const auto shaped = fit_lens(views, fit, with_shape, job);
+  if (!shaped) return {};
+  Eigen::Vector3d low = views.front().board_mm.front(), high = low;
+  for (const BoardView& view : views)
+    for (const Eigen::Vector3d& point_mm : view.board_mm) {
+      low = low.cwiseMin(point_mm);
+      high = high.cwiseMax(point_mm);
+    }
+  const double half_mm = 0.5 * (high - low).norm();
+  const auto& shape = shaped->shape.numbers;
+  const auto is_significant = [&](int i, double min_value) {
+    const double value = std::abs(shape[static_cast<std::size_t>(i)]);
+    return value > kShapeSigmas * shaped->shape_sd[i] && value > min_value;
+  };
+  Message problem;
+  constexpr double kMinStretch = 0.001, kMinBend = 0.002;  // limits that few prints reach
+  if (is_significant(0, kMinStretch))
+    problem = en::say("its squares are {:.2f} % {} than they are high",
+                      100 * std::abs(shape[0]),
+                      shape[0] > 0 ? en::say("wider") : en::say("narrower"));
+  if (is_significant(1, kMinBend) || is_significant(2, kMinBend) || is_significant(3, kMinBend)) {
+    const double bend = std::max({std::abs(shape[1]), std::abs(shape[2]), std::abs(shape[3])});
+    const Message bent =
+        en::say("it is bent by about {:.2g} mm from its middle to its corners", bend * half_mm);
+    problem = problem.empty() ? bent : en::say("{}, and {}", problem, bent);
+  }
+  if (problem.empty()) return {};
+  return en::say(
+      "the board is not the flat, even one it is taken for: {}; with that allowed for fx would be "
+      "{:.2f} instead of {:.2f} px; use a board on glass or metal",
+      problem,
+      shaped->lens.fx_px,
+      fit.lens.fx_px);
+}
 
 Error too_few(std::size_t count) {
   return {en::say("only {} different views of the board are left, {} are needed at least",
@@ -357,6 +484,36 @@ Result<LensCalibration> calibrate_lens(std::vector<BoardView> views,
   judge(calibration, settings, options, job);
   remark(calibration, options, job);
   return calibration;
+}
+
+Result<LensCalibration> measure_lens(const std::vector<std::filesystem::path>& inputs,
+                                     const Board& board,
+                                     const LensSettings& settings,
+                                     const Job& job) {
+  SourceOptions how;
+  how.job = &job;
+  const auto source = open_source(inputs, how);
+  if (!source) return source.error();
+  const auto found = find_boards(**source, board, Orientation::kNone, job);
+  if (!found) return found.error();
+  return calibrate_lens(found->views, found->size, settings, job);
+}
+
+LensRecord lens_record(const Board& board, const LensCalibration& done) {
+  LensRecord record;
+  record["date"] = utc_now();
+  record["program_version"] = program_version();
+  record["board"] = board.words().english();
+  record["square_mm"] = fmt::format("{}", board.square_mm);
+  record["views"] = fmt::format("{}", done.used.size());
+  record["fx_sd_px"] = fmt::format("{:.4f}", done.fit.sd(0));
+  record["fy_sd_px"] = fmt::format("{:.4f}", done.fit.sd(1));
+  record["focal_sd_percent"] = fmt::format("{:.4f}", 100 * done.focal_sd_part);
+  record["corner_px"] = fmt::format("{:.4f}", done.fit.sigma_px);
+  if (done.held_out) record["held_out_px"] = fmt::format("{:.4f}", done.held_out->error_px);
+  record["verdict"] = done.verdict.sentence.english();
+  record["verdict_message"] = message_json(done.verdict.sentence).dump();
+  return record;
 }
 
 }  // namespace alltact

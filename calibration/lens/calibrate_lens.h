@@ -1,12 +1,15 @@
-// From boards found in images to a lens and its verdict.
+// From boards found in images to a lens, its verdict and its record.
 #pragma once
 
-#include "calibration/lens/lens_coverage.h"
 #include "calibration/lens/lens_fit.h"
-#include "calibration/lens/lens_judge.h"
+#include "calibration/lens/lens_verdict.h"
 #include "calibration/verdict/verdict.h"
-#include "core/settings.h"
+#include "core/base/job.h"
+#include "core/base/result.h"
+#include "core/base/settings.h"
+#include "core/finger/finger.h"
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -64,5 +67,17 @@ struct LensCalibration {
                                          const CameraParameters& lens,
                                          const BoardPose& pose,
                                          double dot_radius_mm);
+
+// A lens calibration from files, and its record.
+
+/// Finds the board in all images and calibrates the lens. Errors: those of open_source, find_boards
+/// and calibrate_lens.
+[[nodiscard]] Result<LensCalibration> measure_lens(const std::vector<std::filesystem::path>& inputs,
+                                                   const Board& board,
+                                                   const LensSettings& settings,
+                                                   const Job& job);
+
+/// How a lens was measured, for the camera file.
+[[nodiscard]] LensRecord lens_record(const Board& board, const LensCalibration& done);
 
 }  // namespace alltact

@@ -1,10 +1,10 @@
 #include "calibration/live/frame_measurer.h"
 
-#include "calibration/finger/measuring_settings.h"
+#include "calibration/finger/measuring_presets.h"
 #include "calibration/finger/paper_pipeline.h"
-#include "core/sensing/depth/depth_limits.h"
-#include "core/sensing/face/position_pixel.h"
-#include "core/sensing/measures.h"
+#include "core/sensing/depth/depth_sd.h"
+#include "core/sensing/face/face_shape.h"
+#include "core/sensing/surface_measurement.h"
 
 #include <algorithm>
 #include <cmath>

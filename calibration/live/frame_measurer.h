@@ -2,12 +2,11 @@
 // uncertainty of each depth, and optionally a second method, setting or frame for comparison.
 #pragma once
 
+#include "core/base/job.h"
+#include "core/base/result.h"
 #include "core/finger/finger_store.h"
-#include "core/job.h"
-#include "core/recording/time_match.h"
-#include "core/result.h"
 #include "core/sensing/pipeline.h"
-#include "core/sources/files/recorded_frames.h"
+#include "core/sources/file_source.h"
 
 #include <filesystem>
 #include <memory>

@@ -1,9 +1,9 @@
 // A finger that is measured for hours, and may be calibrated anew meanwhile.
 #pragma once
 
+#include "core/base/job.h"
+#include "core/base/result.h"
 #include "core/finger/finger_store.h"
-#include "core/job.h"
-#include "core/result.h"
 #include "core/sensing/pipeline.h"
 
 #include <chrono>

@@ -1,11 +1,12 @@
-// Sources of the presses of a calibration or a check.
+// Sources of the presses of a calibration or a check; the mean of frames held still.
 #pragma once
 
-#include "core/frame.h"
-#include "core/message.h"
-#include "core/result.h"
+#include "core/base/message.h"
+#include "core/base/result.h"
+#include "core/image/frame.h"
 #include "core/sources/source.h"
 
+#include <deque>
 #include <filesystem>
 #include <memory>
 #include <vector>
@@ -29,5 +30,56 @@ struct PressInput {
 
 /// How the frames of the bursts that were read were made, a sentence each.
 [[nodiscard]] std::vector<Message> made_of(const Source& presses);
+
+// A press held still: the mean of frames without motion has less noise than one frame.
+
+/// The last frames of a source. The newest frame and those before it that are the same form a mean.
+/// Frames are the same when, but for a common change of brightness, hardly any small block of the
+/// image differs by more than noise. A marker that moved by a third of a pixel exceeds that, in
+/// strong noise by half a pixel.
+class HeldFrames {
+ public:
+  /// Sixteen frames quarter the noise. More are useful with an entire video.
+  explicit HeldFrames(std::size_t max_frames = 16) : max_frames_(max_frames) {}
+
+  void add(FramePtr frame);
+  void clear() { seen_.clear(); }
+  [[nodiscard]] bool is_empty() const { return seen_.empty(); }
+  /// Oldest first; empty before the first frame.
+  [[nodiscard]] std::vector<FramePtr> alike() const;
+
+ private:
+  struct Seen {
+    FramePtr frame;
+    cv::Mat blocks;  ///< mean brightness of each, CV_32FC1
+  };
+  std::size_t max_frames_;
+  std::deque<Seen> seen_;
+};
+
+/// The mean of frames of one size, rounded to 8 bits, with the last one's name, time and settings.
+/// One frame is returned unchanged. `frames` must not be empty.
+[[nodiscard]] FramePtr mean_frame(const std::vector<FramePtr>& frames);
+
+/// Each of several short videos or folders of images as one frame, named after it. The frame is the
+/// mean of the longest stretch in which the finger is held still, of its last `most` frames, up to
+/// 64. A single image is returned unchanged. Errors: those of reading, and a video in which no four
+/// consecutive frames are the same.
+class BurstSource final : public Source {
+ public:
+  explicit BurstSource(std::vector<std::filesystem::path> bursts, std::size_t max_frames = 64);
+
+  [[nodiscard]] Result<FramePtr> next() override;
+  [[nodiscard]] std::optional<std::size_t> count() const override { return bursts_.size(); }
+  [[nodiscard]] bool is_continuous() const override { return false; }
+  /// How the frames so far were made, a sentence each.
+  [[nodiscard]] const std::vector<Message>& made_of() const { return made_of_; }
+
+ private:
+  std::vector<std::filesystem::path> bursts_;
+  std::size_t max_frames_;
+  std::size_t position_ = 0;
+  std::vector<Message> made_of_;
+};
 
 }  // namespace alltact

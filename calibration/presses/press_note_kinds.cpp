@@ -1,7 +1,7 @@
 #include "calibration/presses/press_note_kinds.h"
 
-#include "core/printable.h"
-#include "core/typed_number.h"
+#include "core/base/message.h"
+#include "core/base/typed_number.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // Notes on single presses, as the command line writes them: NAME=VALUE.
 #pragma once
 
+#include "core/base/result.h"
 #include "core/finger/press_set.h"
-#include "core/result.h"
 
 #include <optional>
 #include <string>

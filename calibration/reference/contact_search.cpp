@@ -1,18 +1,105 @@
 #include "calibration/reference/contact_search.h"
 
-#include "calibration/reference/pose_brightness.h"
+#include "calibration/reference/skin_brightness.h"
 #include "core/numerics/median.h"
 #include "core/numerics/parallel.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
+#include <vector>
 
+#include <Eigen/Core>
 #include <Eigen/Dense>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
 
 namespace alltact {
 namespace {
+
+struct Spot {
+  double lower = 0;           ///< than its surroundings, at its lowest
+  Eigen::Vector2d centre_px;  ///< its middle: column, row
+  double area_mm2 = 0;
+};
+
+struct SpotSearch {
+  Eigen::Vector2d mm_per_px;  ///< along columns, along rows
+  /// false: regions higher than their surroundings by 0.03, and 4 mm around them, are excluded
+  bool near_higher = true;
+};
+
+constexpr double kSpotPatchMm = 1.5;
+constexpr double kSurroundingsMm = 12.0;
+constexpr float kMinLower = 0.03F;  // of brightness: about 0.1 mm of a typical layer
+constexpr float kSpotSigmas = 8.0F;
+constexpr double kMinMm2 = 1.0, kMaxMm2 = 150.0;
+constexpr double kSpotRimMm = 4.0;  // around a contact
+
+cv::Size window(double mm, const Eigen::Vector2d& mm_per_px) {
+  const auto window_px = [](double px) { return 2 * std::max(1, static_cast<int>(px / 2)) + 1; };
+  return {window_px(mm / mm_per_px.x()), window_px(mm / mm_per_px.y())};
+}
+
+/// Means over windows of the known part; NaN where that is less than `least` of the window.
+cv::Mat means(const cv::Mat& x, const cv::Mat& known, const cv::Size& window, double least) {
+  cv::Mat filled = x.clone(), weight, sum, count;
+  filled.setTo(0.0F, ~known);
+  known.convertTo(weight, CV_32F, 1.0 / 255);
+  cv::boxFilter(filled, sum, CV_32F, window, {-1, -1}, true, cv::BORDER_CONSTANT);
+  cv::boxFilter(weight, count, CV_32F, window, {-1, -1}, true, cv::BORDER_CONSTANT);
+  cv::Mat mean = sum / cv::max(count, 1e-6);
+  mean.setTo(std::numeric_limits<float>::quiet_NaN(), (count < least) | ~known);
+  return mean;
+}
+
+float median_magnitude(const cv::Mat& x) {
+  std::vector<float> magnitudes;
+  for (int v = 0; v < x.rows; v += 2)
+    for (int u = 0; u < x.cols; u += 2)
+      if (const float value = x.at<float>(v, u); std::isfinite(value))
+        magnitudes.push_back(std::abs(value));
+  return magnitudes.empty() ? 0.0F : upper_median(magnitudes);
+}
+
+cv::Mat contrast(const cv::Mat& x, const cv::Mat& known, const Eigen::Vector2d& mm_per_px) {
+  constexpr double kMostOfPatch = 0.5, kSomeOfSurroundings = 0.15;
+  return means(x, known, window(kSpotPatchMm, mm_per_px), kMostOfPatch) -
+         means(x, known, window(kSurroundingsMm, mm_per_px), kSomeOfSurroundings);
+}
+
+std::optional<Spot> lowest_spot(const cv::Mat& x,
+                                const cv::Mat& known,
+                                const Eigen::Vector2d& mm_per_px) {
+  const cv::Mat higher = contrast(x, known, mm_per_px);
+  const float limit = std::max(kMinLower, kSpotSigmas * 1.4826F * median_magnitude(higher));
+  cv::Mat labels, stats, middles;
+  const int count =
+      cv::connectedComponentsWithStats(higher < -0.5F * limit, labels, stats, middles);
+  std::optional<Spot> found;
+  for (int label = 1; label < count; ++label) {
+    const double area_mm2 = stats.at<int>(label, cv::CC_STAT_AREA) * mm_per_px.prod();
+    if (area_mm2 < kMinMm2 || area_mm2 > kMaxMm2) continue;
+    double least = 0;
+    cv::minMaxLoc(higher, &least, nullptr, nullptr, nullptr, labels == label);
+    if (-least < static_cast<double>(limit) || (found && -least < found->lower)) continue;
+    found = Spot{-least, {middles.at<double>(label, 0), middles.at<double>(label, 1)}, area_mm2};
+  }
+  return found;
+}
+
+/// The lowest spot of `x` (CV_32F) of 1 to 150 mm^2 that is below its surroundings by 0.03 and by 8
+/// robust standard deviations, each averaged over 1.5 mm. known: CV_8UC1, not 0 where x counts.
+std::optional<Spot> find_spot(const cv::Mat& x, const cv::Mat& known, const SpotSearch& search) {
+  if (search.near_higher) return lowest_spot(x, known, search.mm_per_px);
+  const cv::Mat lower = contrast(x, known, search.mm_per_px) <= kMinLower;
+  cv::Mat higher_px;
+  cv::distanceTransform(lower | ~known, higher_px, cv::DIST_L2, 3);
+  const double rim_px = kSpotRimMm / std::sqrt(search.mm_per_px.prod());
+  return lowest_spot(x, known & (higher_px > rim_px), search.mm_per_px);
+}
 
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
@@ -465,7 +552,7 @@ class Search {
     DeletedResiduals left = deleted_residuals(fine.residuals(), terms_, without, numbers_, gap_);
     std::vector<char> out = without;
     for (std::size_t i = 0; i < count_; ++i) {
-      judged_[i] = left.leverage[static_cast<Eigen::Index>(i)] < kMaxLeverage;
+      judged_[i] = left.leverage[static_cast<Eigen::Index>(i)] < kMaxPoseLeverage;
       if (!judged_[i]) out[i] = 1;
     }
     if (count_of(judged_) < count_ && count_of(out) + kMinFittedFrames < count_) {
@@ -477,7 +564,7 @@ class Search {
         if (judged_[k]) continue;
         left.values.row(i) = second.values.row(i);
         left.leverage[i] = second.leverage[i];
-        judged_[k] = second.leverage[i] < kMaxLeverage;
+        judged_[k] = second.leverage[i] < kMaxPoseLeverage;
       }
     }
     const Rule rule{{{3, 0.010F}, {5, 0.007F}, {9, 0.005F}}, {0, 2, 6}, kSigmas, false};
@@ -568,6 +655,113 @@ std::vector<FrameEvidence> find_contacts(const SkinPatches& patches,
   if (patches.frames() < kMinFittedFrames)
     return std::vector<FrameEvidence>(static_cast<std::size_t>(patches.frames()));
   return Search(patches, modes, motion_off_px, numbers)();
+}
+
+namespace {
+
+constexpr int kMinCompared = 16;  // frames of the recording
+
+/// Residuals of the recording's frames at poses that the earlier rows cover; NaN elsewhere.
+PatchValues left_of(const SkinPatches& patches, const Eigen::MatrixXd& modes, int recorded) {
+  const Eigen::MatrixXd terms = pose_terms_of(modes);
+  std::vector<char> without(static_cast<std::size_t>(patches.frames()), 0);
+  std::fill(without.begin(), without.begin() + recorded, 1);
+  PoseBrightness fit(patches, terms);
+  fit.fit_with_light(without);
+  fit.fit_light();
+  const std::vector<int> numbers(without.size());  // unused without a gap
+  DeletedResiduals left = deleted_residuals(fit.residuals(), terms, without, numbers, -1);
+  for (int i = 0; i < recorded; ++i)
+    if (!(left.leverage[i] < kMaxPoseLeverage))
+      left.values.row(i).setConstant(std::numeric_limits<float>::quiet_NaN());
+  return left.values.topRows(recorded);
+}
+
+/// By patch, a row for each position along the face; NaN where too few frames have a value.
+cv::Mat medians_of(const PatchValues& left, const SkinPatches& patches) {
+  cv::Mat medians(patches.along, patches.across, CV_32FC1, cv::Scalar(0));
+  std::vector<float> known;
+  for (int p = 0; p < patches.count(); ++p) {
+    known.clear();
+    for (Eigen::Index i = 0; i < left.rows(); ++i)
+      if (std::isfinite(left(i, p))) known.push_back(left(i, p));
+    medians.at<float>(p / patches.across, p % patches.across) =
+        static_cast<int>(known.size()) < kMinCompared ? std::numeric_limits<float>::quiet_NaN()
+                                                      : upper_median(known);
+  }
+  return medians;
+}
+
+}  // namespace
+
+std::optional<PersistentContact> find_persistent_contact(const SkinPatches& patches,
+                                                         const Eigen::MatrixXd& modes,
+                                                         int recorded) {
+  if (patches.frames() - recorded < kMinFittedFrames) return std::nullopt;
+  const PatchValues left = left_of(patches, modes, recorded);
+  const cv::Mat medians = medians_of(left, patches);
+  const cv::Mat known = medians == medians;
+  const auto spot = find_spot(medians, known, {.mm_per_px = {patches.across_mm, patches.along_mm}});
+  if (!spot) return std::nullopt;
+  PersistentContact touch;
+  touch.darker = spot->lower;
+  touch.along_mm = patches.begin_mm + (spot->centre_px.y() + 0.5) * patches.along_mm;
+  touch.across_mm = (spot->centre_px.x() + 0.5) * patches.across_mm - 0.5 * patches.width_mm;
+  const auto patch = static_cast<Eigen::Index>(std::lround(spot->centre_px.y()) * patches.across +
+                                               std::lround(spot->centre_px.x()));
+  float darkest = 0;
+  for (int i = 0; i < recorded; ++i) {
+    const float off = left(i, patch);
+    touch.frames += off < -0.5 * spot->lower;
+    if (off < darkest) darkest = off, touch.darkest = i;
+  }
+  return touch;
+}
+
+namespace {
+
+// next to the face's edges a shift of a tenth of a pixel is visible
+constexpr double kEdgePx = 4.0;
+
+/// 255 in columns of the face, away from its edges, where x is known.
+cv::Mat inner_face(const cv::Mat& x, const FaceShape& shape) {
+  cv::Mat inner(x.size(), CV_8UC1, cv::Scalar(0));
+  for (int u = 0; u < x.cols; ++u) {
+    const FaceColumn& column = shape.columns()[static_cast<std::size_t>(u)];
+    if (!column.valid) continue;
+    const int first = std::max(0, static_cast<int>(std::ceil(column.upper_v + kEdgePx))),
+              last = std::min(x.rows - 1, static_cast<int>(column.lower_v - kEdgePx));
+    for (int v = first; v <= last; ++v)
+      if (std::isfinite(x.at<float>(v, u))) inner.at<std::uint8_t>(v, u) = 255;
+  }
+  return inner;
+}
+
+}  // namespace
+
+std::optional<ReferenceSuspect> find_reference_suspect(const Difference& difference,
+                                                       const FaceShape& shape) {
+  if (difference.x.empty()) return std::nullopt;
+  std::vector<double> depths;
+  for (const FaceColumn& column : shape.columns())
+    if (column.valid) depths.push_back(column.z_mm);
+  if (depths.empty()) return std::nullopt;
+  const double mm_per_px = shape.camera().mm_per_px_at(upper_median(depths));
+  const auto spot = find_spot(difference.x,
+                              inner_face(difference.x, shape),
+                              {.mm_per_px = {mm_per_px, mm_per_px}, .near_higher = false});
+  if (!spot) return std::nullopt;
+  const Eigen::Vector2d position_mm = shape.position_mm(spot->centre_px.x(), spot->centre_px.y());
+  return ReferenceSuspect{spot->lower, position_mm.x(), position_mm.y(), spot->area_mm2, 0};
+}
+
+Message sentence_of(const ReferenceSuspect& suspect) {
+  return en::say(
+      "the face is {:.0f} % brighter than its reference {:.0f} mm from the base: something pressed "
+      "there when the reference was recorded, near its frame {}; record the reference again",
+      100.0 * suspect.brighter,
+      suspect.along_mm,
+      suspect.frame);
 }
 
 }  // namespace alltact

@@ -10,8 +10,11 @@
 // strongest contacts leave the fit before weaker ones are searched.
 #pragma once
 
-#include "calibration/reference/skin_patches.h"
+#include "calibration/reference/skin_brightness.h"
+#include "core/base/message.h"
+#include "core/sensing/depth/depth_map.h"
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -58,5 +61,43 @@ struct ContactStretch {
                                                        const Eigen::MatrixXd& modes,
                                                        const Eigen::VectorXd& motion_off_px,
                                                        const std::vector<int>& numbers);
+
+// A contact at one position in most frames of a recording. These frames agree with each other, but
+// not with an earlier recording of the same skin.
+
+struct PersistentContact {
+  int frames = 0;     ///< in which it is visible
+  int darkest = 0;    ///< row of the frame in which it is darkest
+  double darker = 0;  ///< than the skin around it, median of the frames, 0.1: by 10 %
+  double along_mm = 0, across_mm = 0;
+};
+
+/// The first `recorded` rows are the recording, the rows after them the earlier one. Each patch's
+/// brightness in the earlier rows is fitted as a function of the pose. The median residual of the
+/// recording's frames by patch shows what most of them share. Only a compact spot is a contact:
+/// changed light makes wide differences. nullopt: there is none, or too few frames show poses of
+/// the earlier recording.
+[[nodiscard]] std::optional<PersistentContact> find_persistent_contact(const SkinPatches& patches,
+                                                                       const Eigen::MatrixXd& modes,
+                                                                       int recorded);
+
+// A contradiction between a finger and its reference: skin brighter than ever untouched indicates a
+// contact during the recording of the reference.
+
+struct ReferenceSuspect {
+  double brighter = 0;   ///< than the reference, 0.1: by 10 %
+  double along_mm = 0;   ///< the middle of the spot, from the base
+  double across_mm = 0;  ///< and from the middle line
+  double area_mm2 = 0;
+  int frame = 0;  ///< number in the reference recording of the frame nearest to the pose
+};
+
+/// The brightest spot of x (spots.h). A bright rim around a contact does not count. For poses
+/// inside the reference; the caller sets `frame`.
+[[nodiscard]] std::optional<ReferenceSuspect> find_reference_suspect(const Difference& difference,
+                                                                     const FaceShape& shape);
+
+/// What happened, where, and what to do.
+[[nodiscard]] Message sentence_of(const ReferenceSuspect& suspect);
 
 }  // namespace alltact

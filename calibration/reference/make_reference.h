@@ -1,13 +1,13 @@
 // The products of a reference recording: usable frames, their markers, their report.
 #pragma once
 
-#include "calibration/reference/recording_layouts.h"
+#include "calibration/reference/marker_numbering.h"
 #include "calibration/reference/reference_recording.h"
+#include "core/base/job.h"
+#include "core/base/result.h"
 #include "core/finger/finger.h"
-#include "core/job.h"
-#include "core/result.h"
+#include "core/image/frame.h"
 #include "core/sensing/reference/marker_table.h"
-#include "core/sources/frame_settings.h"
 #include "core/sources/source.h"
 
 #include <filesystem>

@@ -2,12 +2,19 @@
 // found.
 #pragma once
 
-#include "calibration/reference/recording_layouts.h"
-#include "calibration/reference/settings_record.h"
-#include "core/job.h"
+#include "calibration/reference/marker_numbering.h"
+#include "calibration/reference/motion_coverage.h"
+#include "core/base/job.h"
+#include "core/base/result.h"
+#include "core/image/frame.h"
+#include "core/recording/video_file.h"
+#include "core/sensing/reference/marker_table.h"
+#include "core/sensing/reference/reference_library.h"
 #include "core/sources/source.h"
 
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include <opencv2/core.hpp>
@@ -38,5 +45,62 @@ struct RecordingPass {
 [[nodiscard]] Status retain_frames(const std::filesystem::path& video,
                                    const std::vector<char>& keep,
                                    const Job& job);
+
+// Frames of a recording that was just written, by their number in it, and their marker positions.
+
+/// A row for each of `selected`, numbered from 0 on.
+[[nodiscard]] MarkerTable table_of(const NumberedRecording& numbered,
+                                   const std::vector<std::size_t>& selected);
+/// The same, numbered as the frames are in the video.
+[[nodiscard]] MarkerTable table_in_video(const RecordingPass& pass,
+                                         const NumberedRecording& numbered,
+                                         const std::vector<std::size_t>& selected);
+
+/// Frame `number` of a video, CV_8UC1, oriented as the camera.
+[[nodiscard]] Result<cv::Mat> oriented_frame(VideoFile& video,
+                                             std::size_t number,
+                                             const CameraParameters& camera);
+
+/// The referenced objects must outlive this.
+struct RecordedVideo {
+  const RecordingPass& pass;
+  const std::filesystem::path& file;
+  const Finger& finger;
+  const Camera& camera;
+  VideoFile reader;
+
+  /// By its number in the video; CV_8UC1, oriented as the finger's camera.
+  [[nodiscard]] Result<cv::Mat> frame(std::size_t number);
+};
+
+// Quality of a reference recording: every frame compared with its estimate from the others.
+
+/// One frame against the reference that the rest of the recording gives for its pose.
+struct StudiedFrame {
+  int number = 0;         ///< in the video
+  bool compared = false;  ///< false: no face was found, or no other frame is near
+  double error = 0;       ///< mean |x| over the face in patches of a millimetre or so, minus noise
+  double nearest_error = 0;                   ///< the same with the nearest frame alone
+  std::vector<std::optional<TipPose>> pairs;  ///< by pair of dots, from base to tip
+};
+
+struct RecordingStudy {
+  std::vector<StudiedFrame> frames;  ///< by the library's index
+  /// Brightness error of references from this recording, as fractions of the brightness.
+  double error_median = 0, error_p95 = 0;
+  double nearest_error_median = 0;
+};
+
+/// Compares every frame with the local regression over the others. Frames taken shortly before and
+/// after show the same pose and are left out (an eighth of the recording, at most two seconds). The
+/// frames must be untouched (touch_search.h). `numbered`: the markers of the library's frames, by
+/// index. Errors: a stopped job; a frame that cannot be read.
+[[nodiscard]] Result<RecordingStudy> study_recording(const ReferenceLibrary& library,
+                                                     const std::vector<Markers>& numbered,
+                                                     const RecordingFrameReader& frame,
+                                                     double frames_per_s,
+                                                     const Finger& finger,
+                                                     const Camera& camera,
+                                                     const Job& job);
 
 }  // namespace alltact

@@ -2,10 +2,12 @@
 #pragma once
 
 #include "calibration/reference/motion_coverage.h"
+#include "core/base/atomic_file.h"
+#include "core/base/job.h"
+#include "core/base/message.h"
+#include "core/base/result.h"
 #include "core/finger/finger.h"
-#include "core/job.h"
-#include "core/message.h"
-#include "core/result.h"
+#include "core/image/frame.h"
 #include "core/sources/source.h"
 
 #include <filesystem>
@@ -52,12 +54,6 @@ struct ReferenceReport {
   std::vector<int> missing;  ///< numbers of markers that the finger does not have, ascending
   bool by_shape = false;     ///< poses come from positions on the face, because it has no markers
   int rest_frame = 0;        ///< number in the recording of the rest frame
-};
-
-/// The rest of a finger, set by a person: the pose at a pair of its dots.
-struct RestPose {
-  std::size_t pair = 0;  ///< 0 at the base
-  TipPose pose;
 };
 
 /// Frames of a recording, both ends included.
@@ -123,5 +119,57 @@ struct UntouchedImage {
 /// and not saved. Returns warnings as above.
 [[nodiscard]] Result<std::vector<Message>> install_flat_reference(
     const UntouchedImage& image, const std::filesystem::path& folder, Finger& finger);
+
+// Replaces the reference of a finger on disk.
+
+/// Makes a recording a Fin Ray finger's reference (install_reference). Concurrent changes of other
+/// parts of the finger are preserved. Errors: those of open_source, install_reference and
+/// FingerStore::update; another process works on the finger (FingerStore::lock_for_work).
+[[nodiscard]] Result<ReferenceReport> set_reference(
+    const std::filesystem::path& folder,
+    const std::vector<std::filesystem::path>& inputs,
+    const Job& job,
+    const ReferenceChoices& choices = {});
+
+/// Copies the result of set_reference() on a copy of the finger into the finger: the same bytes,
+/// without the computation. Errors: the copy has no reference, or its files cannot be read; those
+/// of FingerStore::update; another process works on the finger.
+///   copy: a folder with finger.yaml and its reference; it is not changed
+[[nodiscard]] Status copy_reference(const std::filesystem::path& copy,
+                                    const std::filesystem::path& folder);
+
+/// The same for a flat sensor's untouched image (install_flat_reference).
+[[nodiscard]] Result<std::vector<Message>> set_untouched_image(const std::filesystem::path& folder,
+                                                               const UntouchedImage& image);
+
+/// Images of both are compared with the same reference, through the same camera.
+[[nodiscard]] bool has_same_reference(const Finger& a, const Finger& b);
+
+/// Replaces finger.yaml together with the files of a change. For FingerStore::update(), which
+/// writes the same finger once more.
+[[nodiscard]] Status commit_with(const Finger& finger, FolderChange& files);
+
+/// Copies the fields that a reference defines: the reference, its markers, their rest, and the
+/// recording settings.
+void take_reference(const Finger& from, Finger& finger);
+
+// Settings of a finger's recordings, in its provenance, and their inconsistencies.
+
+/// Keys of Finger::provenance.
+inline constexpr const char* kReferenceSettings = "reference_settings";
+inline constexpr const char* kPressSettings = "press_settings";
+
+enum class RecordingKind { kReference = 1, kPresses };
+
+/// Writes the settings of camera and light to provenance (reference_settings or press_settings), or
+/// removes them when the images have none. Returns a sentence where settings changed during the
+/// recording, and where reference and presses differ: brightness is compared between them.
+[[nodiscard]] std::vector<Message> record_settings(const SettingsMonitor& seen,
+                                                   RecordingKind kind,
+                                                   Finger& finger);
+
+/// A sentence where a frame's settings differ from those of the finger's calibration presses (of
+/// its reference where the presses have none); else empty.
+[[nodiscard]] Message other_settings_than_stored(const Frame& frame, const Finger& finger);
 
 }  // namespace alltact

@@ -1,7 +1,7 @@
 // An image of what was found, what was expected, and why that is not enough.
 #pragma once
 
-#include "core/sensing/reference/edge_positions.h"
+#include "core/sensing/reference/recorded_poses.h"
 
 #include <string>
 #include <vector>

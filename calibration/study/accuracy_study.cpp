@@ -1,16 +1,18 @@
 #include "calibration/study/accuracy_study.h"
 
-#include "calibration/study/calibrating_bench.h"
-#include "calibration/study/compared_settings.h"
-#include "calibration/study/heap_bytes.h"
-#include "calibration/study/study_clock.h"
-#include "calibration/study/truth_limits.h"
+#include "calibration/study/evaluate.h"
+#include "calibration/study/real_presses.h"
+#include "calibration/study/study_machine.h"
 #include "core/numerics/median.h"
 #include "core/sensing/pipeline.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <set>
+#include <vector>
 
 #include <opencv2/imgproc.hpp>
 
@@ -321,6 +323,172 @@ Result<AccuracyStudy> study_accuracy(const StudyWorld& world,
   AccuracyStudy study{world.about, world.simulated, world.checksum, {}, world.mapping_p95_mm};
   for (const PipelineSettings& choice : choices) study.rows.push_back(*row_of(choice));
   return study;
+}
+
+namespace {
+
+/// A study's images have the light of the recording that they come from.
+const std::pair<std::string, std::string> kUnproven{"light-change", "ignored"};
+
+/// One value of one setting.
+struct TriedValue {
+  const Setting<PipelineSettings>* setting;
+  std::string value;
+
+  [[nodiscard]] bool is_alone() const {
+    const auto& alone = setting->trade->alone;
+    return std::find(alone.begin(), alone.end(), value) != alone.end();
+  }
+};
+
+std::vector<TriedValue> tried_values(const PipelineSettings& base, const Finger& finger) {
+  std::vector<TriedValue> values;
+  for (const auto& setting : pipeline_settings()) {
+    if (!has_trade_off(setting, finger)) continue;
+    for (const std::string& value : setting.trade->tried)
+      if (value != setting.get(base)) values.push_back({&setting, value});
+  }
+  return values;
+}
+
+void put(const TriedValue& tried, PipelineSettings& settings) {
+  [[maybe_unused]] const Status status = tried.setting->set(settings, tried.value);
+  assert(status.ok());  // the table's own value
+}
+
+PipelineSettings cheapest(PipelineSettings settings, const Finger& finger) {
+  for (const auto& setting : pipeline_settings())
+    if (has_trade_off(setting, finger) && !setting.trade->tried.empty())
+      put({&setting, setting.trade->tried.front()}, settings);
+  return settings;
+}
+
+}  // namespace
+
+std::vector<PipelineSettings> study_choices(const PipelineSettings& base,
+                                            StudyExtent extent,
+                                            const Finger& finger) {
+  std::vector<PipelineSettings> choices;
+  std::set<std::string> known;
+  const auto add = [&](const PipelineSettings& choice) {
+    if (known.insert(key_of(choice)).second) choices.push_back(choice);
+  };
+  add(base);
+  const std::vector<TriedValue> values = tried_values(base, finger);
+  for (const TriedValue& value : values) {
+    PipelineSettings choice = base;
+    put(value, choice);
+    add(choice);
+  }
+  if (extent == StudyExtent::kQuick) return choices;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    for (std::size_t k = i + 1; k < values.size(); ++k) {
+      if (values[i].setting == values[k].setting) continue;
+      if (values[i].is_alone() || values[k].is_alone()) continue;
+      PipelineSettings choice = base;
+      put(values[i], choice);
+      put(values[k], choice);
+      add(choice);
+    }
+  add(cheapest(base, finger));
+  return choices;
+}
+
+Message words_of(const PipelineSettings& choice, const PipelineSettings& base) {
+  std::string words;
+  for (const auto& setting : pipeline_settings())
+    if (setting.get(choice) != setting.get(base))
+      words += (words.empty() ? "" : ", ") + setting.name + ' ' + setting.get(choice);
+  return words.empty() ? en::say("as it is") : Message::typed(words);
+}
+
+std::string flags_of(const PipelineSettings& choice, const PipelineSettings& base) {
+  std::string flags;
+  for (const auto& setting : pipeline_settings())
+    if (setting.get(choice) != setting.get(base))
+      flags += (flags.empty() ? "--" : " --") + setting.name + ' ' + setting.get(choice);
+  return flags;
+}
+
+bool is_proven(const PipelineSettings& choice, const PipelineSettings& base) {
+  const auto& all = pipeline_settings();
+  return std::none_of(all.begin(), all.end(), [&](const Setting<PipelineSettings>& setting) {
+    return setting.name == kUnproven.first && setting.get(choice) == kUnproven.second &&
+           setting.get(base) != kUnproven.second;
+  });
+}
+
+std::string key_of(const PipelineSettings& choice) {
+  std::string key;
+  for (const auto& setting : pipeline_settings())
+    key += (key.empty() ? "" : " ") + setting.name + '=' + setting.get(choice);
+  return key;
+}
+
+namespace {
+
+/// A frame's result and its processor time in a pipeline that has already seen the frame.
+Result<FrameResult> timed(Pipeline& pipeline, const FramePtr& frame, double& milliseconds) {
+  auto first = pipeline(frame);
+  if (!first) return first;
+  const double begin_s = thread_cpu_s();
+  auto next = pipeline(frame);
+  milliseconds = 1000 * (thread_cpu_s() - begin_s);
+  return next ? std::move(first) : std::move(next);
+}
+
+}  // namespace
+
+cv::Mat at_full_size(const cv::Mat& values, int reduced_by, cv::Size size) {
+  if (reduced_by == 1) return values;
+  cv::Mat full(size, CV_32FC1, cv::Scalar(std::numeric_limits<float>::quiet_NaN()));
+  const cv::Size covered(values.cols * reduced_by, values.rows * reduced_by);
+  cv::Mat part = full({0, 0, covered.width, covered.height});
+  cv::resize(values, part, covered, 0, 0, cv::INTER_NEAREST);
+  return full;
+}
+
+Result<ComparedSettings> ComparedSettings::create(const FingerSnapshot& finger,
+                                                  const PipelineSettings& now,
+                                                  const PipelineSettings& other,
+                                                  const Job& job) {
+  auto first = Pipeline::create(finger, now, job);
+  if (!first) return first.error();
+  auto second = Pipeline::create(finger, other, job);
+  if (!second) return second.error();
+  return ComparedSettings(std::move(first).value(), std::move(second).value());
+}
+
+Result<ComparedFrame> ComparedSettings::operator()(const FramePtr& frame) {
+  ComparedFrame compared;
+  auto now = timed(now_, frame, compared.now_ms);
+  if (!now) return now.error();
+  auto other = timed(other_, frame, compared.other_ms);
+  if (!other) return other.error();
+  compared.now = std::move(now).value();
+  compared.other = std::move(other).value();
+  if (!compared.now.depth || !compared.other.depth) return compared;
+  const int by = compared.now.reduced_by;
+  const cv::Mat& first = compared.now.depth->depth_mm;
+  const cv::Size full = by == 1 ? first.size()
+                        : compared.other.reduced_by == 1
+                            ? compared.other.depth->depth_mm.size()
+                            : cv::Size(first.cols * by, first.rows * by);
+  const cv::Mat a = at_full_size(first, by, full),
+                b = at_full_size(compared.other.depth->depth_mm, compared.other.reduced_by, full);
+  compared.difference_mm = b - a;
+  std::vector<float> pressed_mm;
+  for (int v = 0; v < full.height; ++v)
+    for (int u = 0; u < full.width; ++u) {
+      const float off = compared.difference_mm.at<float>(v, u);
+      const bool is_pressed = a.at<float>(v, u) > kPressedMm || b.at<float>(v, u) > kPressedMm;
+      if (std::isfinite(off) && is_pressed) pressed_mm.push_back(std::abs(off));
+    }
+  if (const auto spread = spread_of_errors(pressed_mm)) {
+    compared.median_mm = spread->median_mm;
+    compared.p95_mm = spread->p95_mm;
+  }
+  return compared;
 }
 
 }  // namespace alltact

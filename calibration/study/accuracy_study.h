@@ -9,10 +9,15 @@
 // by frame, so that both see the same load. Compared is the median of the ratios.
 #pragma once
 
-#include "calibration/study/study_choice.h"
 #include "calibration/study/study_world.h"
-#include "core/job.h"
-#include "core/result.h"
+#include "core/base/job.h"
+#include "core/base/message.h"
+#include "core/base/result.h"
+#include "core/finger/finger.h"
+#include "core/finger/finger_store.h"
+#include "core/image/frame.h"
+#include "core/sensing/pipeline.h"
+#include "core/sensing/pipeline_settings.h"
 
 #include <array>
 #include <cstddef>
@@ -21,7 +26,35 @@
 #include <string>
 #include <vector>
 
+#include <opencv2/core.hpp>
+
 namespace alltact {
+
+// The settings that a study compares, and their names.
+
+enum class StudyExtent {
+  kQuick = 1,  ///< every value that is worth trying (Trade::tried), one setting at a time
+  kPairs,      ///< and every two of them at a time, and the cheapest of all
+};
+
+/// The base first, then the others, each once, in a fixed order. Only settings that trade accuracy
+/// for time on this finger (has_trade_off()).
+[[nodiscard]] std::vector<PipelineSettings> study_choices(const PipelineSettings& base,
+                                                          StudyExtent extent,
+                                                          const Finger& finger);
+
+/// The differences: "reference-method nearest, smoothing-px 0"; "as it is" where there is none.
+[[nodiscard]] Message words_of(const PipelineSettings& choice, const PipelineSettings& base);
+
+/// The same as flags of the command line: "--reference-method nearest --smoothing-px 0".
+[[nodiscard]] std::string flags_of(const PipelineSettings& choice, const PipelineSettings& base);
+
+/// False: the choice has a value, different from the base's, whose loss the study's images do not
+/// show: their light is that of the recording.
+[[nodiscard]] bool is_proven(const PipelineSettings& choice, const PipelineSettings& base);
+
+/// All settings with their values; unique for each choice.
+[[nodiscard]] std::string key_of(const PipelineSettings& choice);
 
 /// Of absolute errors, mm.
 struct ErrorSpread {
@@ -84,5 +117,39 @@ using SaveRows = std::function<Status(const std::vector<StudyRow>&)>;
                                                    const std::vector<StudyRow>& known,
                                                    const SaveRows& save,
                                                    const Job& job);
+
+// One frame measured with two settings, and the difference of the depths.
+
+struct ComparedFrame {
+  FrameResult now, other;
+  /// Depth of `other` minus that of `now`, mm, CV_32FC1, in the camera's image size at any
+  /// resolution. NaN where either has none. Empty where one has no depth at all.
+  cv::Mat difference_mm;
+  /// Of absolute differences, where either depth is above 0.05 mm; empty: nothing presses.
+  std::optional<double> median_mm, p95_mm;
+  /// processor time of this frame, which each pipeline has seen once before
+  double now_ms = 0, other_ms = 0;
+};
+
+/// Used by one thread.
+class ComparedSettings {
+ public:
+  /// Errors: those of Pipeline::create.
+  [[nodiscard]] static Result<ComparedSettings> create(const FingerSnapshot& finger,
+                                                       const PipelineSettings& now,
+                                                       const PipelineSettings& other,
+                                                       const Job& job);
+  /// Error: the frame is not of the finger's size.
+  [[nodiscard]] Result<ComparedFrame> operator()(const FramePtr& frame);
+
+ private:
+  ComparedSettings(Pipeline now, Pipeline other) : now_(std::move(now)), other_(std::move(other)) {}
+  Pipeline now_, other_;
+};
+
+/// Expands an image of a reduced frame: each value is repeated over the pixels that it covers, NaN
+/// outside. Unchanged where nothing is reduced.
+///   values: CV_32FC1
+[[nodiscard]] cv::Mat at_full_size(const cv::Mat& values, int reduced_by, cv::Size full);
 
 }  // namespace alltact

@@ -1,9 +1,8 @@
 #include "calibration/study/evaluate.h"
 
-#include "calibration/study/truth_limits.h"
+#include "core/base/atomic_file.h"
 #include "core/finger/finger.h"
-#include "core/io/atomic_file.h"
-#include "core/io/image_file.h"
+#include "core/image/image_file.h"
 #include "core/numerics/median.h"
 
 #include <algorithm>

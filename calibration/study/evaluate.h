@@ -1,10 +1,10 @@
 // Errors of results against the ground truth of simulated images.
 #pragma once
 
+#include "core/base/result.h"
 #include "core/camera/camera.h"
-#include "core/result.h"
 #include "core/sensing/markers/markers.h"
-#include "core/simulation/truth.h"
+#include "core/simulation/simulated_frame.h"
 
 #include <filesystem>
 #include <vector>
@@ -67,5 +67,11 @@ class Evaluator {
 /// Errors: files missing or not as these commands write them.
 [[nodiscard]] Result<Evaluation> evaluate_folder(const std::filesystem::path& truth_folder,
                                                  const std::filesystem::path& results_folder);
+
+// Thresholds on the ground truth, shared by all error figures.
+
+inline constexpr float kPressedMm = 0.05F;    ///< deeper: inside a contact
+inline constexpr float kUntouchedMm = 0.01F;  ///< less: no contact
+inline constexpr double kAwayMm = 1.0;        ///< distance from any contact that counts as far
 
 }  // namespace alltact

@@ -1,11 +1,11 @@
 #include "calibration/study/real_presses.h"
 
-#include "calibration/checks/ball_by_shape.h"
+#include "calibration/checks/press_check.h"
 #include "calibration/joint/calibrate.h"
-#include "calibration/study/study_clock.h"
-#include "calibration/study/study_front.h"
-#include "core/finger/reduced_finger.h"
-#include "core/io/image_file.h"
+#include "calibration/study/recommended_settings.h"
+#include "calibration/study/study_machine.h"
+#include "core/finger/finger_store.h"
+#include "core/image/image_file.h"
 #include "core/sensing/pipeline.h"
 
 #include <algorithm>

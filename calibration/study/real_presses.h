@@ -2,16 +2,16 @@
 // compared with the ball's sphere in that press.
 //
 // The error includes: a mapping made from fewer presses than the finger's own, noise of image and
-// reference, and the accuracy of fitting the ball to its contact (ball_by_shape.h). It excludes a
+// reference, and the accuracy of fitting the ball to its contact (press_check.h). It excludes a
 // radius error common to all presses.
 #pragma once
 
 #include "calibration/finger/calibration_inputs.h"
 #include "calibration/presses/press.h"
 #include "calibration/study/accuracy_study.h"
+#include "core/base/job.h"
+#include "core/base/result.h"
 #include "core/finger/finger_store.h"
-#include "core/job.h"
-#include "core/result.h"
 #include "core/sensing/pipeline.h"
 #include "core/sensing/reference/reference_library.h"
 

@@ -6,10 +6,10 @@
 // the size takes twice the time.
 #pragma once
 
+#include "core/base/job.h"
+#include "core/base/message.h"
+#include "core/base/result.h"
 #include "core/finger/finger_store.h"
-#include "core/job.h"
-#include "core/message.h"
-#include "core/result.h"
 
 #include <cstddef>
 #include <cstdint>

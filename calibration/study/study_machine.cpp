@@ -1,6 +1,7 @@
 #include "calibration/study/study_machine.h"
 
 #include <cstdlib>
+#include <ctime>
 #include <fstream>
 #include <thread>
 #include <vector>
@@ -81,6 +82,12 @@ nlohmann::json json_of(const StudyMachine& machine) {
   else
     json["power"]["on_battery"] = nullptr;
   return json;
+}
+
+double thread_cpu_s() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 }  // namespace alltact

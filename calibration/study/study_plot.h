@@ -1,6 +1,9 @@
 // A plot of cost against benefit, as SVG: dots, whiskers, a staircase, a few names.
 #pragma once
 
+#include "calibration/study/accuracy_study.h"
+#include "calibration/study/calibrating_study.h"
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,5 +34,16 @@ struct StudyPlot {
 /// SVG, 900 px wide and as high as its names need. Both axes are linear from 0. Dots far outside
 /// the front and the base are counted, not drawn.
 [[nodiscard]] std::string svg_of(const StudyPlot& plot);
+
+// Plots of studies.
+
+/// SVG (study_plot.h): depth error over frame time, both linear from 0. The front is a staircase: a
+/// dot for the median, a whisker for 95 %, names below (seven at most, the base always). Presses
+/// left out have their own marks; dominated rows are grey. A line marks 33.3 ms (30 frames a
+/// second), an arrow where it lies outside.
+[[nodiscard]] std::string svg_of(const AccuracyStudy& study);
+
+/// The same for a calibration, over the total minutes of technician and computer.
+[[nodiscard]] std::string svg_of(const CalibratingStudy& study);
 
 }  // namespace alltact

@@ -30,11 +30,11 @@
 #pragma once
 
 #include "calibration/twin/twin_scene.h"
+#include "core/base/job.h"
+#include "core/base/message.h"
+#include "core/base/result.h"
 #include "core/finger/finger.h"
 #include "core/finger/press_set.h"
-#include "core/job.h"
-#include "core/message.h"
-#include "core/result.h"
 #include "core/sensing/face/face_shape.h"
 
 #include <optional>
@@ -110,5 +110,31 @@ struct Twin {
 /// through a window; a Fin Ray finger whose base is not on the left; no comparable block in any
 /// press; a fit without a finite result; stopped.
 [[nodiscard]] Result<Twin> fit_twin(const TwinInput& input, const Job& job);
+
+// Noise of a real camera's images: the scene's shot and read noise and fixed pattern.
+
+/// An image and a mask of its valid pixels.
+struct NoisyImage {
+  cv::Mat grey;  ///< CV_8UC1
+  cv::Mat used;  ///< CV_8UC1, 0: not used
+};
+
+struct TwinNoise {
+  double read_sd = 0;    ///< grey levels; 0: below the rounding to integer grey levels
+  double shot_gain = 0;  ///< grey levels; 0: not distinguishable from read noise
+  double prnu = 0;       ///< fraction; 0: none, or not determined
+  std::optional<double> read_sd_sd, shot_gain_sd, prnu_sd;
+  double sd = 0;  ///< of one image in time, at its mean brightness
+  Message from;   ///< source of the estimate, a sentence without full stop
+};
+
+/// Noise is estimated from second differences along both axes, which cancel smooth content. The
+/// difference of two images of the same view gives noise in time. A single image gives noise in
+/// time and fixed pattern.
+///   alike: images of the same view where both are used; two or more give noise in time
+///   alone: images of any kind; used without two of the same view
+[[nodiscard]] TwinNoise measure_noise(const std::vector<NoisyImage>& alike,
+                                      const std::vector<NoisyImage>& singles,
+                                      const Message& what_is_alike);
 
 }  // namespace alltact

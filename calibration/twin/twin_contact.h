@@ -3,8 +3,8 @@
 
 #include "calibration/twin/twin.h"
 #include "calibration/twin/twin_solver.h"
-#include "core/job.h"
-#include "core/result.h"
+#include "core/base/job.h"
+#include "core/base/result.h"
 
 #include <optional>
 #include <string>

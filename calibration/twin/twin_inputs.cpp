@@ -1,10 +1,10 @@
 #include "calibration/twin/twin_inputs.h"
 
 #include "calibration/finger/calibration_inputs.h"
-#include "calibration/finger/measuring_settings.h"
-#include "calibration/presses/manual_ball.h"
+#include "calibration/finger/measuring_presets.h"
+#include "calibration/presses/press.h"
 #include "calibration/reference/reference_recording.h"
-#include "core/sensing/face/face_runs.h"
+#include "core/sensing/face/face_pixels.h"
 #include "core/sensing/pipeline.h"
 
 #include <algorithm>

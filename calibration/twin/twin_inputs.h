@@ -3,9 +3,9 @@
 
 #include "calibration/presses/press_input.h"
 #include "calibration/twin/twin.h"
+#include "core/base/job.h"
+#include "core/base/result.h"
 #include "core/finger/finger_store.h"
-#include "core/job.h"
-#include "core/result.h"
 
 #include <filesystem>
 #include <vector>

@@ -1,9 +1,10 @@
 // The parameters of a twin, and its scene.
 #pragma once
 
+#include "core/base/result.h"
 #include "core/camera/camera.h"
 #include "core/finger/finger.h"
-#include "core/simulation/layer_reflectance.h"
+#include "core/simulation/illumination.h"
 
 #include <map>
 #include <optional>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include <Eigen/Core>
+#include <opencv2/core.hpp>
 
 namespace alltact {
 
@@ -69,5 +71,17 @@ struct TwinScene {
   [[nodiscard]] TwinScene with_ball(const TwinBall& ball) const;
   [[nodiscard]] TwinScene untouched(const TwinPose& pose) const;
 };
+
+// Rendered images of a twin. All of them come from here.
+
+/// Frame `frame` without noise, CV_32FC1. Errors: those of Scene::parse and Plan::compile.
+[[nodiscard]] Result<cv::Mat> twin_image(const TwinScene& scene, int frame);
+
+/// The camera that sees a part of another's image.
+[[nodiscard]] CameraParameters cropped_camera(const CameraParameters& camera, const cv::Rect& part);
+/// The camera whose pixels are means over complete blocks of `side` x `side` pixels of another's.
+[[nodiscard]] CameraParameters downsampled_camera(const CameraParameters& camera, int side);
+/// Those means of a CV_32FC1 image; NaN where any of the pixels is NaN.
+[[nodiscard]] cv::Mat downsampled_image(const cv::Mat& grey, int side);
 
 }  // namespace alltact

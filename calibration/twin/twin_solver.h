@@ -1,8 +1,8 @@
 // Bounded least squares for a model with rendered images.
 #pragma once
 
-#include "core/job.h"
-#include "core/result.h"
+#include "core/base/job.h"
+#include "core/base/result.h"
 
 #include <functional>
 #include <optional>

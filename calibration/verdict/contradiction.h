@@ -1,8 +1,8 @@
 // A number given for a calibration that its presses contradict.
 #pragma once
 
+#include "core/base/message.h"
 #include "core/finger/finger.h"
-#include "core/message.h"
 
 #include <optional>
 #include <string>

@@ -1,6 +1,6 @@
 #include "core/batch/parts.h"
 
-#include "core/io/atomic_file.h"
+#include "core/base/atomic_file.h"
 #include "core/recording/depth_video.h"
 
 #include <charconv>

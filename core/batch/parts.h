@@ -1,8 +1,8 @@
 // Reconstructs a recording in parts, each by a process of its own, and merges them.
 #pragma once
 
+#include "core/base/result.h"
 #include "core/batch/batch.h"
-#include "core/result.h"
 
 #include <cstddef>
 #include <filesystem>

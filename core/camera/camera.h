@@ -4,9 +4,7 @@
 // centre of the top-left pixel. All pixels here are those of the oriented image.
 #pragma once
 
-#include "core/camera/flat_port.h"
-#include "core/camera/ray.h"
-#include "core/result.h"
+#include "core/base/result.h"
 
 #include <optional>
 #include <string>
@@ -17,6 +15,51 @@
 #include <opencv2/core.hpp>
 
 namespace alltact {
+
+// The viewing ray of one pixel.
+
+/// Points seen by one pixel: point(z) = origin + z * direction, with origin.z = 0 and direction.z =
+/// 1. The ray of a perspective camera starts at the camera's centre, or behind a flat window at a
+/// lateral offset; orthographic rays are parallel to z.
+struct Ray {
+  Eigen::Vector3d origin_mm = Eigen::Vector3d::Zero();
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
+
+  [[nodiscard]] Eigen::Vector3d point_at(double z_mm) const { return origin_mm + z_mm * direction; }
+};
+
+// A flat window between lens and finger: air, a plate, then a clear medium.
+//
+// The window is perpendicular to the optical axis, with the camera's centre in the air before it. A
+// lens calibrated in air shows objects in silicone too large: without this model their distance is
+// about a quarter too small.
+
+struct FlatPort {
+  double gap_mm = 0;           ///< air between the camera's centre and the plate, 0 to 1000
+  double plate_mm = 0;         ///< thickness of the plate, 0 to 1000
+  double plate_index = 1.49;   ///< of refraction, 1 to 3; acrylic
+  double medium_index = 1.41;  ///< of refraction, 1 to 3; silicone
+
+  bool operator==(const FlatPort&) const = default;
+};
+
+/// Error: a number outside its range; `where` names it ("gap_mm").
+[[nodiscard]] Status check_port(const FlatPort& port);
+
+/// The ray in the medium of light that leaves the camera along `air_direction` (z > 0), in the
+/// camera frame and extended backwards to z = 0. Snell's law at both surfaces, exact. nullopt when
+/// the direction does not point forwards.
+[[nodiscard]] std::optional<Ray> ray_through(const FlatPort& port,
+                                             const Eigen::Vector3d& air_direction);
+
+/// The direction in air (z = 1) along which the camera sees a point of the medium: the one root of
+/// Snell's law, by Newton's method between bounds, to rounding. nullopt for a point not behind the
+/// plate, or seen more than 89.9 degrees off the axis.
+[[nodiscard]] std::optional<Eigen::Vector3d> direction_to(const FlatPort& port,
+                                                          const Eigen::Vector3d& point_mm);
+
+/// Apparent distance in air of a point on the axis at z_mm.
+[[nodiscard]] double apparent_distance_mm(const FlatPort& port, double z_mm);
 
 enum class CameraModel { kPinhole = 1, kBrown, kFisheye, kOrthographic };
 /// Rotation or reflection of the raw image before any other processing. Rotations are clockwise.
@@ -97,5 +140,39 @@ class Camera {
                                            const Message& what,
                                            const Where& where,
                                            const Message& advice);
+
+// Plausibility of a camera, beyond the limits of the mathematics.
+
+/// Check for files and typed values; Camera::create() checks the limits of the mathematics. Valid
+/// are
+///   a focal length of 0.05 to 10 times the image's longer side: 6 to 168 degrees of view,
+///   fx and fy within a factor of 2: pixels are nearly square,
+///   mm_per_px that makes the image 0.1 mm to 10 m wide.
+/// Errors as of Camera::create(), which is called first; `where` is the key ("camera.fx").
+[[nodiscard]] Status check_camera_range(const CameraParameters& parameters);
+
+/// Possible but implausible values of a finger's camera: a focal length outside 0.2 to 4 times the
+/// longer side (14 to 136 degrees of view), a principal point outside the middle three fifths of
+/// the image. Each with its key.
+[[nodiscard]] std::vector<Error> implausible_camera(const CameraParameters& parameters);
+
+// Images of reduced resolution, each pixel the mean of several, and their camera model.
+
+/// Converts a coordinate of the full image to the reduced one. The centre of reduced pixel 0 is the
+/// mean of those of pixels 0 to by - 1.
+[[nodiscard]] constexpr double reduced_px(double full_px, int by) {
+  return (full_px + 0.5) / by - 0.5;
+}
+/// The inverse of reduced_px().
+[[nodiscard]] constexpr double full_px(double reduced_px, int by) {
+  return (reduced_px + 0.5) * by - 0.5;
+}
+
+/// CV_8UC1: each pixel the mean of by x by, rounded. Incomplete squares at the far ends are left
+/// out. by: 1 (no copy) or more.
+[[nodiscard]] cv::Mat reduced_image(const cv::Mat& grey, int by);
+
+/// The camera of such images: the same rays, in pixels of the reduced image.
+[[nodiscard]] CameraParameters reduced_camera(const CameraParameters& camera, int by);
 
 }  // namespace alltact

@@ -1,9 +1,11 @@
 #include "core/finger/finger.h"
 
-#include "core/camera/camera_range.h"
-#include "core/finger/pose_yaml.h"
-#include "core/finger/quantity.h"
-#include "core/printable.h"
+#include "core/base/message.h"
+#include "core/base/typed_number.h"
+#include "core/camera/camera.h"
+#include "core/finger/finger_yaml.h"
+
+#include <array>
 
 namespace alltact {
 namespace {
@@ -209,6 +211,11 @@ Status Finger::validate() const {
   if (gripper_from_camera)
     if (auto problem = pose_problem(*gripper_from_camera, "gripper_from_camera")) return *problem;
   return {};
+}
+
+std::string_view to_string(PushedFace face) {
+  constexpr std::array<std::string_view, 4> words{"contact", "back", "upper", "lower"};
+  return words[static_cast<std::size_t>(face) - 1];
 }
 
 }  // namespace alltact

@@ -1,10 +1,10 @@
 // The data of one finger, and its folder on the disk.
 #pragma once
 
+#include "core/base/result.h"
 #include "core/camera/camera.h"
 #include "core/finger/mapping.h"
 #include "core/geometry/rigid_transform.h"
-#include "core/result.h"
 
 #include <array>
 #include <filesystem>
@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <Eigen/Core>
@@ -179,5 +180,11 @@ class Finger {
 [[nodiscard]] Status save_camera(const std::filesystem::path& file,
                                  const CameraParameters& parameters,
                                  const LensRecord& record = {});
+
+// The faces of a finger.
+
+/// Upper is the side face at small v (y < 0), lower the one at large v.
+enum class PushedFace { kContact = 1, kBack, kUpper, kLower };
+[[nodiscard]] std::string_view to_string(PushedFace face);
 
 }  // namespace alltact

@@ -1,10 +1,11 @@
 #include "core/finger/finger_store.h"
 
+#include "core/base/atomic_file.h"
+#include "core/base/program.h"
+#include "core/base/slow_disk.h"
+#include "core/base/utc_time.h"
+#include "core/camera/camera.h"
 #include "core/finger/force_model.h"
-#include "core/io/atomic_file.h"
-#include "core/io/disk_wait.h"
-#include "core/io/folder_change.h"
-#include "core/utc_time.h"
 
 #include <map>
 
@@ -241,6 +242,72 @@ void copy_provenance(const Finger& from, const std::string& key, Finger& finger)
     finger.provenance.erase(key);
   else
     finger.provenance[key] = entry->second;
+}
+
+FingerSnapshot reduced_finger(const FingerSnapshot& finger, int by) {
+  if (by == 1 || finger.reduced_by != 1) return finger;
+  const CameraParameters parameters = reduced_camera(finger.finger.camera, by);
+  auto camera = Camera::create(parameters);
+  if (!camera) return finger;
+  FingerSnapshot reduced = finger;
+  reduced.reduced_by = by;
+  reduced.full_camera = finger.finger.camera;
+  reduced.finger.camera = parameters;
+  reduced.camera = std::move(camera).value();
+  if (auto& contact = reduced.finger.contact) {
+    contact->threshold_px /= by;
+    for (Eigen::Vector2d& marker : contact->rest_markers)
+      marker = {reduced_px(marker.x(), by), reduced_px(marker.y(), by)};
+  }
+  if (auto& reference = reduced.finger.reference; reference && reference->positions)
+    reference->positions->from_u_px = reduced_px(reference->positions->from_u_px, by);
+  return reduced;
+}
+
+Result<cv::Mat> image_for(const FingerSnapshot& finger,
+                          const cv::Mat& raw,
+                          const Message& what,
+                          const Where& where,
+                          const Message& advice) {
+  const CameraParameters& camera =
+      finger.reduced_by == 1 ? finger.finger.camera : finger.full_camera;
+  auto turned = oriented_for(camera, raw, what, where, advice);
+  if (!turned) return turned.error();
+  return reduced_image(*turned, finger.reduced_by);
+}
+
+Result<Finger> make_finger(const NewFinger& requested) {
+  std::error_code ignored;
+  const std::filesystem::path file = requested.finger / Finger::kFileName;
+  if (std::filesystem::exists(file, ignored)) {
+    return Error{en::say("there is a finger already, and it is never overwritten"),
+                 file.string(),
+                 en::say("another folder, or moving that one away")};
+  }
+  LensRecord lens_record;
+  auto camera = load_camera(requested.camera, &lens_record);
+  if (!camera) return camera.error();
+  if (const auto valid = Camera::create(*camera); !valid) return valid.error();
+
+  Finger finger;
+  finger.name = requested.name;
+  if (finger.name.empty())
+    finger.name =
+        std::filesystem::absolute(requested.finger / "").parent_path().filename().string();
+  finger.camera = std::move(camera).value();
+  finger.lens_record = std::move(lens_record);
+  finger.face.kind = requested.kind;
+  finger.face.width_mm = requested.width_mm;
+  finger.face.layer_mm = requested.layer_mm;
+  finger.face.plane_z_mm = requested.plane_z_mm;
+  finger.markers.per_row = requested.per_row;
+  finger.markers.polarity = requested.polarity;
+  finger.gripper_from_camera = requested.gripper_from_camera;
+  finger.provenance["program_version"] = program_version();
+  if (const Status status = finger.validate(); !status) return status.error();
+  if (const Status status = make_folder(requested.finger); !status) return status.error();
+  if (const Status status = finger.save(requested.finger); !status) return status.error();
+  return finger;
 }
 
 }  // namespace alltact

@@ -1,13 +1,13 @@
 // The one owner of a finger's folder: reads it, and makes all changes to it.
 #pragma once
 
+#include "core/base/atomic_file.h"
+#include "core/base/message.h"
+#include "core/base/result.h"
 #include "core/camera/camera.h"
 #include "core/finger/finger.h"
 #include "core/finger/mapping.h"
 #include "core/finger/press_set.h"
-#include "core/io/lock_file.h"
-#include "core/message.h"
-#include "core/result.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -113,5 +113,39 @@ class FingerStore {
 
 /// Copies an entry of the provenance from `from`, or removes it where that has none.
 void copy_provenance(const Finger& from, const std::string& key, Finger& finger);
+
+// A finger at reduced image resolution.
+
+/// Converts all pixel coordinates (camera, markers at rest, positions for poses) to images that are
+/// reduced by `by` pixels a side (reduced_image.h). Returns the finger unchanged where `by` is 1,
+/// it is reduced already, or its images would be smaller than any camera's (16 px).
+[[nodiscard]] FingerSnapshot reduced_finger(const FingerSnapshot& finger, int by);
+
+/// A raw image in the orientation of the finger's camera, reduced like the finger. Error: its size
+/// differs from the finger's camera, see oriented_for().
+[[nodiscard]] Result<cv::Mat> image_for(const FingerSnapshot& finger,
+                                        const cv::Mat& raw,
+                                        const Message& what,
+                                        const Where& where,
+                                        const Message& advice);
+
+// Input for a new finger, from the window or the command line.
+
+struct NewFinger {
+  std::filesystem::path finger;  ///< the folder to make
+  std::string name;              ///< empty: the folder's name
+  std::filesystem::path camera;  ///< CAMERA.yaml
+  FaceKind kind = FaceKind::kFinRay;
+  double width_mm = 0;
+  double layer_mm = 0;
+  double plane_z_mm = 0;
+  int per_row = 0;
+  Polarity polarity = Polarity::kAuto;
+  std::optional<RigidTransform> gripper_from_camera;
+};
+
+/// Makes a finger folder and returns the finger. Errors: there is a finger already; the camera file
+/// or a value is wrong; the folder cannot be written.
+[[nodiscard]] Result<Finger> make_finger(const NewFinger& requested);
 
 }  // namespace alltact

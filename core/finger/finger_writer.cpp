@@ -1,8 +1,6 @@
 // Writer of finger.yaml.
-#include "core/finger/camera_yaml.h"
+#include "core/base/yaml.h"
 #include "core/finger/finger_yaml.h"
-#include "core/finger/pose_yaml.h"
-#include "core/yaml/yaml_writer.h"
 
 namespace alltact {
 namespace {

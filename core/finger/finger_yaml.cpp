@@ -1,9 +1,17 @@
-// Loading and saving of finger.yaml.
 #include "core/finger/finger_yaml.h"
 
-#include "core/io/atomic_file.h"
+#include "core/base/atomic_file.h"
+#include "core/base/message.h"
+#include "core/camera/camera.h"
+#include "core/numerics/checksum.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace alltact {
+
+// Loading and saving of finger.yaml.
 
 struct Finger::Unknown {
   UnknownKeys keys;
@@ -43,6 +51,407 @@ Status Finger::save(const std::filesystem::path& folder) const {
   const auto text = to_yaml();
   if (!text) return text.error();
   return write_file_atomically(folder / kFileName, *text);
+}
+
+namespace {
+
+/// The enumerator of a word; the words are those of to_string().
+template <class E, std::size_t N>
+E read_camera_word(YamlSection& section, const std::string& key, const std::array<E, N>& meanings) {
+  std::vector<std::string_view> words;
+  for (E meaning : meanings) words.push_back(to_string(meaning));
+  return meanings[section.choice(key, words)];
+}
+
+constexpr std::array kModels{
+    CameraModel::kPinhole, CameraModel::kBrown, CameraModel::kFisheye, CameraModel::kOrthographic};
+constexpr std::array kOrientations{Orientation::kNone,
+                                   Orientation::kFlipU,
+                                   Orientation::kFlipV,
+                                   Orientation::kRotate180,
+                                   Orientation::kRotate90,
+                                   Orientation::kRotate270};
+
+void read_size(YamlSection& section, CameraParameters& parameters) {
+  const std::vector<double> size = section.numbers("size");
+  const auto is_integer = [](double x) { return std::abs(x) < 1e9 && x == std::floor(x); };
+  if (size.size() != 2 || !is_integer(size[0]) || !is_integer(size[1]))
+    section.refuse(
+        "size", en::say("must be two whole numbers"), en::say("[width, height] in pixels"));
+  parameters.width_px = static_cast<int>(size[0]);
+  parameters.height_px = static_cast<int>(size[1]);
+}
+
+FlatPort read_port(YamlSection& camera) {
+  YamlSection section = camera.section("port");
+  FlatPort port;
+  port.gap_mm = section.number("gap_mm", en::say("the air between lens and window in mm"));
+  port.plate_mm = section.number("plate_mm", en::say("the window's thickness in mm"));
+  port.plate_index = section.number("plate_index", en::say("the window's index of refraction"));
+  port.medium_index = section.number("medium_index", en::say("the index of what lies behind it"));
+  return port;
+}
+
+std::string in_braces(const FlatPort& port, const UnknownKeys& unknown) {
+  YamlBlock block("camera.port");
+  block.add("gap_mm", yaml_number(port.gap_mm));
+  block.add("plate_mm", yaml_number(port.plate_mm));
+  block.add("plate_index", yaml_number(port.plate_index));
+  block.add("medium_index", yaml_number(port.medium_index));
+  block.add_unknown(unknown);
+  return block.in_braces();
+}
+
+}  // namespace
+
+CameraParameters read_camera(YamlSection& section, LensRecord& record) {
+  CameraParameters parameters;
+  parameters.model = read_camera_word(section, "model", kModels);
+  read_size(section, parameters);
+  if (parameters.model == CameraModel::kOrthographic) {
+    parameters.mm_per_px = section.number("mm_per_px", en::say("the size of a pixel in mm"));
+  } else {
+    parameters.fx_px = section.number("fx", en::say("the focal length in pixels"));
+    parameters.fy_px = section.number("fy", en::say("the focal length in pixels"));
+  }
+  parameters.cx_px = section.number("cx", en::say("the principal point in pixels"));
+  parameters.cy_px = section.number("cy", en::say("the principal point in pixels"));
+  if (section.has("distortion")) parameters.distortion = section.numbers("distortion");
+  if (section.has("orientation"))
+    parameters.orientation = read_camera_word(section, "orientation", kOrientations);
+  if (section.has("port")) parameters.port = read_port(section);
+  if (section.has("lens")) record = section.section("lens").all_texts();
+  return parameters;
+}
+
+void add_camera(const CameraParameters& parameters,
+                const LensRecord& record,
+                const UnknownKeys& unknown,
+                YamlBlock& block) {
+  block.add("model", std::string(to_string(parameters.model)));
+  block.add("size", fmt::format("[{}, {}]", parameters.width_px, parameters.height_px));
+  if (parameters.model == CameraModel::kOrthographic) {
+    block.add("mm_per_px", yaml_number(parameters.mm_per_px));
+  } else {
+    block.add("fx", yaml_number(parameters.fx_px));
+    block.add("fy", yaml_number(parameters.fy_px));
+  }
+  block.add("cx", yaml_number(parameters.cx_px));
+  block.add("cy", yaml_number(parameters.cy_px));
+  block.add("distortion", yaml_numbers(parameters.distortion));
+  block.add("orientation", std::string(to_string(parameters.orientation)));
+  if (parameters.port) block.add("port", in_braces(*parameters.port, unknown));
+  YamlBlock lens("camera.lens");
+  for (const auto& [key, value] : record) lens.add(key, yaml_text_or_number(value));
+  lens.add_unknown(unknown);
+  if (!lens.is_empty()) block.add("lens", lens.in_braces());
+}
+
+Result<CameraParameters> load_camera(const std::filesystem::path& path, LensRecord* record) {
+  YamlFile file(path);
+  CameraParameters parameters;
+  LensRecord lens;
+  bool is_wrapped = false;
+  const Status read = file.load([&](YamlSection& top) {
+    is_wrapped = top.has("camera");
+    YamlSection section = is_wrapped ? top.section("camera") : top;
+    parameters = read_camera(section, lens);
+  });
+  if (!read) return read.error();
+  if (record != nullptr) *record = std::move(lens);
+  const Status status = check_camera_range(parameters);
+  if (status) return parameters;
+  Error error = status.error();
+  if (!is_wrapped) {
+    const std::string key = error.where.english();
+    error.where = key.substr(key.find('.') + 1);
+  }
+  return file.located(error);
+}
+
+std::string camera_fingerprint(const CameraParameters& parameters) {
+  YamlBlock block("");
+  add_camera(parameters, {}, {}, block);
+  const std::string text = block.on_many_lines();
+  Checksum checksum;
+  checksum.add(text.data(), text.size());
+  return checksum.text();
+}
+
+Status save_camera(const std::filesystem::path& path,
+                   const CameraParameters& parameters,
+                   const LensRecord& record) {
+  if (const Status status = check_camera_range(parameters); !status) return status.error();
+  YamlBlock block("");
+  add_camera(parameters, record, {}, block);
+  return write_file_atomically(path, block.on_many_lines());
+}
+
+RigidTransform read_pose(YamlSection section) {
+  RigidTransform pose;
+  const std::vector<double> at = section.numbers("translation_mm");
+  if (at.size() != 3)
+    section.refuse("translation_mm", en::say("must be three numbers: x, y, z in mm"), "");
+  pose.translation_mm = {at[0], at[1], at[2]};
+  const std::vector<double> turn = section.numbers("rotation");
+  if (turn.size() != 4)
+    section.refuse(
+        "rotation", en::say("must be four numbers: w, x, y, z of a unit quaternion"), "");
+  pose.rotation = {turn[0], turn[1], turn[2], turn[3]};
+  return pose;
+}
+
+void add_pose(const RigidTransform& pose, YamlBlock& block) {
+  const Eigen::Vector3d& at = pose.translation_mm;
+  const Eigen::Quaterniond& turn = pose.rotation;
+  block.add("translation_mm", yaml_numbers({at.x(), at.y(), at.z()}));
+  block.add("rotation", yaml_numbers({turn.w(), turn.x(), turn.y(), turn.z()}));
+}
+
+std::optional<Error> pose_problem(const RigidTransform& pose, const std::string& key) {
+  for (const double along : pose.translation_mm)
+    if (!(along >= -1e4 && along <= 1e4))
+      return Error{en::say("must be three numbers from -10000 to 10000"),
+                   key + ".translation_mm",
+                   en::say("where the camera sits in the gripper, in mm")};
+  if (const double norm = pose.rotation.norm(); !(norm >= 0.999 && norm <= 1.001))
+    return Error{en::say("is no rotation: a quaternion w, x, y, z has the length 1"),
+                 key + ".rotation",
+                 en::say("[1.0, 0.0, 0.0, 0.0] for a camera that is not turned")};
+  return std::nullopt;
+}
+
+// Reader of finger.yaml.
+
+namespace {
+
+template <class E>
+E read_word(YamlSection& section, const std::string& key, const FingerWords& words) {
+  return static_cast<E>(section.choice(key, words) + 1);
+}
+
+Face read_face(YamlSection section) {
+  Face face;
+  face.kind = read_word<FaceKind>(section, "kind", kFaceKinds);
+  if (face.kind == FaceKind::kFinRay)
+    face.width_mm = section.number("width_mm", en::say("a length in mm"));
+  face.layer_mm = section.number("layer_mm", en::say("a length in mm"));
+  if (face.kind == FaceKind::kFlat && section.has("plane_z_mm"))
+    face.plane_z_mm = section.number("plane_z_mm", en::say("a distance in mm"));
+  return face;
+}
+
+MarkerRows read_markers(YamlSection section) {
+  MarkerRows markers;
+  markers.per_row = section.integer("per_row", 0, 64);
+  if (section.has("polarity"))
+    markers.polarity = read_word<Polarity>(section, "polarity", kPolarities);
+  if (section.has("missing"))
+    for (const double number : section.numbers("missing")) {
+      if (number != std::floor(number) || std::abs(number) > 1000)
+        section.refuse("missing", en::say("must be a list of whole numbers"), en::say("[3, 9]"));
+      markers.missing.push_back(static_cast<int>(number));
+    }
+  return markers;
+}
+
+Eigen::MatrixXd read_covariance(YamlSection& section) {
+  const auto rows = section.rows("covariance");
+  const std::size_t size = rows.size();
+  if (!std::all_of(rows.begin(), rows.end(), [&](const auto& row) { return row.size() == size; }))
+    section.refuse(
+        "covariance", en::say("must have as many numbers in each row as there are rows"), "");
+  Eigen::MatrixXd covariance(size, size);
+  for (std::size_t row = 0; row < size; ++row)
+    for (std::size_t column = 0; column < size; ++column)
+      covariance(static_cast<int>(row), static_cast<int>(column)) = rows[row][column];
+  return covariance;
+}
+
+/// Checks `powers`, which is for people: a contradiction means that the wrong line was edited.
+void check_powers(YamlSection& section, const MappingParameters& parameters) {
+  const std::vector<double> stated = section.numbers("powers");
+  const auto mapping = Mapping::create(parameters);
+  if (!mapping) return;  // validate() will report the reason
+  const std::vector<double> powers = mapping->powers();
+  bool is_same = stated.size() == powers.size();
+  double stated_scale = 0, x = 1;  // of the terms at the end of the domain
+  for (double power : powers) stated_scale += std::abs(power) * x, x *= parameters.x_max;
+  x = 1;
+  for (std::size_t i = 0; is_same && i < powers.size(); ++i, x *= parameters.x_max)
+    is_same = std::abs(stated[i] - powers[i]) * x <= 1e-6 * stated_scale;
+  if (!is_same)
+    section.refuse("powers",
+                   en::say("is not the curve that 'chebyshev' gives"),
+                   en::say("remove this line: it is only for people to read"));
+}
+
+FaceVariation read_variation(YamlSection section) {
+  FaceVariation variation;
+  variation.part = {section.number("along", en::say("a part of the depth")),
+                    section.number("across", en::say("a part of the depth"))};
+  const auto read_pair = [&](const char* key) {
+    const std::vector<double> numbers = section.numbers(key);
+    if (numbers.size() != 2)
+      section.refuse(key, en::say("must be two numbers: mm along and across the face"), "");
+    return Eigen::Vector2d(numbers[0], numbers[1]);
+  };
+  variation.middle_mm = read_pair("middle_mm");
+  variation.half_mm = read_pair("half_mm");
+  return variation;
+}
+
+MappingParameters read_mapping(YamlSection& section) {
+  MappingParameters parameters;
+  parameters.kind = read_word<MappingKind>(section, "kind", kMappingKinds);
+  if (section.has("along")) parameters.along = read_word<MappingAlong>(section, "along", kAlongs);
+  const std::vector<double> domain = section.numbers("domain");
+  if (domain.size() != 2 || domain[0] != 0)
+    section.refuse("domain",
+                   en::say("must be two numbers, the first of them 0"),
+                   en::say("for example [0.0, 0.62]"));
+  parameters.x_max = domain[1];
+  if (section.has("varies")) parameters.variation = read_variation(section.section("varies"));
+  if (section.has("covariance")) parameters.covariance = read_covariance(section);
+  if (parameters.kind == MappingKind::kMoebius) {
+    parameters.a_mm = section.number("a_mm", en::say("a depth in mm"));
+    parameters.b = section.number("b", en::say("without unit"));
+  } else {
+    parameters.chebyshev = section.numbers("chebyshev");
+    if (section.has("powers")) check_powers(section, parameters);
+  }
+  return parameters;
+}
+
+CalibrationBasis read_basis(YamlSection section) {
+  constexpr Limits kLength{0, 1000};
+  constexpr int kMaxPresses = 1'000'000;
+  CalibrationBasis basis;
+  basis.ball_radii_mm = section.numbers("ball_radii_mm", kLength);
+  // In one list, so that a search and replace of a face's numbers in the file skips these.
+  const auto face = section.numbers("face_mm", 3, 3, {-1e6, 1e6});
+  basis.width_mm = face[0], basis.layer_mm = face[1], basis.plane_z_mm = face[2];
+  basis.camera = section.text("camera");
+  basis.reference = section.text("reference");
+  basis.positions = section.integer("positions", 0, kMaxPresses);
+  const auto thirds = section.numbers("thirds", 3, 3, {0, kMaxPresses});
+  for (std::size_t i = 0; i < basis.thirds.size(); ++i)
+    basis.thirds[i] = static_cast<int>(thirds[i]);
+  basis.position_leverage = section.number("position_leverage", {0, 1e6});
+  const auto depths = section.numbers("depths_mm", 2, 2, kLength);
+  basis.shallowest_mm = depths[0];
+  basis.deepest_mm = depths[1];
+  basis.scale_sd_mm = section.number("scale_sd_mm", kLength);
+  basis.pixel_sd_mm = section.number("pixel_sd_mm", kLength);
+  basis.halo_mm = section.number("halo_mm", kLength);
+  basis.depth_per_radius = section.number("depth_per_radius", {-1000, 1000});
+  basis.left_out = section.integer("left_out", 0, kMaxPresses);
+  basis.is_complete = section.choice("complete", {"false", "true"}) == 1;
+  if (!section.has("contradictions")) return basis;
+  const auto kinds = section.texts("contradictions");
+  const auto rows = section.rows("contradictions_mm");
+  if (rows.size() != kinds.size())
+    section.refuse("contradictions_mm", en::say("must have a row for each contradiction"), "");
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    if (rows[i].size() != 5)
+      section.refuse("contradictions_mm", en::say("must hold five numbers in each row"), "");
+    basis.contradictions.push_back({kinds[i],
+                                    static_cast<int>(std::clamp(rows[i][0], 0.0, 1e6)),
+                                    static_cast<int>(std::clamp(rows[i][1], 0.0, 1e6)),
+                                    rows[i][2],
+                                    rows[i][3],
+                                    rows[i][4]});
+  }
+  return basis;
+}
+
+std::optional<MappingRecord> read_record(YamlSection& section) {
+  const std::array keys{"method",
+                        "presses",
+                        "residual_mm",
+                        "held_out_mm",
+                        "spread_mm",
+                        "pixel_mm",
+                        "degree_choice",
+                        "basis"};
+  if (std::none_of(keys.begin(), keys.end(), [&](const char* key) { return section.has(key); }))
+    return std::nullopt;
+  MappingRecord record;
+  if (section.has("method")) record.method = section.text("method");
+  if (section.has("presses")) record.presses = section.texts("presses");
+  if (section.has("residual_mm"))
+    record.residual_mm = section.number("residual_mm", en::say("in mm"));
+  if (section.has("held_out_mm"))
+    record.held_out_mm = section.number("held_out_mm", en::say("in mm"));
+  if (section.has("spread_mm")) record.spread_mm = section.number("spread_mm", en::say("in mm"));
+  if (section.has("pixel_mm")) record.pixel_mm = section.number("pixel_mm", en::say("in mm"));
+  if (section.has("degree_choice")) record.degree_choice = section.text("degree_choice");
+  if (section.has("basis")) record.basis = read_basis(section.section("basis"));
+  return record;
+}
+
+ReferenceFiles read_reference(YamlSection section, FaceKind kind) {
+  ReferenceFiles files;
+  if (section.has("image") || (kind == FaceKind::kFlat && !section.has("video"))) {
+    files.image = section.text("image");
+  } else {
+    files.video = section.text("video");
+    files.markers = section.text("markers");
+    if (section.has("places")) {
+      const std::vector<double> positions = section.numbers("places");
+      if (positions.size() != 2)
+        section.refuse("places", en::say("must be two numbers: a column in px, a step in mm"), "");
+      files.positions = EdgePositions{positions[0], positions[1]};
+    }
+  }
+  return files;
+}
+
+ContactSettings read_contact(YamlSection section) {
+  ContactSettings contact;
+  contact.threshold_px = section.number("threshold_px", en::say("a sum of offsets in pixels"));
+  for (const std::vector<double>& row : section.rows("rest_markers")) {
+    if (row.size() != 2)
+      section.refuse("rest_markers",
+                     en::say("must hold two numbers for each marker"),
+                     en::say("[[u, v], ...]"));
+    contact.rest_markers.emplace_back(row[0], row[1]);
+  }
+  return contact;
+}
+
+}  // namespace
+
+Finger read_finger(YamlSection& top) {
+  Finger finger;
+  if (const std::string format = top.text("format"); format != Finger::kFormat)
+    top.refuse("format",
+               en::say("'{}' cannot be read by this version", printable(format)),
+               en::say("a newer version of this program, or '{}'", std::string(Finger::kFormat)));
+  finger.name = top.text("name");
+  YamlSection camera = top.section("camera");
+  finger.camera = read_camera(camera, finger.lens_record);
+  finger.face = read_face(top.section("face"));
+  if (finger.face.kind == FaceKind::kFinRay || top.has("markers"))
+    finger.markers = read_markers(top.section("markers"));
+  if (top.has("mapping")) {
+    YamlSection mapping = top.section("mapping");
+    finger.mapping = read_mapping(mapping);
+    finger.mapping_record = read_record(mapping);
+  }
+  if (top.has("reference"))
+    finger.reference = read_reference(top.section("reference"), finger.face.kind);
+  if (top.has("contact")) finger.contact = read_contact(top.section("contact"));
+  if (top.has("force")) {
+    YamlSection force = top.section("force");
+    finger.force_model = force.text("model");
+    if (finger.force_model.empty())
+      force.refuse("model", en::say("must name a file"), en::say("force.yaml"));
+  }
+  if (top.has("gripper_from_camera"))
+    finger.gripper_from_camera = read_pose(top.section("gripper_from_camera"));
+  if (top.has("provenance")) finger.provenance = top.section("provenance").all_texts();
+  return finger;
 }
 
 }  // namespace alltact

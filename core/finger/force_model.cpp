@@ -1,13 +1,19 @@
-// Estimation of forces with a force model.
 #include "core/finger/force_model.h"
+
+#include "core/base/atomic_file.h"
+#include "core/base/message.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include <Eigen/Cholesky>
+#include <nlohmann/json.hpp>
 
 namespace alltact {
+
+// Estimation of forces with a force model.
+
 namespace {
 
 constexpr double kRangeMargin = 1.1;       // in range up to this multiple of the table's maximum
@@ -179,6 +185,349 @@ Status ForceModel::belongs_to(const Finger& finger) const {
                        far_px),
                std::string("force.model"),
                advice};
+}
+
+// The file format of force models.
+
+namespace {
+
+using ForceJson = nlohmann::ordered_json;
+
+constexpr double kLargestNumber = 1e12;
+constexpr std::size_t kLargestModel = std::size_t{256} << 20;
+constexpr Eigen::Index kMaxMembers = 200, kMaxFeatures = 20000;
+
+/// Ends the reading; ForceModel::parse catches it.
+struct RefusedForceModel {
+  Error error;
+};
+
+[[noreturn]] void refuse_model(const std::string& key, Message what) {
+  throw RefusedForceModel{{std::move(what), key, en::say("train the force model again")}};
+}
+
+ForceJson json_of(const Eigen::MatrixXd& matrix) {
+  ForceJson numbers = ForceJson::array();
+  for (Eigen::Index row = 0; row < matrix.rows(); ++row)
+    for (Eigen::Index column = 0; column < matrix.cols(); ++column)
+      numbers.push_back(matrix(row, column));
+  return {{"rows", matrix.rows()}, {"columns", matrix.cols()}, {"numbers", std::move(numbers)}};
+}
+
+ForceJson json_of_vector(const Eigen::VectorXd& vector) {
+  return ForceJson(std::vector<double>(vector.begin(), vector.end()));
+}
+
+ForceJson json_of(const ForceRange& range) {
+  ForceJson json{{"mean_px", json_of_vector(range.mean_px)},
+                 {"components", json_of(range.components)},
+                 {"component_sd_px", json_of_vector(range.component_sd_px)},
+                 {"noise_px", range.noise_px},
+                 {"most_t2", range.max_t2},
+                 {"most_beside_px", range.max_residual_px},
+                 {"least_seen", range.min_seen},
+                 {"always_placed", range.has_all_positions}};
+  if (range.position_mm)
+    for (const Eigen::Vector2d& position : *range.position_mm)
+      json["place_mm"].push_back({position.x(), position.y()});
+  return json;
+}
+
+ForceJson json_of(const ForceMember& member) {
+  const ForceBasis& basis = member.basis;
+  ForceJson json{{"mean_px", json_of_vector(basis.mean_px)},
+                 {"scale", json_of_vector(basis.scale)},
+                 {"components", json_of(basis.components)},
+                 {"gain", json_of_vector(basis.gain)},
+                 {"flags", basis.flags},
+                 {"has_place", basis.has_position},
+                 {"crept", basis.crept},
+                 {"extra_mean", json_of_vector(basis.extra_mean)},
+                 {"extra_scale", json_of_vector(basis.extra_scale)},
+                 {"squared", basis.squared}};
+  json["regressors"] = ForceJson::array();
+  for (const ForceRegressor& regressor : member.regressors) {
+    ForceJson layers = ForceJson::array();
+    for (const ForceLayer& layer : regressor)
+      layers.push_back({{"weights", json_of(layer.weights)}, {"bias", json_of_vector(layer.bias)}});
+    json["regressors"].push_back(std::move(layers));
+  }
+  return json;
+}
+
+const ForceJson& at(const ForceJson& json, const std::string& key, const std::string& path) {
+  if (!json.is_object()) refuse_model(path, en::say("is not an object"));
+  const auto found = json.find(key);
+  if (found == json.end()) refuse_model(path + "." + key, en::say("is missing"));
+  return *found;
+}
+
+double number_of(const ForceJson& json, const std::string& path) {
+  if (!json.is_number()) refuse_model(path, en::say("is no number"));
+  const double number = json.get<double>();
+  if (!(std::abs(number) < kLargestNumber)) refuse_model(path, en::say("is no possible number"));
+  return number;
+}
+
+int integer_of(const ForceJson& json, const std::string& path) {
+  const double number = number_of(json, path);
+  if (number != std::floor(number) || std::abs(number) > 1e9)
+    refuse_model(path, en::say("is no whole number"));
+  return static_cast<int>(number);
+}
+
+const ForceJson& array_of(const ForceJson& json, const std::string& path) {
+  if (!json.is_array()) refuse_model(path, en::say("is no list"));
+  return json;
+}
+
+Eigen::VectorXd vector_at(const ForceJson& json, const std::string& key, const std::string& path) {
+  const std::string full_key = path + "." + key;
+  const ForceJson& list = array_of(at(json, key, path), full_key);
+  Eigen::VectorXd vector(static_cast<Eigen::Index>(list.size()));
+  for (Eigen::Index i = 0; i < vector.size(); ++i)
+    vector[i] = number_of(list[static_cast<std::size_t>(i)], full_key);
+  return vector;
+}
+
+Eigen::MatrixXd matrix_at(const ForceJson& json, const std::string& key, const std::string& path) {
+  const std::string full_key = path + "." + key;
+  const ForceJson& matrix = at(json, key, path);
+  const int rows = integer_of(at(matrix, "rows", full_key), full_key + ".rows");
+  const int columns = integer_of(at(matrix, "columns", full_key), full_key + ".columns");
+  const Eigen::VectorXd numbers = vector_at(matrix, "numbers", full_key);
+  if (rows < 0 || columns < 0 || rows > kMaxFeatures || columns > kMaxFeatures ||
+      Eigen::Index{rows} * columns != numbers.size())
+    refuse_model(full_key, en::say("holds {} numbers, not {} x {}", numbers.size(), rows, columns));
+  return Eigen::Map<const Eigen::Matrix<double, -1, -1, Eigen::RowMajor>>(
+      numbers.data(), rows, columns);
+}
+
+bool bool_at(const ForceJson& json, const std::string& key, const std::string& path) {
+  const ForceJson& value = at(json, key, path);
+  if (!value.is_boolean()) refuse_model(path + "." + key, en::say("is not true or false"));
+  return value.get<bool>();
+}
+
+ForceRange range_from(const ForceJson& json) {
+  const std::string path = "range";
+  ForceRange range;
+  range.mean_px = vector_at(json, "mean_px", path);
+  range.components = matrix_at(json, "components", path);
+  range.component_sd_px = vector_at(json, "component_sd_px", path);
+  range.noise_px = number_of(at(json, "noise_px", path), "range.noise_px");
+  range.max_t2 = number_of(at(json, "most_t2", path), "range.most_t2");
+  range.max_residual_px = number_of(at(json, "most_beside_px", path), "range.most_beside_px");
+  range.min_seen = integer_of(at(json, "least_seen", path), "range.least_seen");
+  range.has_all_positions = bool_at(json, "always_placed", path);
+  if (!json.contains("place_mm")) return range;
+  const ForceJson& positions = array_of(json.at("place_mm"), "range.place_mm");
+  if (positions.size() != 2) refuse_model("range.place_mm", en::say("must be two places"));
+  range.position_mm.emplace();
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (array_of(positions[i], "range.place_mm").size() != 2)
+      refuse_model("range.place_mm", en::say("must be two places"));
+    for (std::size_t k = 0; k < 2; ++k)
+      (*range.position_mm)[i][static_cast<Eigen::Index>(k)] =
+          number_of(positions[i][k], "range.place_mm");
+  }
+  return range;
+}
+
+ForceMember member_from(const ForceJson& json, const std::string& path) {
+  ForceMember member;
+  ForceBasis& basis = member.basis;
+  basis.mean_px = vector_at(json, "mean_px", path);
+  basis.scale = vector_at(json, "scale", path);
+  basis.components = matrix_at(json, "components", path);
+  basis.gain = vector_at(json, "gain", path);
+  for (const ForceJson& flag : array_of(at(json, "flags", path), path + ".flags"))
+    basis.flags.push_back(integer_of(flag, path + ".flags"));
+  basis.has_position = bool_at(json, "has_place", path);
+  basis.crept = integer_of(at(json, "crept", path), path + ".crept");
+  basis.extra_mean = vector_at(json, "extra_mean", path);
+  basis.extra_scale = vector_at(json, "extra_scale", path);
+  basis.squared = integer_of(at(json, "squared", path), path + ".squared");
+  for (const ForceJson& layers : array_of(at(json, "regressors", path), path + ".regressors")) {
+    ForceRegressor regressor;
+    for (const ForceJson& layer : array_of(layers, path + ".regressors"))
+      regressor.push_back({matrix_at(layer, "weights", path + ".regressors"),
+                           vector_at(layer, "bias", path + ".regressors")});
+    member.regressors.push_back(std::move(regressor));
+  }
+  return member;
+}
+
+ForceModel model_from(const ForceJson& json) {
+  const ForceJson& format = at(json, "format", "force");
+  if (!format.is_string() || format.get<std::string>() != ForceModel::kFormat)
+    refuse_model("format",
+                 en::say("'{}' cannot be read by this version",
+                         printable(format.is_string() ? format.get<std::string>() : "")));
+  ForceModel model;
+  const ForceJson& kind = at(json, "kind", "force");
+  const auto word = std::find(
+      kForceKinds.begin(), kForceKinds.end(), kind.is_string() ? kind.get<std::string>() : "");
+  if (word == kForceKinds.end())
+    refuse_model("kind", en::say("must be mean, ridge, quadratic or network"));
+  model.kind = static_cast<ForceKind>(word - kForceKinds.begin() + 1);
+  model.axes = integer_of(at(json, "axes", "force"), "axes");
+  model.marker_count = integer_of(at(json, "marker_count", "force"), "marker_count");
+  for (const ForceJson& number : array_of(at(json, "missing", "force"), "missing"))
+    model.missing.push_back(integer_of(number, "missing"));
+  const Eigen::VectorXd rest = vector_at(json, "rest_px", "force");
+  for (Eigen::Index i = 0; i + 1 < rest.size(); i += 2)
+    model.rest_px.emplace_back(rest[i], rest[i + 1]);
+  model.creep_s = number_of(at(json, "creep_s", "force"), "creep_s");
+  model.range = range_from(at(json, "range", "force"));
+  const ForceJson& scores = at(json, "scores", "force");
+  model.scores = {vector_at(scores, "floor_N", "scores"),
+                  vector_at(scores, "rms", "scores"),
+                  vector_at(scores, "quantile_90", "scores"),
+                  vector_at(scores, "quantile_95", "scores")};
+  for (const ForceJson& member : array_of(at(json, "members", "force"), "members"))
+    model.members.push_back(
+        member_from(member, "members[" + std::to_string(model.members.size()) + "]"));
+  const ForceJson& record = at(json, "record", "force");
+  if (!record.is_object()) refuse_model("record", en::say("is not an object"));
+  for (const auto& [key, text] : record.items()) {
+    if (!text.is_string()) refuse_model("record", en::say("holds what is no text"));
+    model.record[key] = text.get<std::string>();
+  }
+  return model;
+}
+
+void check_shape(bool holds, const std::string& key) {
+  if (!holds) refuse_model(key, en::say("has not the shape that the rest of the model needs"));
+}
+
+void check_range(const ForceModel& model) {
+  const ForceRange& range = model.range;
+  const Eigen::Index columns = 2 * model.marker_count, k = range.component_sd_px.size();
+  check_shape(range.mean_px.size() == columns, "range.mean_px");
+  check_shape(range.components.rows() == columns && range.components.cols() == k,
+              "range.components");
+  if (!(range.noise_px > 0) || (k > 0 && !(range.component_sd_px.minCoeff() > 0)))
+    refuse_model("range.noise_px", en::say("must be above 0"));
+  if (!(range.max_t2 >= 0) || !(range.max_residual_px >= 0) || range.min_seen < 0 ||
+      range.min_seen > model.marker_count)
+    refuse_model("range", en::say("is no possible range"));
+}
+
+void check_basis(const ForceBasis& basis, const ForceModel& model, const std::string& path) {
+  const Eigen::Index columns = 2 * model.marker_count, p = basis.gain.size();
+  check_shape(basis.mean_px.size() == columns, path + ".mean_px");
+  check_shape(basis.scale.size() == columns, path + ".scale");
+  check_shape(basis.components.rows() == columns && basis.components.cols() == p,
+              path + ".components");
+  for (const int flag : basis.flags)
+    check_shape(flag >= 0 && flag < model.marker_count, path + ".flags");
+  check_shape(basis.flags.size() <= static_cast<std::size_t>(model.marker_count), path + ".flags");
+  check_shape(basis.crept >= 0 && basis.crept <= p, path + ".crept");
+  check_shape(basis.squared >= 0 && basis.squared <= p && basis.squared <= 64, path + ".squared");
+  check_shape(basis.extra_mean.size() == basis.extras(), path + ".extra_mean");
+  check_shape(basis.extra_scale.size() == basis.extras(), path + ".extra_scale");
+}
+
+void check_regressor(const ForceRegressor& regressor,
+                     const ForceBasis& basis,
+                     const ForceModel& model,
+                     const std::string& path) {
+  check_shape(regressor.size() == (model.kind == ForceKind::kNetwork ? 3U : 1U), path);
+  Eigen::Index inputs = basis.size();
+  for (const ForceLayer& layer : regressor) {
+    check_shape(layer.weights.cols() == inputs && layer.weights.rows() == layer.bias.size(), path);
+    inputs = layer.bias.size();
+    if (!layer.weights.allFinite() || !layer.bias.allFinite())
+      refuse_model(path, en::say("holds what is no number"));
+  }
+  check_shape(inputs == model.axes, path);
+}
+
+void check_model(const ForceModel& model) {
+  if (model.axes != 2 && model.axes != 3) refuse_model("axes", en::say("must be 2 or 3"));
+  if (model.marker_count < 1 || model.marker_count > 1024)
+    refuse_model("marker_count", en::say("must be a whole number from 1 to 1024"));
+  check_shape(model.rest_px.size() == static_cast<std::size_t>(model.marker_count), "rest_px");
+  for (const int number : model.missing)
+    check_shape(number >= 0 && number < model.marker_count, "missing");
+  if (!(model.creep_s >= 0 && model.creep_s <= 1e6))
+    refuse_model("creep_s", en::say("must be a number from 0 to 1000000"));
+  check_range(model);
+  const ForceScores& scores = model.scores;
+  for (const Eigen::VectorXd* values :
+       {&scores.floor_N, &scores.rms, &scores.quantile_90, &scores.quantile_95}) {
+    check_shape(values->size() == model.axes, "scores");
+    if (!(values->minCoeff() > 0) || !values->allFinite())
+      refuse_model("scores", en::say("must be above 0"));
+  }
+  if (model.members.empty() || static_cast<Eigen::Index>(model.members.size()) > kMaxMembers)
+    refuse_model("members", en::say("must be 1 to {}", kMaxMembers));
+  for (std::size_t i = 0; i < model.members.size(); ++i) {
+    const ForceMember& member = model.members[i];
+    const std::string path = "members[" + std::to_string(i) + "]";
+    check_basis(member.basis, model, path);
+    if (member.regressors.empty()) refuse_model(path + ".regressors", en::say("are missing"));
+    for (const ForceRegressor& regressor : member.regressors)
+      check_regressor(regressor, member.basis, model, path + ".regressors");
+  }
+}
+
+}  // namespace
+
+std::string ForceModel::to_json() const {
+  ForceJson json{{"format", kFormat},
+                 {"kind", to_string(kind)},
+                 {"axes", axes},
+                 {"marker_count", marker_count},
+                 {"missing", missing}};
+  json["rest_px"] = ForceJson::array();
+  for (const Eigen::Vector2d& rest : rest_px)
+    for (const double coordinate : rest) json["rest_px"].push_back(coordinate);
+  json["creep_s"] = creep_s;
+  json["record"] = ForceJson::object();
+  for (const auto& [key, text] : record) json["record"][key] = text;
+  json["scores"] = {{"floor_N", json_of_vector(scores.floor_N)},
+                    {"rms", json_of_vector(scores.rms)},
+                    {"quantile_90", json_of_vector(scores.quantile_90)},
+                    {"quantile_95", json_of_vector(scores.quantile_95)}};
+  json["range"] = json_of(range);
+  json["members"] = ForceJson::array();
+  for (const ForceMember& member : members) json["members"].push_back(json_of(member));
+  return json.dump(-1, ' ', false, ForceJson::error_handler_t::replace);
+}
+
+Status ForceModel::validate() const {
+  try {
+    check_model(*this);
+  } catch (const RefusedForceModel& refused) {
+    return refused.error;
+  }
+  return {};
+}
+
+Result<ForceModel> ForceModel::parse(std::string_view text, const std::filesystem::path& origin) {
+  const auto at_origin = [&](const Error& error) {
+    return Error{error.what, origin.string() + ": " + error.where.english(), error.advice};
+  };
+  const ForceJson json = ForceJson::parse(text, nullptr, /*allow_exceptions=*/false);
+  if (json.is_discarded())
+    return Error{en::say("is no force model: it is broken or cut off"),
+                 origin,
+                 en::say("train the force model again")};
+  try {
+    ForceModel model = model_from(json);
+    check_model(model);
+    return model;
+  } catch (const RefusedForceModel& refused) {
+    return at_origin(refused.error);
+  }
+}
+
+Result<ForceModel> ForceModel::load(const std::filesystem::path& file) {
+  const auto content = read_file(file, kLargestModel);
+  if (!content) return content.error();
+  return parse(*content, file);
 }
 
 }  // namespace alltact

@@ -25,8 +25,8 @@
 // Technometrics 1979).
 #pragma once
 
+#include "core/base/result.h"
 #include "core/finger/finger.h"
-#include "core/result.h"
 
 #include <array>
 #include <filesystem>

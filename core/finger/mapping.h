@@ -1,7 +1,7 @@
 // From brightness difference to press depth: d = M(x).
 #pragma once
 
-#include "core/result.h"
+#include "core/base/result.h"
 
 #include <string_view>
 #include <vector>

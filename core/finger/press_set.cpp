@@ -1,7 +1,7 @@
 #include "core/finger/press_set.h"
 
-#include "core/io/atomic_file.h"
-#include "core/printable.h"
+#include "core/base/atomic_file.h"
+#include "core/base/message.h"
 
 #include <algorithm>
 #include <functional>

@@ -16,10 +16,9 @@
 //   excluded_because: [glove in view]
 #pragma once
 
-#include "core/finger/quantity.h"
-#include "core/result.h"
-#include "core/yaml/yaml_reader.h"
-#include "core/yaml/yaml_writer.h"
+#include "core/base/result.h"
+#include "core/base/typed_number.h"
+#include "core/base/yaml.h"
 
 #include <filesystem>
 #include <map>

@@ -6,6 +6,7 @@
 
 #include "core/camera/camera.h"
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -66,5 +67,17 @@ struct OutlineEllipse {
 /// than 3, or directions that lie in no cone of half-angle < 90 degrees.
 [[nodiscard]] std::optional<Eigen::Vector3d> fit_ball_to_outline(
     const std::vector<Eigen::Vector3d>& directions, double radius_mm);
+
+// Indentation depth of a ball, estimated from its dark disc before any mapping is known.
+
+/// Fraction of the depth: the level at which the border of the dark disc is drawn.
+inline constexpr double kDiscLevel = 0.4;
+
+/// A cap of height h has depth kDiscLevel h at the radius r with r^2 = 2 R h (1 - kDiscLevel), R
+/// the ball's radius and h small against it. At most 0.9 R. Both radii > 0, mm.
+[[nodiscard]] inline double disc_depth_mm(double disc_radius_mm, double ball_radius_mm) {
+  return std::min(0.9 * ball_radius_mm,
+                  disc_radius_mm * disc_radius_mm / (2.0 * (1.0 - kDiscLevel) * ball_radius_mm));
+}
 
 }  // namespace alltact

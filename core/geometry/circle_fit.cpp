@@ -1,6 +1,6 @@
 #include "core/geometry/circle_fit.h"
 
-#include "core/numerics/least_squares.h"
+#include "core/numerics/linear_algebra.h"
 
 #include <cmath>
 

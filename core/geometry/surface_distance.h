@@ -2,13 +2,27 @@
 #pragma once
 
 #include "core/geometry/rigid_transform.h"
-#include "core/geometry/triangle_distance.h"
 
+#include <array>
 #include <optional>
 
+#include <Eigen/Core>
 #include <opencv2/core.hpp>
 
 namespace alltact {
+
+// Distance between two triangles.
+
+using Triangle = std::array<Eigen::Vector3d, 3>;
+
+/// One point on each of two objects, nearest to each other; equal where the objects intersect.
+struct NearestPoints {
+  Eigen::Vector3d first, second;
+  [[nodiscard]] double distance() const { return (second - first).norm(); }
+};
+
+/// After Ericson, Real-Time Collision Detection (2005), 5.1. Triangles may be degenerate.
+[[nodiscard]] NearestPoints nearest_points(const Triangle& first, const Triangle& second);
 
 /// A grid of points as a surface: two triangles between each four of them, as write_surface() cuts
 /// them.

@@ -1,11 +1,17 @@
 #include "core/gripper/gripper.h"
 
+#include "core/base/atomic_file.h"
+#include "core/base/message.h"
+#include "core/base/yaml.h"
 #include "core/finger/finger.h"
-#include "core/finger/pose_yaml.h"
-#include "core/printable.h"
+#include "core/finger/finger_yaml.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -163,6 +169,328 @@ std::vector<DeadPoint> Gripper::dead_points_in_range(std::size_t finger) const {
     if (point.motor_turns >= motor.first_turns && point.motor_turns <= motor.last_turns)
       within.push_back(point);
   return within;
+}
+
+namespace {
+
+constexpr double kMaxLength_mm = 1e4;
+constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
+
+/// sqrt(a^2 - b^2), by factors so that nothing cancels; nullopt where b is larger.
+std::optional<double> other_side(double a, double b) {
+  const double square = (a - b) * (a + b);
+  if (square < 0) return std::nullopt;
+  return std::sqrt(square);
+}
+
+double to_one_turn(double rad) {
+  constexpr double kTurn = 2 * std::numbers::pi;
+  if (rad > std::numbers::pi) return rad - kTurn;
+  return rad <= -std::numbers::pi ? rad + kTurn : rad;
+}
+
+/// The angle of a triangle between the sides `c` and `d`, opposite `r`, as half-angle sine and
+/// cosine times a common factor. nullopt: the sides form no triangle.
+std::optional<Eigen::Vector2d> half_angle(double c, double d, double r) {
+  double across = ((r - d) + c) * (r + (d - c));
+  double along = ((d - r) + c) * (d + (c + r));
+  // In a dead point rounding must not open the loop.
+  const double lower_limit = -kRounding * (c + d + r) * (c + d + r);
+  if (across < lower_limit || along < lower_limit) return std::nullopt;
+  across = std::max(0.0, across), along = std::max(0.0, along);
+  if (!(across + along > 0)) return std::nullopt;
+  return Eigen::Vector2d(std::sqrt(across), std::sqrt(along));
+}
+
+Error bad_length(const char* key, Message advice) {
+  return {en::say("must be above 0 and at most {:g}", kMaxLength_mm), std::string(key), advice};
+}
+
+}  // namespace
+
+Message to_message(DeadPointKind kind) {
+  switch (kind) {
+    case DeadPointKind::kStretched:
+      return en::say("rod and crank are stretched into one line");
+    case DeadPointKind::kFolded:
+      return en::say("rod and crank are folded into one line");
+    case DeadPointKind::kAcross:
+      return en::say("the rod lies across the screw");
+  }
+  return {};
+}
+
+Result<Linkage> Linkage::create(const LinkageParameters& p, double lead_mm) {
+  const auto is_point = [](const Eigen::Vector2d& at) {
+    return at.allFinite() && at.cwiseAbs().maxCoeff() <= kMaxLength_mm;
+  };
+  if (!(std::abs(lead_mm) >= 1e-6 && std::abs(lead_mm) <= kMaxLength_mm))
+    return Error{en::say("must be a travel in mm, above or below 0"),
+                 std::string("lead_mm"),
+                 en::say("how far the nut goes away from the palm in one turn, for example 2.0")};
+  if (!is_point(p.pivot_mm))
+    return Error{en::say("must be numbers from -{0:g} to {0:g}", kMaxLength_mm),
+                 std::string("pivot_mm"),
+                 en::say("x and z of the axis that the finger turns about, in mm")};
+  if (!is_point(p.nut_mm))
+    return Error{en::say("must be numbers from -{0:g} to {0:g}", kMaxLength_mm),
+                 std::string("nut_mm"),
+                 en::say("x and z of the rod's joint on the nut at motor position 0, in mm")};
+  if (!(p.crank_mm > 0 && p.crank_mm <= kMaxLength_mm))
+    return bad_length("crank_mm", en::say("the distance from the finger's axis to the rod, in mm"));
+  if (!(p.rod_mm > 0 && p.rod_mm <= kMaxLength_mm))
+    return bad_length("rod_mm", en::say("the distance between the rod's joints, in mm"));
+  const double offset = std::abs(p.nut_mm.x() - p.pivot_mm.x());
+  if (offset >= p.crank_mm + p.rod_mm)
+    return Error{en::say("rod and crank never meet: together they reach {:g} mm, and the nut "
+                         "passes the finger's axis at {:g} mm",
+                         p.crank_mm + p.rod_mm,
+                         offset),
+                 std::string("rod_mm"),
+                 en::say("measure pivot_mm, nut_mm, crank_mm and rod_mm again")};
+  return Linkage(p, lead_mm);
+}
+
+double Linkage::turns_at_height(double above_pivot_mm) const {
+  return (parameters_.pivot_mm.y() + above_pivot_mm - parameters_.nut_mm.y()) / lead_mm_;
+}
+
+Result<LinkageAngle> Linkage::angle_at(double motor_turns) const {
+  const LinkageParameters& p = parameters_;
+  if (!std::isfinite(motor_turns))
+    return Error{en::say("the motor's position is no number"), "", en::say("a number of turns")};
+  const double x = p.nut_mm.x() - p.pivot_mm.x();
+  const double z = std::fma(lead_mm_, motor_turns, p.nut_mm.y() - p.pivot_mm.y());
+  const double d = std::hypot(x, z), c = p.crank_mm, r = p.rod_mm;
+  if (!(d > 0))
+    return Error{en::say("at {:.6g} turns the rod's joint lies on the finger's axis, so that the "
+                         "finger may stand anywhere",
+                         motor_turns),
+                 "",
+                 en::say("another motor position")};
+  const auto half = half_angle(c, d, r);
+  if (!half) {
+    const MotorReach reach = reach_around(motor_turns);
+    return Error{en::say("rod and crank do not meet at {:.6g} turns: they do from {:.6g} ({}) to "
+                         "{:.6g} ({})",
+                         motor_turns,
+                         reach.first.motor_turns,
+                         to_message(reach.first.kind),
+                         reach.last.motor_turns,
+                         to_message(reach.last.kind)),
+                 "",
+                 en::say("a motor position between these")};
+  }
+  const double side = p.assembly == AssemblyMode::kAhead ? 1.0 : -1.0;
+  const double angle = std::atan2(x, z) + side * 2.0 * std::atan2(half->x(), half->y());
+  const double sine = 2.0 * half->x() * half->y() / half->squaredNorm();
+  const double rod_z = z - c * std::cos(angle);
+  // Rod and crank in line across the screw: the finger may continue in either direction.
+  const double rate = sine == 0 && rod_z == 0 ? std::numeric_limits<double>::infinity()
+                                              : -side * lead_mm_ * rod_z / (c * d * sine);
+  return LinkageAngle{to_one_turn(angle), rate};
+}
+
+std::vector<MotorReach> Linkage::intervals() const {
+  using Kind = DeadPointKind;
+  const LinkageParameters& p = parameters_;
+  const double x = std::abs(p.nut_mm.x() - p.pivot_mm.x());
+  const double far = *other_side(p.crank_mm + p.rod_mm, x);
+  const auto interval = [&](double low, Kind low_kind, double high, Kind high_kind) {
+    MotorReach reach{{low_kind, turns_at_height(low)}, {high_kind, turns_at_height(high)}};
+    if (lead_mm_ < 0) std::swap(reach.first, reach.last);
+    return reach;
+  };
+  const auto near = other_side(std::abs(p.crank_mm - p.rod_mm), x);
+  if (!near) return {interval(-far, Kind::kStretched, far, Kind::kStretched)};
+  std::vector<MotorReach> intervals{interval(-far, Kind::kStretched, -*near, Kind::kFolded),
+                                    interval(*near, Kind::kFolded, far, Kind::kStretched)};
+  if (lead_mm_ < 0) std::swap(intervals[0], intervals[1]);
+  return intervals;
+}
+
+MotorReach Linkage::reach_around(double motor_turns) const {
+  const std::vector<MotorReach> all = intervals();
+  const auto away = [&](const MotorReach& interval) {
+    return std::max(
+        {0.0, interval.first.motor_turns - motor_turns, motor_turns - interval.last.motor_turns});
+  };
+  return *std::min_element(
+      all.begin(), all.end(), [&](const auto& a, const auto& b) { return away(a) < away(b); });
+}
+
+std::vector<DeadPoint> Linkage::dead_points() const {
+  const LinkageParameters& p = parameters_;
+  std::vector<DeadPoint> points;
+  for (const MotorReach& interval : intervals())
+    points.insert(points.end(), {interval.first, interval.last});
+  const double x = p.nut_mm.x() - p.pivot_mm.x();
+  const double side = p.assembly == AssemblyMode::kAhead ? 1.0 : -1.0;
+  for (const double rod : {p.rod_mm, -p.rod_mm}) {
+    // The pin is at the nut's height h above the pivot, at the lateral offset x + rod.
+    const auto height = other_side(p.crank_mm, std::abs(x + rod));
+    if (!height) continue;
+    for (const double h : {*height, -*height}) {
+      // On the side of the line to the nut that the assembly mode requires: sin(t - l) has the sign
+      // of (x + rod) h - h x.
+      if (side * rod * h > 0) points.push_back({DeadPointKind::kAcross, turns_at_height(h)});
+    }
+  }
+  std::stable_sort(points.begin(), points.end(), [](const auto& a, const auto& b) {
+    return a.motor_turns < b.motor_turns;
+  });
+  return points;
+}
+
+// Reads and writes gripper.yaml.
+
+struct Gripper::Unknown {
+  UnknownKeys keys;
+};
+
+namespace {
+
+const std::vector<std::string_view> kAssemblies{"ahead", "behind"};
+
+Eigen::Vector2d read_plane_point(YamlSection& section, const std::string& key) {
+  const std::vector<double> at = section.numbers(key);
+  if (at.size() != 2) section.refuse(key, en::say("must be two numbers: x and z in mm"), "");
+  return {at[0], at[1]};
+}
+
+GripperMotor read_motor(YamlSection section) {
+  GripperMotor motor;
+  motor.lead_mm = section.number("lead_mm", en::say("a travel in mm for each turn"));
+  const std::vector<double> range = section.numbers("range_turns");
+  if (range.size() != 2)
+    section.refuse("range_turns",
+                   en::say("must be two motor positions, the lower one first"),
+                   en::say("for example [0.0, 12.5]"));
+  motor.first_turns = range[0], motor.last_turns = range[1];
+  motor.sd_turns = section.number_or("sd_turns", 0.0, {0.0, 1000.0});
+  return motor;
+}
+
+GripperFinger read_gripper_finger(YamlSection section) {
+  GripperFinger finger;
+  finger.name = section.text("name");
+  finger.folder = section.text("folder");
+  LinkageParameters& linkage = finger.linkage;
+  linkage.pivot_mm = read_plane_point(section, "pivot_mm");
+  linkage.nut_mm = read_plane_point(section, "nut_mm");
+  linkage.crank_mm = section.number("crank_mm", en::say("a length in mm"));
+  linkage.rod_mm = section.number("rod_mm", en::say("a length in mm"));
+  linkage.assembly = static_cast<AssemblyMode>(section.choice("assembly", kAssemblies) + 1);
+  if (section.has("known_at_turns"))
+    finger.known_at_turns = section.number("known_at_turns", en::say("a motor position"));
+  if (section.has("link_from_camera") || !finger.known_at_turns)
+    finger.link_from_camera = read_pose(section.section("link_from_camera"));
+  return finger;
+}
+
+Gripper read_gripper_file(YamlSection& top) {
+  Gripper gripper;
+  if (const std::string format = top.text("format"); format != Gripper::kFormat)
+    top.refuse("format",
+               en::say("'{}' cannot be read by this version", printable(format)),
+               en::say("a newer version of this program, or '{}'", std::string(Gripper::kFormat)));
+  gripper.name = top.text("name");
+  gripper.motor = read_motor(top.section("motor"));
+  const std::vector<YamlSection> fingers = top.sections("fingers");
+  if (fingers.size() != gripper.fingers.size())
+    top.refuse("fingers",
+               en::say("must be two fingers, not {}", fingers.size()),
+               en::say("one block '- name: ...' for each"));
+  for (std::size_t i = 0; i < fingers.size(); ++i)
+    gripper.fingers[i] = read_gripper_finger(fingers[i]);
+  return gripper;
+}
+
+std::string finger_block(const GripperFinger& finger,
+                         std::size_t number,
+                         const UnknownKeys& unknown) {
+  const std::string key = fmt::format("fingers[{}]", number);
+  const LinkageParameters& linkage = finger.linkage;
+  YamlBlock block(key);
+  block.add("name", yaml_text(finger.name));
+  block.add("folder", yaml_text(finger.folder));
+  block.add("pivot_mm", yaml_numbers({linkage.pivot_mm.x(), linkage.pivot_mm.y()}));
+  block.add("nut_mm", yaml_numbers({linkage.nut_mm.x(), linkage.nut_mm.y()}));
+  block.add("crank_mm", yaml_number(linkage.crank_mm));
+  block.add("rod_mm", yaml_number(linkage.rod_mm));
+  block.add("assembly",
+            std::string(kAssemblies.at(static_cast<std::size_t>(linkage.assembly) - 1)));
+  if (finger.known_at_turns) block.add("known_at_turns", yaml_number(*finger.known_at_turns));
+  if (finger.link_from_camera) {
+    YamlBlock pose(key + ".link_from_camera");
+    add_pose(*finger.link_from_camera, pose);
+    pose.add_unknown(unknown);
+    block.add("link_from_camera", pose.in_braces());
+  }
+  block.add_unknown(unknown);
+  // As an item of the list: the dash replaces the block's own name.
+  std::string text = block.on_many_lines();
+  text.erase(0, text.find('\n') + 1);
+  std::string item;
+  for (std::size_t begin = 0, end = 0; begin < text.size(); begin = end) {
+    end = text.find('\n', begin) + 1;
+    item += (begin == 0 ? "  - " : "    ") + text.substr(begin + 2, end - begin - 2);
+  }
+  return item;
+}
+
+}  // namespace
+
+Result<Gripper> Gripper::parse(const std::string& yaml,
+                               const std::filesystem::path& origin,
+                               std::vector<Message>* warnings) {
+  YamlFile file(origin);
+  Gripper gripper;
+  const Status read = file.read(yaml, [&](YamlSection& top) { gripper = read_gripper_file(top); });
+  if (!read) return read.error();
+  if (const Status status = gripper.validate(); !status) return file.located(status.error());
+  gripper.unknown_ = std::make_shared<const Unknown>(Unknown{std::move(file.unknown())});
+  if (warnings != nullptr) *warnings = std::move(file.warnings());
+  return gripper;
+}
+
+Result<Gripper> Gripper::load(const std::filesystem::path& path, std::vector<Message>* warnings) {
+  std::error_code ignored;
+  const bool is_folder = std::filesystem::is_directory(path, ignored);
+  const std::filesystem::path file = is_folder ? path / kFileName : path;
+  const auto content = read_file(file, YamlFile::kMaxBytes);
+  if (!content) return content.error();
+  auto gripper = parse(*content, file, warnings);
+  if (!gripper) return gripper;
+  if (const Status taken = gripper->resolve_camera_poses(file.parent_path()); !taken)
+    return taken.error();
+  return gripper;
+}
+
+Result<std::string> Gripper::to_yaml() const {
+  static const UnknownKeys kNone;
+  const UnknownKeys& unknown = unknown_ ? unknown_->keys : kNone;
+  if (const Status status = validate(); !status) return status.error();
+  YamlBlock head("");
+  head.add("format", kFormat);
+  head.add("name", yaml_text(name));
+  std::string text = head.on_many_lines();
+  YamlBlock block("motor");
+  block.add("lead_mm", yaml_number(motor.lead_mm));
+  block.add("range_turns", yaml_numbers({motor.first_turns, motor.last_turns}));
+  block.add("sd_turns", yaml_number(motor.sd_turns));
+  block.add_unknown(unknown);
+  text += block.on_many_lines() + "fingers:\n";
+  for (std::size_t i = 0; i < fingers.size(); ++i) text += finger_block(fingers[i], i, unknown);
+  YamlBlock rest("");
+  rest.add_unknown(unknown);
+  return text + rest.on_many_lines();
+}
+
+Status Gripper::save(const std::filesystem::path& file) const {
+  const auto text = to_yaml();
+  if (!text) return text.error();
+  return write_file_atomically(file, *text);
 }
 
 }  // namespace alltact

@@ -1,7 +1,7 @@
 // Controls a camera without blocking the window: a thread of its own makes every system call.
 #pragma once
 
-#include "core/sources/v4l2/v4l2_camera.h"
+#include "core/devices/v4l2_camera.h"
 
 #include <condition_variable>
 #include <deque>

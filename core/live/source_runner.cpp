@@ -1,7 +1,7 @@
 #include "core/live/source_runner.h"
 
-#include "core/sources/hid/lit_source.h"
-#include "core/sources/pacer.h"
+#include "core/devices/led_dimmer.h"
+#include "core/sources/source.h"
 
 #include <algorithm>
 #include <atomic>

@@ -1,11 +1,11 @@
 // Runs a source for the window: opens, reads and records it on threads of its own.
 #pragma once
 
+#include "core/devices/led_dimmer.h"
+#include "core/devices/v4l2_camera.h"
+#include "core/open/open_source.h"
 #include "core/recording/recorder.h"
-#include "core/sources/frame_hub.h"
-#include "core/sources/hid/led_dimmer.h"
-#include "core/sources/open/open_source.h"
-#include "core/sources/v4l2/v4l2_camera.h"
+#include "core/sources/source.h"
 
 #include <chrono>
 #include <cstdint>

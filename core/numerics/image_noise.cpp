@@ -9,7 +9,6 @@
 #include <vector>
 
 namespace alltact {
-
 namespace {
 
 constexpr int kLargest = 64;  // of the second differences that count

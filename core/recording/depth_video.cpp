@@ -1,8 +1,8 @@
 #include "core/recording/depth_video.h"
 
-#include "core/io/depth_file.h"
-#include "core/recording/matroska_file.h"
-#include "core/recording/matroska_index.h"
+#include "core/image/image_file.h"
+#include "core/recording/libav.h"
+#include "core/recording/video_file.h"
 
 #include <fcntl.h>
 #include <unistd.h>

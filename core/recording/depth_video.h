@@ -6,7 +6,7 @@
 // Image n belongs to frame n of the recording; an image without depth is 0 everywhere.
 #pragma once
 
-#include "core/result.h"
+#include "core/base/result.h"
 
 #include <cstddef>
 #include <filesystem>

@@ -1,9 +1,9 @@
 #include "core/recording/journal.h"
 
-#include "core/io/atomic_file.h"
-#include "core/io/disk_wait.h"
-#include "core/io/system_error.h"
-#include "core/recording/restore_file.h"
+#include "core/base/atomic_file.h"
+#include "core/base/result.h"
+#include "core/base/slow_disk.h"
+#include "core/recording/durable_file.h"
 
 #include <cerrno>
 #include <charconv>

@@ -11,8 +11,8 @@
 // the settings of camera and light (see frame_settings.h).
 #pragma once
 
-#include "core/frame.h"
-#include "core/result.h"
+#include "core/base/result.h"
+#include "core/image/frame.h"
 
 #include <cstdint>
 #include <filesystem>

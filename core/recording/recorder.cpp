@@ -1,9 +1,8 @@
 #include "core/recording/recorder.h"
 
-#include "core/io/system_error.h"
+#include "core/base/result.h"
+#include "core/recording/durable_file.h"
 #include "core/recording/journal.h"
-#include "core/recording/restore_file.h"
-#include "core/recording/steady_sync.h"
 
 #include <cerrno>
 #include <condition_variable>

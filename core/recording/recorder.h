@@ -2,11 +2,11 @@
 // reported.
 #pragma once
 
-#include "core/frame.h"
-#include "core/job.h"
-#include "core/recording/video_writer.h"
-#include "core/result.h"
-#include "core/settings.h"
+#include "core/base/job.h"
+#include "core/base/result.h"
+#include "core/base/settings.h"
+#include "core/image/frame.h"
+#include "core/recording/video_file.h"
 
 #include <cstdint>
 #include <filesystem>

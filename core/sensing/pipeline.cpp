@@ -1,20 +1,106 @@
 #include "core/sensing/pipeline.h"
 
-#include "core/camera/reduced_image.h"
-#include "core/finger/reduced_finger.h"
+#include "core/base/message.h"
+#include "core/camera/camera.h"
+#include "core/finger/finger_store.h"
+#include "core/sensing/contact/finger_contact.h"
 #include "core/sensing/depth/depth_sd.h"
 #include "core/sensing/depth/smoothing.h"
-#include "core/sensing/frame_faults.h"
-#include "core/sensing/markers/full_size_markers.h"
-#include "core/sensing/pipeline_problems.h"
-#include "core/sensing/pipeline_state.h"
-#include "core/sensing/reference/edge_positions.h"
+#include "core/sensing/force/force_meter.h"
+#include "core/sensing/frame_result.h"
+#include "core/sensing/markers/marker_tracker.h"
+#include "core/sensing/markers/markers.h"
+#include "core/sensing/paper_method.h"
+#include "core/sensing/reference/recorded_poses.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace alltact {
+namespace {
+
+Message pose_not_recorded(double distance_px) {
+  return en::say(
+      "this pose was never recorded: the nearest reference frame is {:.1f} px away; record the "
+      "finger bending further in this direction",
+      distance_px);
+}
+
+Message camera_frozen() {
+  return en::say(
+      "the picture is the same as the one before to the last grey level: the camera stands "
+      "still; plug it in again");
+}
+
+Message sparse_pose(double error_factor) {
+  return en::say(
+      "few recorded frames are near this pose: its reference is {:.0f} times less "
+      "sure than usual; record the finger bending slowly through it",
+      error_factor);
+}
+
+Message pose_from_shape() {
+  return en::say(
+      "the markers were not found: the face's shape alone tells this pose, so that depth is less "
+      "sure and neither twist nor what touches the finger is told; uncover and light the dots on "
+      "the side faces");
+}
+
+Message force_out_of_range() {
+  return en::say(
+      "the force model was trained with nothing like this frame: its force cannot be "
+      "relied on; add rows with such forces to the table and train it again");
+}
+
+/// `by`: full-size pixels a side of one reduced pixel.
+[[nodiscard]] inline Markers full_size_markers(Markers markers, int by) {
+  for (Marker& marker : markers)
+    marker = {full_px(marker.u, by), full_px(marker.v, by), marker.seen, marker.sd_px * by};
+  return markers;
+}
+
+}  // namespace
+
+/// State of a pipeline between frames, and its steps in their order.
+struct Pipeline::State {
+  std::optional<PaperMethod> paper;  // replaces all that follows except finger and camera
+  PipelineSettings settings;
+  FaceEdgeFinder edge_finder;
+  std::optional<Finger> finger;
+  std::optional<Camera> camera;            // with the finger
+  std::optional<FingerSnapshot> snapshot;  // the same, for converting frames
+  RunningMean mean{1};
+  // Before there is a reference.
+  std::optional<EvenRows> rows;
+  ReferenceFreeContactDetector contact;
+  // With the reference.
+  std::optional<ReferenceLibrary> library;
+  std::optional<Mapping> mapping;
+  std::optional<FaceShape> plane;         // known beforehand, of flat sensors
+  std::unique_ptr<MarkerFinder> markers;  // fingers with markers,
+  std::optional<Error> marker_problem;    // or why they cannot be found
+  std::optional<ForceMeter> force;        // fingers with a force model,
+  std::optional<Error> force_problem;     // or why it cannot be used
+  FramePtr last;                          // of a continuous source
+  // Covariance of the markers' displacements, in a frame with a push
+  Eigen::MatrixXd displacement_cov_px2;
+  FingerContactTracker contact_tracker;
+
+  [[nodiscard]] Result<cv::Mat> oriented(const Frame& frame) const;
+  void check_frame(FrameResult& result);
+  void find_shape(FrameResult& result, StopWatch& watch) const;
+  void find_without_reference(FrameResult& result, StopWatch& watch);
+  bool find_markers(FrameResult& result);
+  void find_markers_by_shape(FrameResult& result) const;
+  void find_reference(FrameResult& result, StopWatch& watch);
+  void find_depth(FrameResult& result, StopWatch& watch) const;
+  void find_contact(FrameResult& result, StopWatch& watch) const;
+  [[nodiscard]] Eigen::MatrixXd markers_covariance(const FrameResult& result) const;
+  void track_contact(FrameResult& result, std::optional<FrameContacts>* contacts, StopWatch& watch);
+  void find_force(FrameResult& result, StopWatch& watch);
+};
+
 namespace {
 
 // Stride of the rows that the measured fraction of the face is estimated from
@@ -385,6 +471,21 @@ const Camera& Pipeline::camera() const {
 }
 const PipelineSettings& Pipeline::settings() const {
   return state_->settings;
+}
+
+cv::Mat RunningMean::operator()(const cv::Mat& grey) {
+  if (max_frames_ == 1) return grey;
+  if (!last_.empty() && last_.front().size() != grey.size()) forget();
+  if (last_.empty()) sum_ = cv::Mat::zeros(grey.size(), CV_16UC1);
+  if (last_.size() == max_frames_) {
+    cv::subtract(sum_, last_.front(), sum_, cv::noArray(), CV_16U);
+    last_.pop_front();
+  }
+  cv::add(sum_, grey, sum_, cv::noArray(), CV_16U);
+  last_.push_back(grey);
+  cv::Mat mean;
+  sum_.convertTo(mean, CV_8U, 1.0 / static_cast<double>(last_.size()));
+  return mean;
 }
 
 }  // namespace alltact

@@ -1,69 +1,25 @@
 // Measures one frame: from an image to millimetres.
 #pragma once
 
+#include "core/base/job.h"
+#include "core/base/result.h"
 #include "core/finger/finger_store.h"
-#include "core/finger/force_model.h"
-#include "core/frame.h"
-#include "core/job.h"
-#include "core/message.h"
-#include "core/result.h"
-#include "core/sensing/contact/contact_regions.h"
-#include "core/sensing/contact/face_contact.h"
 #include "core/sensing/contact/finger_contact.h"
-#include "core/sensing/contact/finger_contact_tracker.h"
-#include "core/sensing/contact/push.h"
-#include "core/sensing/depth/local_depth.h"
-#include "core/sensing/face/face_edges.h"
-#include "core/sensing/face/face_shape.h"
-#include "core/sensing/markers/markers.h"
+#include "core/sensing/frame_result.h"
 #include "core/sensing/pipeline_settings.h"
 #include "core/sensing/reference/reference_library.h"
 
+#include <cstddef>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include <opencv2/core.hpp>
+
 namespace alltact {
 
 class PaperMethod;
-
-/// Duration of each step, milliseconds of wall clock.
-struct StepTimes {
-  double prepare = 0, edges = 0, global = 0, markers = 0, reference = 0, local = 0, contact = 0;
-  double force = 0;
-  double total = 0;
-};
-
-/// Everything that is measured in one frame. Fields that could not be estimated are empty;
-/// `problems` holds the reasons.
-struct FrameResult {
-  FramePtr frame;
-  cv::Mat grey;  ///< the oriented image, reduced and averaged as the settings require
-  /// Binning factor from the frame to `grey`; everything else is in pixels of `grey`
-  int reduced_by = 1;
-  int mesh_step_px = 1;  ///< from one vertex of its surface to the next
-  std::optional<FaceEdges> edges;
-  std::optional<FaceShape> shape;  ///< with the twist that the markers show
-  std::optional<Markers> markers;
-  MarkerMethod marker_method =
-      MarkerMethod::kBlobs;  ///< that found them, where there is a reference
-  /// Unnumbered dots of a finger without a reference recording, in frames whose two rows are not
-  /// even.
-  std::vector<Dot> dots;
-  std::optional<Reference> reference;
-  std::optional<Difference> difference;  ///< of a finger without a mapping
-  std::optional<DepthMap> depth;         ///< of a finger with a mapping
-  std::optional<Push> push;
-  std::vector<ContactRegion> regions;
-  /// During contact of a finger with a reference: estimated from push and regions together.
-  /// contact_state.h defines its begin and end.
-  std::optional<FingerContact> contact;
-  std::optional<Force> force;  ///< of a finger with a force model
-  /// Relative to the reference; without one, relative to earlier frames (reference_free_contact.h).
-  FaceContact touch = FaceContact::kUnknown;
-  StepTimes times_ms;
-  std::vector<Message> problems;
-};
 
 /// Turns frames into results. Built once from what is known of a finger, which decides how far each
 /// result reaches:
@@ -143,16 +99,25 @@ class Pipeline {
   ~Pipeline();
 };
 
-/// 3D points of the contact face, CV_32FC3 (x, y, z in mm, camera frame), NaN without depth: p_CF =
-/// p_LUF - (0, 0, d).
-[[nodiscard]] cv::Mat contact_face_points_mm(const FrameResult& result, const Face& face);
+// Mean of the last frames of a source, for a finger that holds still.
 
-/// The same points and their depth at every mesh_step_px-th column and row: the vertices of a
-/// surface.
-struct FaceVertices {
-  cv::Mat points_mm;  ///< CV_32FC3
-  cv::Mat depth_mm;   ///< CV_32FC1
+/// The time of a call does not depend on the number of frames.
+class RunningMean {
+ public:
+  /// Averages the last `max_frames` frames, 1 (no averaging) to 256.
+  explicit RunningMean(int max_frames) : max_frames_(static_cast<std::size_t>(max_frames)) {}
+
+  /// Returns the rounded mean of `grey` and the frames before it. `grey`: CV_8UC1, not written to
+  /// from now on. Frames of another size are dropped.
+  [[nodiscard]] cv::Mat operator()(const cv::Mat& grey);
+
+  /// Drops all frames: the next one is the first.
+  void forget() { last_.clear(); }
+
+ private:
+  std::size_t max_frames_;
+  std::deque<cv::Mat> last_;
+  cv::Mat sum_;  // of last_, CV_16UC1
 };
-[[nodiscard]] FaceVertices contact_face_vertices(const FrameResult& result, const Face& face);
 
 }  // namespace alltact

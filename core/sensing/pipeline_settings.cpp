@@ -1,9 +1,9 @@
 #include "core/sensing/pipeline_settings.h"
 
-#include "core/finger/reduced_finger.h"
-#include "core/printable.h"
-#include "core/sensing/face/profile_degree.h"
-#include "core/typed_number.h"
+#include "core/base/message.h"
+#include "core/base/typed_number.h"
+#include "core/finger/finger_store.h"
+#include "core/sensing/face/face_shape.h"
 
 #include <algorithm>
 #include <optional>

@@ -1,12 +1,12 @@
 // All settings of the frame pipeline that trade accuracy for time.
 #pragma once
 
+#include "core/base/settings.h"
 #include "core/finger/finger_store.h"
 #include "core/sensing/face/face_edges.h"
-#include "core/sensing/face/face_region.h"
-#include "core/sensing/marker_methods.h"
+#include "core/sensing/face/face_pixels.h"
+#include "core/sensing/markers/marker_tracker.h"
 #include "core/sensing/reference/reference_library.h"
-#include "core/settings.h"
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "core/sensing/result_json.h"
 
-#include "core/sensing/frame_faults.h"
+#include "core/sensing/frame_result.h"
 
 #include <array>
 #include <cmath>

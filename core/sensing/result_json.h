@@ -1,8 +1,9 @@
 // The result of one frame as a line of results.jsonl.
 #pragma once
 
-#include "core/message.h"
-#include "core/sensing/pipeline.h"
+#include "core/base/message.h"
+#include "core/sensing/contact/finger_contact.h"
+#include "core/sensing/frame_result.h"
 
 #include <cstddef>
 #include <string>

@@ -5,17 +5,17 @@
 //   const EffectKind& effect_NAME() { static const EffectKind kind{...}; return kind; }
 #pragma once
 
-#include "core/result.h"
-#include "core/simulation/elastic_finger.h"
-#include "core/simulation/exposure.h"
+#include "core/base/result.h"
+#include "core/base/yaml.h"
+#include "core/simulation/fin_ray_body.h"
 #include "core/simulation/frame_geometry.h"
-#include "core/simulation/motion.h"
 #include "core/simulation/row_view.h"
-#include "core/simulation/sent_frame.h"
-#include "core/simulation/varying.h"
+#include "core/simulation/scene_time.h"
+#include "core/simulation/simulated_frame.h"
 
 #include <algorithm>
 #include <atomic>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -25,6 +25,25 @@
 #include <opencv2/core.hpp>
 
 namespace alltact {
+
+// When within its frame an image is exposed.
+
+/// Times in frames; 0 is the frame's own time, which is that of the image's middle row and of the
+/// truth. By default every row is exposed at that time.
+struct Exposure {
+  double open = 0;       ///< exposure of a row, half before its time and half after
+  int moments = 1;       ///< number of samples averaged over the exposure
+  double readout = 0;    ///< from the first row's time to the last's
+  int rows_at_once = 1;  ///< neighbouring rows that share one time
+
+  [[nodiscard]] bool is_instantaneous() const { return open == 0 && readout == 0; }
+  /// Time of the rows around row `v` (may be fractional) of `rows`.
+  [[nodiscard]] double moment_of(double v, int rows) const {
+    return rows > 1 ? readout * (v / (rows - 1) - 0.5) : 0.0;
+  }
+  /// Middle of sample `i` of the exposure.
+  [[nodiscard]] double offset_of(int i) const { return open * ((i + 0.5) / moments - 0.5); }
+};
 
 /// Stages in running order. Within a stage EffectKind::rank gives the physical order, independent
 /// of the order in the scene.
@@ -188,5 +207,10 @@ struct EffectKind {
 
 /// All kinds. The build generates this from the files in effects/.
 [[nodiscard]] std::vector<const EffectKind*> effect_kinds();
+
+// The dots that an effect acts on.
+
+/// For YamlFile::read(): the key `markers`, distinct integers from 0.
+[[nodiscard]] std::vector<std::size_t> read_marker_numbers(YamlSection& section);
 
 }  // namespace alltact

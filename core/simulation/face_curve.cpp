@@ -1,7 +1,6 @@
 #include "core/simulation/face_curve.h"
 
 #include "core/numerics/dispatch.h"
-#include "core/simulation/hermite.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +8,6 @@
 #include <limits>
 
 namespace alltact {
-
 namespace {
 
 constexpr double kMinCrossing = 0.02;

@@ -9,7 +9,6 @@
 #include <Eigen/LU>
 
 namespace alltact {
-
 namespace {
 
 // Gauss-Legendre on [0, 1]: 16 points integrate such small bends to rounding.
@@ -289,6 +288,12 @@ PushedFinger::Equilibrium PushedFinger::equilibrium(std::span<const PointForce> 
       break;
   }
   return result;
+}
+
+Result<FinRayBody> ElasticFinger::body(const Face& face, double length_mm) const {
+  return FinRayBody::create(
+      {length_mm, face.width_mm, face.layer_mm, wall_mm, base_depth_mm, tip_depth_mm, coupling},
+      modulus_MPa);
 }
 
 }  // namespace alltact

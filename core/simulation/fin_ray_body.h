@@ -1,9 +1,11 @@
 // A Fin Ray finger as an elastic body of four modes.
 #pragma once
 
-#include "core/result.h"
+#include "core/base/result.h"
+#include "core/finger/finger.h"
 #include "core/simulation/face_curve.h"
 #include "core/simulation/mechanics/point_force.h"
+#include "core/simulation/mechanics/rubber.h"
 
 #include <span>
 
@@ -97,6 +99,17 @@ class PushedFinger {
  private:
   const FinRayBody& body_;
   const FaceCurve& rest_;
+};
+
+// The rubber of a finger, as a scene gives it.
+
+struct ElasticFinger {
+  double modulus_MPa = 0;
+  double wall_mm = 0, base_depth_mm = 0, tip_depth_mm = 0, coupling = 0;  ///< as in FinRayGeometry
+  KelvinChain chain;
+
+  /// Error: these parameters do not make a body of that face.
+  [[nodiscard]] Result<FinRayBody> body(const Face& face, double length_mm) const;
 };
 
 }  // namespace alltact

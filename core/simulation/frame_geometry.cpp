@@ -1,11 +1,14 @@
 #include "core/simulation/frame_geometry.h"
 
 #include "core/numerics/dispatch.h"
+#include "core/simulation/ruled_surface.h"
 
+#include <algorithm>
 #include <limits>
 
-namespace alltact {
+#include <opencv2/imgproc.hpp>
 
+namespace alltact {
 namespace {
 
 // Directions tabulated for a camera with distortion: 0.0005 apart at most, so that linear
@@ -316,6 +319,239 @@ void FrameGeometry::fill_presses(RowView& row) const {
   row.press_first = first;
   row.press_last = last;
   row.press_depth_mm = depth;
+}
+
+namespace {
+
+constexpr double kMinStep_mm = 0.05;
+constexpr double kMaxSteps = 600;
+constexpr double kMaxHalf_mm = 100;  // of half the body's size
+
+}  // namespace
+
+SampledPress sample_press(const BodyPress& press, const FrameGeometry& geometry) {
+  SampledPress grid;
+  grid.pose = press.pose;
+  grid.rotation_rad = press.rotation_rad;
+  // A slanted line leaves the body's outline by up to twice the depth.
+  const double margin = 2 * press.pose.depth_mm + 2 * kMinStep_mm;
+  const Eigen::Vector2d half = (press.body->half_size_mm().array() + margin).min(kMaxHalf_mm);
+  grid.step_mm = std::max(kMinStep_mm, 2 * half.maxCoeff() / kMaxSteps);
+  const Eigen::Vector2i steps = (half / grid.step_mm).array().ceil().cast<int>();
+  grid.depth_mm.create(2 * steps.y() + 1, 2 * steps.x() + 1);
+  const double c = std::cos(press.rotation_rad), s = std::sin(press.rotation_rad);
+  for (int row = 0; row < grid.depth_mm.rows; ++row)
+    for (int column = 0; column < grid.depth_mm.cols; ++column) {
+      const double x = (column - steps.x()) * grid.step_mm, y = (row - steps.y()) * grid.step_mm;
+      const Eigen::Vector3d luf =
+          geometry.luf_point_mm(press.pose.s_mm + c * x - s * y, press.pose.y_mm + s * x + c * y);
+      const double lowest = press.posed->lowest_z_mm(luf.x(), luf.y(), luf.z());
+      grid.depth_mm(row, column) =
+          std::isfinite(lowest) ? static_cast<float>(luf.z() - lowest) : 0.0F;
+    }
+  grid.in_contact = grid.depth_mm > 0;
+  return grid;
+}
+
+void sample_bodies(FrameGeometry& geometry) {
+  for (auto& press : geometry.presses)
+    if (const auto* body = std::get_if<BodyPress>(&press)) press = sample_press(*body, geometry);
+}
+
+void pad_grid(SampledPress& press, int steps) {
+  cv::Mat_<float> depth;
+  cv::copyMakeBorder(
+      press.depth_mm, depth, steps, steps, steps, steps, cv::BORDER_CONSTANT, cv::Scalar(0));
+  cv::Mat_<std::uint8_t> in_contact;
+  cv::copyMakeBorder(
+      press.in_contact, in_contact, steps, steps, steps, steps, cv::BORDER_CONSTANT, cv::Scalar(0));
+  press.depth_mm = depth;
+  press.in_contact = in_contact;
+}
+
+namespace {
+
+constexpr double kStep_mm = 1e-3;  // step of the differences for a twisted face's slopes
+
+// The layer's thickness along z over a point of a twisted face, whose normal varies across it.
+double twisted_t0_mm(const FaceCurve::Node& p, double across_mm, double layer_mm) {
+  const Eigen::Vector3d across = FaceCurve::across(p), along(p.x_s, 0, p.z_s);
+  const Eigen::Vector3d point_s =
+      along + p.shift_s * Eigen::Vector3d::UnitY() +
+      across_mm * (p.twist_s * FaceCurve::normal(p) - std::sin(p.twist) * p.theta_s * along);
+  return layer_mm / point_s.cross(across).normalized().z();
+}
+
+}  // namespace
+
+FrameGeometry::BodyPoint FrameGeometry::body_point(double s_mm,
+                                                   double across_mm,
+                                                   double behind_mm) const {
+  if (!curve_)
+    return {{s_mm, across_mm, face_.plane_z_mm - behind_mm},
+            Eigen::Vector3d::UnitX(),
+            Eigen::Vector3d::UnitZ()};
+  const FaceCurve::Node p = curve_->at(s_mm);
+  const Eigen::Vector3d along(p.x_s, 0, p.z_s), middle(p.x_mm, p.shift_mm, p.z_mm);
+  if (!curve_->is_twisted()) {
+    const Eigen::Vector3d normal(-p.z_s, 0, p.x_s);
+    return {{p.x_mm + behind_mm * p.z_s, p.shift_mm + across_mm, p.z_mm - behind_mm * p.x_s},
+            along,
+            normal};
+  }
+  const Eigen::Vector3d normal = FaceCurve::normal(p);
+  return {middle + across_mm * FaceCurve::across(p) - behind_mm * normal, along, normal};
+}
+
+Eigen::Vector3d FrameGeometry::luf_point_mm(double s_mm, double across_mm) const {
+  if (!curve_) return {s_mm, across_mm, face_.plane_z_mm + face_.layer_mm};
+  const FaceCurve::Node p = curve_->at(s_mm);
+  if (!curve_->is_twisted())
+    return {p.x_mm, p.shift_mm + across_mm, p.z_mm + face_.layer_mm / p.x_s};
+  const Eigen::Vector3d middle(p.x_mm, p.shift_mm, p.z_mm);
+  return middle + across_mm * FaceCurve::across(p) +
+         Eigen::Vector3d(0, 0, twisted_t0_mm(p, across_mm, face_.layer_mm));
+}
+
+PressPose FrameGeometry::press_pose(double s_mm, double y_mm, double depth_mm) const {
+  PressPose pose;
+  pose.s_mm = s_mm;
+  pose.y_mm = y_mm;
+  pose.depth_mm = depth_mm;
+  pose.layer_mm = face_.layer_mm;
+  pose.luf_mm = luf_point_mm(s_mm, y_mm);
+  pose.across = Eigen::Vector3d::UnitY();
+  if (!curve_) {
+    pose.normal = Eigen::Vector3d::UnitZ();
+    pose.along = Eigen::Vector3d::UnitX();
+    return pose;
+  }
+  if (curve_->is_twisted()) {
+    const Eigen::Vector3d by_s =
+        luf_point_mm(s_mm + kStep_mm, y_mm) - luf_point_mm(s_mm - kStep_mm, y_mm);
+    const Eigen::Vector3d by_y =
+        luf_point_mm(s_mm, y_mm + kStep_mm) - luf_point_mm(s_mm, y_mm - kStep_mm);
+    pose.normal = by_s.cross(by_y).normalized();
+    pose.along = by_s.normalized();
+    pose.across = pose.normal.cross(pose.along);
+    return pose;
+  }
+  const FaceCurve::Node p = curve_->at(s_mm);
+  const double sin = p.z_s, cos = p.x_s;
+  // dz/dx of the LUF: the view face's slope, plus the layer's growth along z where the face bends.
+  const double slope = sin / cos + face_.layer_mm * sin * p.theta_s / (cos * cos * cos);
+  pose.normal = Eigen::Vector3d(-slope, 0, 1).normalized();
+  pose.along = Eigen::Vector3d(1, 0, slope).normalized();
+  return pose;
+}
+
+double FrameGeometry::max_thickness_mm() const {
+  if (!columns_.luf.empty()) return *std::max_element(columns_.luf.begin(), columns_.luf.end());
+  if (!curve_) return face_.layer_mm;
+  double max_value = 0;
+  for (int i = 0; i <= FaceCurve::kCells; ++i)
+    for (const double across : {-face_.width_mm / 2, 0.0, face_.width_mm / 2})
+      max_value =
+          std::max(max_value, twisted_t0_mm(curve_->at(curve_->s_mm(i)), across, face_.layer_mm));
+  return max_value;
+}
+
+namespace {
+
+// Buffers of the face's row.
+struct FaceArrays {
+  explicit FaceArrays(RowScratch& scratch) {
+    for (float** array :
+         {&x, &y, &z, &normal_x, &normal_y, &normal_z, &cos, &luf, &shift, &s, &coverage, &light})
+      *array = scratch.floats();
+  }
+  float *x, *y, *z, *normal_x, *normal_y, *normal_z, *cos, *luf, *shift, *s, *coverage, *light;
+
+  void set(int u, const Eigen::Vector3d& point, const Eigen::Vector3d& normal) {
+    x[u] = static_cast<float>(point.x());
+    y[u] = static_cast<float>(point.y());
+    z[u] = static_cast<float>(point.z());
+    normal_x[u] = static_cast<float>(-normal.x());
+    normal_y[u] = static_cast<float>(-normal.y());
+    normal_z[u] = static_cast<float>(-normal.z());
+    cos[u] = static_cast<float>(normal.z());
+    light[u] = 1;
+  }
+  // No coverage; the numbers only have to be finite.
+  void miss(int u) {
+    set(u, Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitZ());
+    luf[u] = 1;
+    s[u] = kNoHit_mm;
+    shift[u] = coverage[u] = 0;
+  }
+};
+
+double share(double inside_px) {
+  return std::clamp(inside_px + 0.5, 0.0, 1.0);
+}
+
+}  // namespace
+
+Surface FrameGeometry::fill_by_rays(RowView& row) const {
+  FaceArrays arrays(row.scratch);
+  const auto n = static_cast<std::size_t>(row.width);
+  std::vector<Ray> rays(n);
+  for (int u = 0; u < row.width; ++u) rays[static_cast<std::size_t>(u)] = rays_.ray(u, row.v);
+  std::optional<RuledSurface::IntersectionRow> intersections;
+  if (curve_)
+    intersections = RuledSurface::view_face(*curve_).intersect_row(rays, std::vector<char>(n, 1));
+  for (int u = 0; u < row.width; ++u) {
+    const auto i = static_cast<std::size_t>(u);
+    const Ray& ray = rays[i];
+    if (!intersections) {
+      arrays.set(u, ray.point_at(face_.plane_z_mm), Eigen::Vector3d::UnitZ());
+      arrays.luf[u] = static_cast<float>(face_.layer_mm);
+      arrays.s[u] = arrays.x[u];
+      arrays.shift[u] = 0;
+      arrays.coverage[u] = 1;
+      continue;
+    }
+    if (!intersections->is_hit(i)) {
+      arrays.miss(u);
+      continue;
+    }
+    const RuledSurface::Intersection here = intersections->at(i);
+    arrays.set(u, ray.point_at(here.z_mm), here.normal);
+    arrays.luf[u] = static_cast<float>(face_.layer_mm / here.normal.z());
+    arrays.s[u] = static_cast<float>(here.s_mm);
+    arrays.shift[u] = arrays.y[u] - static_cast<float>(here.r_mm);
+    const double ends = std::min(here.s_mm, curve_->length_mm() - here.s_mm);
+    const double edges = face_.width_mm / 2 - std::abs(here.r_mm);
+    const double margin_mm = kEdgeMargin_px * rays_.camera().mm_per_px_at(here.z_mm);
+    if (const double inside = std::min(ends, edges); std::abs(inside) > margin_mm) {
+      arrays.coverage[u] = inside > 0 ? 1 : 0;
+      continue;
+    }
+    const double s_per_px = std::abs(here.s_by(ray, rays_.right_of(u, row.v)));
+    const double r_per_px = std::abs(here.r_by(ray, rays_.below(u, row.v)));
+    arrays.coverage[u] = static_cast<float>(share(ends / s_per_px) * share(edges / r_per_px));
+  }
+  row.face = {0,
+              row.width,
+              arrays.x,
+              arrays.y,
+              arrays.z,
+              arrays.normal_x,
+              arrays.cos,
+              arrays.luf,
+              arrays.shift,
+              arrays.s,
+              arrays.coverage};
+  return {0,
+          row.width,
+          arrays.x,
+          arrays.y,
+          arrays.z,
+          arrays.normal_x,
+          arrays.normal_y,
+          arrays.normal_z,
+          arrays.coverage,
+          arrays.light};
 }
 
 }  // namespace alltact

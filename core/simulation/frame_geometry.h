@@ -3,13 +3,13 @@
 
 #include "core/camera/camera.h"
 #include "core/finger/finger.h"
-#include "core/simulation/contact_truth.h"
 #include "core/simulation/face_curve.h"
 #include "core/simulation/illumination.h"
-#include "core/simulation/pixel_rays.h"
+#include "core/simulation/mechanics/ball_contact.h"
+#include "core/simulation/mechanics/point_force.h"
 #include "core/simulation/press.h"
 #include "core/simulation/row_view.h"
-#include "core/simulation/side_drag.h"
+#include "core/simulation/simulated_frame.h"
 
 #include <memory>
 #include <optional>
@@ -20,6 +20,30 @@
 #include <opencv2/core.hpp>
 
 namespace alltact {
+
+// Displacement of a side face, with its dots, under a push.
+
+struct SideDrag {
+  int side = -1;         ///< -1: upper (small v), +1: lower
+  SurfaceFrame surface;  ///< at the contact's centre
+  HalfSpaceContact contact;
+};
+
+/// Displacement of a side face's point under all pushes on that face; camera frame, mm.
+[[nodiscard]] inline Eigen::Vector3d side_displacement_mm(const std::vector<SideDrag>& drags,
+                                                          int side,
+                                                          const Eigen::Vector3d& point_mm) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const SideDrag& drag : drags) {
+    if (drag.side != side) continue;
+    const SurfaceFrame& at = drag.surface;
+    const Eigen::Vector3d from = point_mm - at.point_mm;
+    const Eigen::Vector3d moved =
+        drag.contact.displacement_mm({from.dot(at.along), from.dot(at.across)});
+    sum += moved.x() * at.along + moved.y() * at.across + moved.z() * at.into;
+  }
+  return sum;
+}
 
 /// A dot engraved on a side face, as it appears in the image.
 struct MarkerDisc {
@@ -102,5 +126,17 @@ class FrameGeometry {
   static constexpr int kBlock = 16;
   std::vector<int> row_first_, row_last_;  // columns that the face may cover, by row
 };
+
+// Rigid presses as grids, for effects of the layer.
+
+/// Samples the press's depth on a grid of face positions, 0.05 mm apart, or coarser so that the
+/// body spans at most 600 steps.
+[[nodiscard]] SampledPress sample_press(const BodyPress& press, const FrameGeometry& geometry);
+
+/// All rigid presses of a frame.
+void sample_bodies(FrameGeometry& geometry);
+
+/// Adds `steps` without a press on every side of the grid.
+void pad_grid(SampledPress& press, int steps);
 
 }  // namespace alltact

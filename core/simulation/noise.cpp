@@ -10,7 +10,6 @@
 #include <vector>
 
 namespace alltact {
-
 namespace {
 
 constexpr int kQuantiles = 1 << 16;

@@ -1,11 +1,10 @@
 // A scene compiled into the list of steps for a frame, holding only the effects present in it.
 #pragma once
 
+#include "core/base/result.h"
 #include "core/finger/finger.h"
-#include "core/result.h"
 #include "core/simulation/scene.h"
-#include "core/simulation/sent_frame.h"
-#include "core/simulation/truth.h"
+#include "core/simulation/simulated_frame.h"
 
 #include <cstdint>
 #include <filesystem>

@@ -1,18 +1,50 @@
 // Objects that press into the face in one frame, and their depth over it.
 #pragma once
 
-#include "core/simulation/bodies/body.h"
-#include "core/simulation/contact_truth.h"
 #include "core/simulation/row_view.h"
+#include "core/simulation/simulated_frame.h"
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <vector>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <opencv2/core.hpp>
 
 namespace alltact {
+
+// Rigid bodies that press into the face.
+
+/// A body at its pose in one frame. Camera frame, mm.
+class PosedBody {
+ public:
+  PosedBody() = default;
+  PosedBody(const PosedBody&) = delete;
+  PosedBody& operator=(const PosedBody&) = delete;
+  virtual ~PosedBody() = default;
+  /// Returns the smallest z of the body over (x, y) if it is below `below_mm`, else infinity.
+  [[nodiscard]] virtual double lowest_z_mm(double x_mm, double y_mm, double below_mm) const = 0;
+};
+
+/// A body in its own coordinates, mm. Its z axis points away from the surface it presses into.
+class Body {
+ public:
+  Body() = default;
+  Body(const Body&) = delete;
+  Body& operator=(const Body&) = delete;
+  virtual ~Body() = default;
+  /// The z axis of `camera_from_object` must be less than 85 degrees off the camera's. The body
+  /// must outlive the result.
+  [[nodiscard]] virtual std::unique_ptr<const PosedBody> posed(
+      const Eigen::Isometry3d& camera_from_object) const = 0;
+  /// Returns the minimum of `direction` . p over the body's points p.
+  [[nodiscard]] virtual double min_along_mm(const Eigen::Vector3d& direction) const = 0;
+  /// Half lengths in x and y, about the origin, of the part that may come into contact.
+  [[nodiscard]] virtual Eigen::Vector2d half_size_mm() const = 0;
+  [[nodiscard]] double reach_mm() const { return half_size_mm().norm(); }
+};
 
 /// The pose of a press: its position on the undeformed outer side (LUF), and the axes there.
 struct PressPose {
@@ -95,5 +127,23 @@ void press_row(
 /// A ball that cuts the face: the face follows it or is undeformed. The rim is where it cuts the
 /// LUF.
 [[nodiscard]] BallPress make_ball_press(const PressPose& pose, double radius_mm);
+
+// A body described by its underside.
+
+/// All points above the underside. Its lowest points lie at z = 0.
+class HeightField : public Body {
+ public:
+  static constexpr double kNothing_mm = std::numeric_limits<double>::infinity();
+
+  /// Height of the underside over (x, y), 0 or more; kNothing_mm where there is none.
+  [[nodiscard]] virtual double gap_mm(double x_mm, double y_mm) const = 0;
+  /// Detail thinner than this may be missed when it is viewed at a slant.
+  [[nodiscard]] virtual double finest_mm() const { return 0.02; }
+
+  [[nodiscard]] std::unique_ptr<const PosedBody> posed(
+      const Eigen::Isometry3d& camera_from_object) const final;
+  /// For a tilted body on a grid of 256 steps a side; exact for an upright one.
+  [[nodiscard]] double min_along_mm(const Eigen::Vector3d& direction) const final;
+};
 
 }  // namespace alltact

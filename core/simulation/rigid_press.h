@@ -1,13 +1,29 @@
 // Common base of all rigid bodies that press into the face.
 #pragma once
 
-#include "core/simulation/bodies/body.h"
 #include "core/simulation/effect.h"
-#include "core/simulation/tip_deflection.h"
+#include "core/simulation/press.h"
 
 #include <memory>
+#include <optional>
 
 namespace alltact {
+
+// The deflection of a finger under what presses on its contact face.
+
+/// Read from `give_mm` of a pressing effect: the tip's deflection against the contact face's
+/// normal. Without the key the finger is rigid. The finger bends in the two modes of the effect
+/// `bend`, in the ratio that a force at the press gives a clamped beam (Ritz: K q = P phi(a)).
+class TipDeflection {
+ public:
+  explicit TipDeflection(YamlSection& section);
+
+  [[nodiscard]] Status validate(const SceneFacts& scene) const;
+  void shape(const FrameContext& frame, const Varying& s_mm, FaceCurve& curve) const;
+
+ private:
+  std::optional<Varying> deflection_mm_;
+};
 
 /// A rigid body. Parameters: `s_mm`, `y_mm`: the position below its origin. `depth_mm`: its point
 /// nearest to the finger lies so far along z below the tangent plane of the undeformed outer side

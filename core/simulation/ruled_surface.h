@@ -2,7 +2,7 @@
 // of a finger that twists, or that lies behind a window.
 #pragma once
 
-#include "core/camera/ray.h"
+#include "core/camera/camera.h"
 #include "core/simulation/face_curve.h"
 
 #include <optional>

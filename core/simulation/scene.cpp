@@ -1,9 +1,8 @@
 #include "core/simulation/scene.h"
 
-#include "core/either.h"
-#include "core/io/atomic_file.h"
+#include "core/base/atomic_file.h"
+#include "core/base/message.h"
 #include "core/numerics/philox.h"
-#include "core/printable.h"
 #include "core/simulation/scene_content.h"
 
 #include <map>

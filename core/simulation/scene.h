@@ -1,7 +1,7 @@
 // What to simulate, as data: a finger, its motion, and a list of named effects.
 #pragma once
 
-#include "core/result.h"
+#include "core/base/result.h"
 
 #include <filesystem>
 #include <memory>

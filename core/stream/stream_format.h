@@ -8,7 +8,7 @@
 // Offsets count from the header's end. A client sends one line (stream_request()).
 #pragma once
 
-#include "core/result.h"
+#include "core/base/result.h"
 
 #include <array>
 #include <bitset>
@@ -111,5 +111,21 @@ struct StreamBytes {
 /// client gets the JSON only. Errors: another beginning; no such part.
 [[nodiscard]] Result<StreamPartSet> stream_request(std::string_view line);
 inline constexpr std::size_t kLongestStreamRequest = 256;
+
+// Documentation of the format for other programs, printed by `alltact serve --schema`.
+
+/// A key of a message's JSON: "regions[].deepest_mm".
+struct StreamKey {
+  std::string_view message;  ///< as to_string(StreamType) names it
+  std::string_view path;
+  std::string_view what;  ///< with its unit
+};
+/// All keys, in the order in which they are sent. Unknown values are absent, never zero.
+[[nodiscard]] const std::vector<StreamKey>& stream_keys();
+
+/// For people: request, layout, parts and keys.
+[[nodiscard]] std::string stream_schema_text();
+/// The same as one JSON object.
+[[nodiscard]] std::string stream_schema_json();
 
 }  // namespace alltact

@@ -1,8 +1,7 @@
 #include "core/thumbnail/thumbnail.h"
 
-#include "core/io/colour_map.h"
-#include "core/io/depth_file.h"
-#include "core/io/image_file.h"
+#include "core/image/colour_map.h"
+#include "core/image/image_file.h"
 #include "core/thumbnail/read_triangles.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // Thumbnails of depth maps and meshes, as a file manager shows them.
 #pragma once
 
-#include "core/io/triangles.h"
-#include "core/result.h"
+#include "core/base/result.h"
+#include "core/mesh/surface_file.h"
 
 #include <filesystem>
 

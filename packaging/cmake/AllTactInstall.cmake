@@ -36,7 +36,23 @@ install(FILES packaging/70-alltact.rules DESTINATION lib/udev/rules.d)
 # --- what people read
 install(DIRECTORY resources/help resources/pictures DESTINATION ${CMAKE_INSTALL_DOCDIR}/resources
         FILES_MATCHING PATTERN "*.md" PATTERN "*.png")
-install(FILES README.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+foreach(folder IN ITEMS core/finger tests/bench) # the formats of files, and the figures
+  install(FILES ${folder}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/${folder})
+endforeach()
+# The manual as one HTML file and one PDF, where python3-markdown is installed.
+execute_process(COMMAND /usr/bin/python3 -c "import markdown" RESULT_VARIABLE alltact_no_markdown OUTPUT_QUIET ERROR_QUIET)
+if(NOT alltact_no_markdown)
+  file(GLOB alltact_manual_pages CONFIGURE_DEPENDS resources/help/*.md resources/help/*.png)
+  add_custom_command(
+    OUTPUT ${alltact_built}/manual/manual.html ${alltact_built}/manual/manual.pdf
+    COMMAND ${CMAKE_COMMAND} -E env CXX=${CMAKE_CXX_COMPILER} ${alltact_packaging}/manual -o ${alltact_built}/manual
+    DEPENDS ${alltact_packaging}/manual ${alltact_packaging}/manual_pdf.cpp ${alltact_manual_pages}
+            ${CMAKE_SOURCE_DIR}/core/finger/README.md
+    VERBATIM)
+  add_custom_target(alltact_manual ALL DEPENDS ${alltact_built}/manual/manual.html ${alltact_built}/manual/manual.pdf)
+  install(FILES ${alltact_built}/manual/manual.html ${alltact_built}/manual/manual.pdf DESTINATION ${CMAKE_INSTALL_DOCDIR})
+endif()
 install(DIRECTORY packaging/example DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 # Manual pages and completions: the programs know their commands and settings, and tell them once they are built.
@@ -97,3 +113,6 @@ install(FILES packaging/desktop/alltact.xml DESTINATION ${CMAKE_INSTALL_DATADIR}
 install(FILES packaging/desktop/alltact.thumbnailer DESTINATION ${CMAKE_INSTALL_DATADIR}/thumbnailers)
 
 add_custom_target(alltact_desktop ALL DEPENDS ${alltact_told})
+if(TARGET alltact_manual)
+  add_dependencies(alltact_desktop alltact_manual) # so that whoever waits for it can install
+endif()

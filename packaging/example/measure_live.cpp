@@ -1,9 +1,9 @@
 // Prints how deep a calibrated finger is pressed, live: measure_live FINGER SOURCE
 #include <cstdio>
 
+#include <alltact/core/open/open_source.h>
 #include <alltact/core/sensing/pipeline.h>
-#include <alltact/core/sources/newest_source.h>
-#include <alltact/core/sources/open/open_source.h>
+#include <alltact/core/sources/source.h>
 
 int main(int argc, char** argv) {
   using namespace alltact;

@@ -1,5 +1,5 @@
 // What lies on disk after a run: everything that was promised, whole, and nothing else.
-#include "core/io/image_file.h"
+#include "core/image/image_file.h"
 #include "tests/support/flat_finger.h"
 #include "tests/support/small_disk.h"
 

@@ -1,5 +1,5 @@
 // `alltact force` from a table to a finger, and back.
-#include "core/io/atomic_file.h"
+#include "core/base/atomic_file.h"
 #include "tests/calibration/force/force_worlds.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"

@@ -1,7 +1,7 @@
 // `alltact gripper`: an object that is put between two fingers is told from their recordings.
 #include "core/gripper/gripper.h"
 
-#include "core/io/image_file.h"
+#include "core/image/image_file.h"
 #include "tests/core/gripper/gripper_files.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"

@@ -174,6 +174,8 @@ TEST(Layers, TheTopHoldsOnlyWhatTheDesignNames) {
                                          "tests",
                                          "packaging",
                                          "README.md",
+                                         "CONTRIBUTING.md",
+                                         "CHANGELOG.md",
                                          "LICENSE",
                                          "CMakeLists.txt",
                                          "CMakePresets.json"};

@@ -1,6 +1,6 @@
 // `alltact lens` on pictures of boards, from the pictures to the camera file and a finger.
+#include "core/base/message_json.h"
 #include "core/finger/finger.h"
-#include "core/io/message_json.h"
 #include "tests/support/boards.h"
 #include "tests/support/program.h"
 

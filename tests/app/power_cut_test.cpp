@@ -1,6 +1,6 @@
 // Power that fails at any moment of a change leaves what was there before or what was to be there
 // then, never some of both, and nothing that anybody has to clear away.
-#include "calibration/reference/new_reference.h"
+#include "calibration/reference/reference_recording.h"
 #include "core/finger/finger_store.h"
 #include "core/recording/journal.h"
 #include "core/recording/video_file.h"

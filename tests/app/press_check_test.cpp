@@ -1,5 +1,5 @@
 // A calibrated finger held against new presses: what changed is told, what did not is not.
-#include "core/io/image_file.h"
+#include "core/image/image_file.h"
 #include "tests/support/flat_finger.h"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // `alltact record` with a foot pedal and a dimmer that are made up.
-#include "core/io/image_file.h"
+#include "core/image/image_file.h"
 #include "core/recording/video_file.h"
 #include "tests/rigs/hid_device.h"
 #include "tests/support/program.h"

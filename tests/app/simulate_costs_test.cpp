@@ -1,5 +1,5 @@
 // What every effect costs, as `alltact simulate --costs` tells it.
-#include "core/simulation/effect_costs.h"
+#include "core/simulation/effect_catalogue.h"
 #include "tests/support/program.h"
 
 #include <set>

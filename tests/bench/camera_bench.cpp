@@ -1,5 +1,5 @@
 // From the camera to whoever looks: 1920x1080 MJPG at 30 frames a second from the fake camera.
-#include "core/sources/v4l2/v4l2_camera.h"
+#include "core/devices/v4l2_camera.h"
 #include "tests/bench/full_hd_camera.h"
 
 #include <benchmark/benchmark.h>

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""The project's figures: README's tables are made from them, and two builds are compared by them.
-    figures.py readme [--check]                 writes README's tables anew from figures.json, or tells where they differ
+"""The project's figures: the tables of tests/bench/README.md are made from them, and two builds are compared by them.
+    figures.py readme [--check]                 writes these tables anew from figures.json, or fails where they differ
     figures.py renew BUILD                      measures the steps of a frame and the demonstration, and keeps them in figures.json
     figures.py against COMMIT [--runs N]        builds COMMIT beside, runs both builds turn by turn, and fails where a watched
                                                 figure grew by more than 5 % beyond its interval
@@ -15,6 +15,7 @@ import frame_costs
 HERE = Path(__file__).resolve().parent
 TOP = HERE.parent.parent
 FIGURES = HERE / "figures.json"
+README = HERE / "README.md"
 MOST_GROWTH = 1.05
 
 
@@ -32,7 +33,7 @@ def has_grown(interval):
 
 
 def number(value):
-    """As README shows ratios: whole from ten on."""
+    """A ratio as in README.md: whole from ten on."""
     return f"{value:.0f}" if value >= 10 else f"{value:.1f}"
 
 
@@ -55,7 +56,7 @@ def steps_table(told):
 
 
 def with_tables(readme, told):
-    """README with its tables replaced, each known by its first line."""
+    """README.md with its tables replaced, each found by its first line."""
     lines = readme.split("\n")
     for table in (accuracy_table(told), steps_table(told)):
         begin = lines.index(table[0])
@@ -65,13 +66,12 @@ def with_tables(readme, told):
 
 
 def readme(is_check):
-    path = TOP / "README.md"
-    text = path.read_text(encoding="utf-8")
+    text = README.read_text(encoding="utf-8")
     new = with_tables(text, json.loads(FIGURES.read_text(encoding="utf-8")))
     if is_check and new != text:
-        sys.exit("README.md's tables are not those of tests/bench/figures.json: run tests/bench/figures.py readme")
+        sys.exit("The tables of tests/bench/README.md are not those of figures.json. Run tests/bench/figures.py readme.")
     if new != text:
-        path.write_text(new, encoding="utf-8")
+        README.write_text(new, encoding="utf-8")
 
 
 def rounded(value, digits=3):

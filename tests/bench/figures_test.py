@@ -52,10 +52,12 @@ class Tables(unittest.TestCase):
 
     def test_readme_shows_the_figures(self):
         told = json.loads(figures.FIGURES.read_text(encoding="utf-8"))
-        text = (figures.TOP / "README.md").read_text(encoding="utf-8")
+        text = figures.README.read_text(encoding="utf-8")
         self.assertEqual(figures.with_tables(text, told), text, "run tests/bench/figures.py readme")
         told["steps"]["edges"]["ms"] = 9.99
         self.assertIn("| edges | 9.99 |", figures.with_tables(text, told))
+        told["accuracy"][0]["measured"] = 7.77
+        self.assertIn("| 7.77 mm |", figures.with_tables(text, told))
 
 
 if __name__ == "__main__":

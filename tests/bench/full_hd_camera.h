@@ -1,7 +1,7 @@
 // A camera that gives 1920x1080 MJPG at 30 frames a second, and the age of what comes from it.
 #pragma once
 
-#include "core/frame.h"
+#include "core/image/frame.h"
 #include "tests/rigs/fake_camera.h"
 
 #include <algorithm>

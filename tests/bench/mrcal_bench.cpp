@@ -1,9 +1,9 @@
 // The same corners through our lens fit and through mrcal's, a calibrator that shares no line with
 // ours: focal lengths, and by how much the two lenses disagree on where points are seen. Needs
 // mrcal-calibrate-cameras (apt install mrcal); says so where there is none.
+#include "calibration/lens/board_views.h"
 #include "calibration/lens/calibrate_lens.h"
-#include "calibration/lens/lens_views.h"
-#include "core/sources/open/open_source.h"
+#include "core/open/open_source.h"
 #include "tests/support/boards.h"
 #include "tests/support/temporary_folder.h"
 

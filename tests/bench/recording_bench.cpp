@@ -2,9 +2,9 @@
 // ALLTACT_RECORDING_SECONDS (default 2), read as any source and recorded. Every frame is compared
 // afterwards. core_percent is the whole program's processor time: the camera's pictures, decoding
 // and recording.
+#include "core/devices/v4l2_camera.h"
 #include "core/recording/recorder.h"
 #include "core/recording/video_file.h"
-#include "core/sources/v4l2/v4l2_camera.h"
 #include "tests/bench/full_hd_camera.h"
 #include "tests/support/temporary_folder.h"
 

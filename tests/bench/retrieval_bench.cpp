@@ -1,5 +1,5 @@
 // Finding the nearest recorded layout, beside a copy of the same bytes.
-#include "core/sensing/markers/layout_search.h"
+#include "core/sensing/reference/recorded_poses.h"
 
 #include <cmath>
 #include <cstring>

@@ -1,7 +1,7 @@
 // What is saved, loaded and saved again is the same bytes, whatever the numbers.
-#include "core/camera/camera_range.h"
-#include "core/finger/camera_yaml.h"
-#include "core/io/atomic_file.h"
+#include "core/base/atomic_file.h"
+#include "core/camera/camera.h"
+#include "core/finger/finger_yaml.h"
 #include "core/sensing/reference/reference_library.h"
 #include "tests/support/temporary_folder.h"
 

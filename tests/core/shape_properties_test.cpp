@@ -3,7 +3,7 @@
 #include "core/geometry/circle_fit.h"
 #include "core/sensing/contact/contact_regions.h"
 #include "core/sensing/contact/push.h"
-#include "core/sensing/depth/depth_cells.h"
+#include "core/sensing/depth/depth_map.h"
 #include "core/sensing/face/face_shape.h"
 #include "tests/support/cameras.h"
 

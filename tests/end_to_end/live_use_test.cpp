@@ -2,11 +2,11 @@
 // frame, one recording after the other, a finger calibrated again and again, a slow onlooker.
 // ALLTACT_SOAK_SECONDS makes it longer; then its figures lie in ALLTACT_SOAK_FILE.
 #include "calibration/reference/reference_recording.h"
+#include "core/devices/v4l2_camera.h"
 #include "core/recording/journal.h"
 #include "core/recording/recorder.h"
 #include "core/sensing/pipeline.h"
 #include "core/sensing/result_json.h"
-#include "core/sources/v4l2/v4l2_camera.h"
 #include "tests/rigs/fake_camera.h"
 #include "tests/support/flat_calibration.h"
 #include "tests/support/marked_finger.h"

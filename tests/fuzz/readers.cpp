@@ -1,6 +1,6 @@
 #include "tests/fuzz/readers.h"
 
-#include "core/io/atomic_file.h"
+#include "core/base/atomic_file.h"
 #include "tests/support/temporary_folder.h"
 
 #include <exception>

@@ -2,7 +2,7 @@
 // (fuzz_readers.cpp), a plain test for seconds (readers_test.cpp).
 #pragma once
 
-#include "core/result.h"
+#include "core/base/result.h"
 
 #include <filesystem>
 #include <functional>

@@ -1,7 +1,7 @@
 // Shows each widget alone, with made-up content: alltact_gallery NAME, or without a name which
 // there are.
 #include "tests/gallery/gallery.h"
-#include "widgets/shell/studio_style.h"
+#include "widgets/theme.h"
 
 #include <QApplication>
 #include <iostream>

@@ -1,8 +1,8 @@
 // What desktops, software centres and file managers are told, judged by their own programs.
+#include "core/base/zip_file.h"
 #include "core/finger/finger.h"
-#include "core/io/depth_file.h"
-#include "core/io/surface_file.h"
-#include "core/io/zip_file.h"
+#include "core/image/image_file.h"
+#include "core/mesh/surface_file.h"
 #include "tests/packaging/quoted.h"
 #include "tests/support/flat_sensor.h"
 #include "tests/support/program.h"
@@ -45,6 +45,7 @@ TEST(Desktop, TheNewestReleaseIsThisVersion) {
                                    " 'A Person <a@example.org>'");
   ASSERT_EQ(log.status, 0) << log.errors;
   EXPECT_THAT(log.output, testing::StartsWith("alltact (" + version[1].str() + ") bookworm;"));
+  EXPECT_THAT(text_of(kTop / "CHANGELOG.md"), HasSubstr("\n## " + version[1].str() + ", "));
 }
 
 TEST(Desktop, TheIconComesInEverySizeAndShowsSomething) {

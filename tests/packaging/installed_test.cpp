@@ -75,6 +75,9 @@ TEST_F(Installed, HoldsWhatADesktopAndAShellWant) {
                            "share/zsh/vendor-completions/_alltact-studio",
                            "share/fish/vendor_completions.d/alltact.fish",
                            "share/doc/alltact/README.md",
+                           "share/doc/alltact/resources/help/manual.md",
+                           "share/doc/alltact/core/finger/README.md",
+                           "share/doc/alltact/tests/bench/README.md",
                            "lib/udev/rules.d/70-alltact.rules"})
     EXPECT_TRUE(fs::is_regular_file(tree() / file)) << file;
 }

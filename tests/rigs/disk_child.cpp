@@ -9,7 +9,7 @@
 // Exit status 0, or 1 with a sentence.
 #include "calibration/checks/check_history.h"
 #include "calibration/finger/calibrate_finger.h"
-#include "calibration/reference/new_reference.h"
+#include "calibration/reference/reference_recording.h"
 #include "core/recording/recorder.h"
 #include "tests/core/recording/recording_frames.h"
 

@@ -1,7 +1,7 @@
 // A USB camera made of memory: real descriptors, real mapped buffers, and every fault on request.
 #pragma once
 
-#include "core/sources/v4l2/v4l2_calls.h"
+#include "core/devices/v4l2_device.h"
 #include "tests/rigs/fake_controls.h"
 
 #include <chrono>

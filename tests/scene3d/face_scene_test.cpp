@@ -1,9 +1,9 @@
 // The face in 3D against what a picture of it must show, without a display.
 #include "tests/support/made_surface.h"
 #include "tests/support/temporary_folder.h"
-#include "widgets/scene3d/face_grid.h"
 #include "widgets/scene3d/face_mesh.h"
-#include "widgets/scene3d/offscreen_scene.h"
+#include "widgets/scene3d/face_surface.h"
+#include "widgets/scene3d/vtk_view.h"
 
 #include <cstdlib>
 #include <limits>

@@ -1,10 +1,9 @@
 // The whole finger in the scene: its body, its ruler, the light that falls on it, and that nothing
 // of it hides the face.
 #include "tests/support/made_surface.h"
-#include "widgets/scene3d/face_grid.h"
-#include "widgets/scene3d/finger_body.h"
-#include "widgets/scene3d/offscreen_scene.h"
-#include "widgets/scene3d/ruler.h"
+#include "widgets/scene3d/face_surface.h"
+#include "widgets/scene3d/finger_actors.h"
+#include "widgets/scene3d/vtk_view.h"
 
 #include <cstdlib>
 #include <random>

@@ -1,5 +1,5 @@
 // What the program writes for others, read by others: VTK's own readers.
-#include "core/io/surface_file.h"
+#include "core/mesh/surface_file.h"
 #include "tests/support/temporary_folder.h"
 
 #include <limits>

@@ -1,8 +1,9 @@
 // Recordings that show little, and pictures in which few markers are left: installed and followed
 // within a bound, or refused by name. Long ones run with `packaging/test --slow`.
 #include "calibration/reference/reference_recording.h"
-#include "core/sensing/markers/layout_search.h"
+#include "core/sensing/markers/marker_tracker.h"
 #include "core/sensing/pipeline.h"
+#include "core/sensing/reference/recorded_poses.h"
 #include "tests/stability/awaited.h"
 #include "tests/support/marked_recording.h"
 #include "tests/support/scratch_folder.h"

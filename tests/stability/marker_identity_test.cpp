@@ -1,5 +1,7 @@
 // How often a marker is taken for another one, with up to a quarter of them hidden and a third as
 // many false dots among them, over fingers drawn at random.
+#include "core/sensing/markers/marker_model.h"
+#include "core/sensing/markers/marker_tracker.h"
 #include "core/sensing/markers/markers.h"
 #include "tests/support/marked_finger.h"
 #include "tests/support/slow_run.h"

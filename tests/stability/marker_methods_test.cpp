@@ -1,10 +1,9 @@
 // What the ways of finding markers cost and gain, side by side on simulated fingers drawn at random
 // that the network was not trained on: clear, worn, blurred, partly lit, with dark dots.
-#include "core/sensing/marker_methods.h"
-
 #include "core/sensing/face/face_edges.h"
-#include "core/sensing/markers/networks/network_dot_finder.h"
-#include "core/sensing/markers/paper_rows.h"
+#include "core/sensing/markers/dot_network.h"
+#include "core/sensing/markers/marker_detector.h"
+#include "core/sensing/markers/marker_tracker.h"
 #include "core/simulation/plan.h"
 #include "core/simulation/scene.h"
 

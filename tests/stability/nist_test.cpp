@@ -1,8 +1,8 @@
 // NIST's Statistical Reference Datasets through the solvers that we use, against certified values.
 #include "calibration/hard_cases/exact.h"
-#include "calibration/joint/solver_settings.h"
+#include "calibration/joint/ceres_solver.h"
 #include "core/numerics/chebyshev.h"
-#include "core/numerics/least_squares.h"
+#include "core/numerics/linear_algebra.h"
 
 #include <cmath>
 #include <cstdio>

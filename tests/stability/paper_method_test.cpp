@@ -5,10 +5,10 @@
 #include "calibration/finger/paper_pipeline.h"
 #include "calibration/reference/reference_recording.h"
 #include "calibration/study/evaluate.h"
-#include "core/program.h"
+#include "core/base/program.h"
+#include "core/open/open_source.h"
 #include "core/simulation/plan.h"
 #include "core/simulation/scene.h"
-#include "core/sources/open/open_source.h"
 #include "tests/stability/awaited.h"
 #include "tests/support/temporary_folder.h"
 

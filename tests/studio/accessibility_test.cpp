@@ -3,7 +3,7 @@
 #include "tests/studio/calibrate_rig.h"
 #include "tests/studio/measured_finger.h"
 #include "widgets/pages/accuracy_page.h"
-#include "widgets/shell/finger_list_dialog.h"
+#include "widgets/shell/finger_card.h"
 #include "widgets/shell/problem_list.h"
 
 #include <QAbstractItemView>

@@ -1,7 +1,6 @@
 // The place Accuracy, as a person uses it: measured once, asked, used, taken back.
 #include "calibration/finger/measuring_presets.h"
-#include "calibration/finger/measuring_settings.h"
-#include "calibration/study/study_front.h"
+#include "calibration/study/recommended_settings.h"
 #include "tests/studio/calibrate_rig.h"
 #include "tests/studio/measured_finger.h"
 #include "widgets/pages/accuracy_page.h"

@@ -1,6 +1,6 @@
 // A flat, rigid sensor in the place Calibrate: one untouched picture instead of a recording.
+#include "core/finger/finger_store.h"
 #include "core/finger/mapping.h"
-#include "core/finger/new_finger.h"
 #include "tests/studio/calibrate_rig.h"
 #include "tests/support/flat_sensor.h"
 

@@ -1,10 +1,10 @@
 // What the place Calibrate tells while somebody works at it: where to press, what a ball's place
 // means, what the presses come to, what no longer holds.
 #include "calibration/checks/check_history.h"
+#include "core/base/atomic_file.h"
 #include "core/finger/finger_store.h"
-#include "core/io/atomic_file.h"
 #include "tests/studio/calibrate_rig.h"
-#include "widgets/calibrating/verdict_sheet.h"
+#include "widgets/calibrating/verdict_page.h"
 
 #include <QThread>
 

@@ -1,7 +1,7 @@
 // The step Presses: pictures that were held still, depths that were measured, punches with a step.
-#include "core/io/atomic_file.h"
+#include "core/base/atomic_file.h"
+#include "core/open/open_source.h"
 #include "core/simulation/plan.h"
-#include "core/sources/open/open_source.h"
 #include "tests/studio/calibrate_rig.h"
 
 #include <gmock/gmock.h>

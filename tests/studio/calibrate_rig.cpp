@@ -1,7 +1,7 @@
 #include "tests/studio/calibrate_rig.h"
 
-#include "core/io/atomic_file.h"
-#include "core/io/image_file.h"
+#include "core/base/atomic_file.h"
+#include "core/image/image_file.h"
 #include "core/simulation/plan.h"
 
 #include <QClipboard>

@@ -1,8 +1,8 @@
 // The place Calibrate, as a person uses it.
+#include "core/base/atomic_file.h"
 #include "core/finger/mapping.h"
 #include "core/geometry/ball.h"
-#include "core/io/atomic_file.h"
-#include "core/io/image_file.h"
+#include "core/image/image_file.h"
 #include "tests/studio/calibrate_rig.h"
 #include "tests/support/sanitized.h"
 

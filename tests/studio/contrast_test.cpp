@@ -1,8 +1,7 @@
 // Contrast as WCAG 2.1 defines it, measured in what is painted: the step one is at among the
 // others, what has the focus, the button that comes next.
 #include "tests/studio/studio_rig.h"
-#include "widgets/shell/primary_button.h"
-#include "widgets/shell/step_list.h"
+#include "widgets/calibrating/step_page.h"
 #include "widgets/theme.h"
 
 #include <QVBoxLayout>

@@ -1,11 +1,11 @@
 // Small things of every day: the space bar, notices, windows that are small, a program without a
 // language, a finger that is not calibrated yet.
-#include "app/studio/tutorial.h"
-#include "core/io/image_file.h"
+#include "app/studio/onboarding.h"
+#include "core/image/image_file.h"
 #include "tests/studio/calibrate_rig.h"
-#include "widgets/shell/finger_cards.h"
+#include "widgets/pages/live_page.h"
+#include "widgets/shell/finger_card.h"
 #include "widgets/shell/problem_list.h"
-#include "widgets/shell/start_panel.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

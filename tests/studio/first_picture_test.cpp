@@ -1,10 +1,10 @@
 // The second day: from the first page to the depth of what touches, in one action; and the window
 // says at once what is known of the finger.
-#include "app/studio/finger_summary.h"
-#include "app/studio/session_file.h"
-#include "core/io/atomic_file.h"
+#include "app/studio/header_bar.h"
+#include "app/studio/session.h"
+#include "core/base/atomic_file.h"
 #include "tests/studio/calibrate_rig.h"
-#include "widgets/shell/finger_list_dialog.h"
+#include "widgets/shell/finger_card.h"
 
 #include <QElapsedTimer>
 #include <QMenu>

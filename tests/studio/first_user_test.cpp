@@ -2,8 +2,8 @@
 // what the guide's line says, what a field asks for. Every click, every key and every line typed
 // counts.
 #include "tests/studio/calibrate_rig.h"
-#include "widgets/shell/finger_card_words.h"
-#include "widgets/shell/primary_button.h"
+#include "widgets/shell/finger_card.h"
+#include "widgets/theme.h"
 
 #include <QDoubleSpinBox>
 #include <QElapsedTimer>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "calibration/force/collect_force.h"
-#include "calibration/force/finger_force_model.h"
+#include "calibration/force/train_force.h"
 #include "core/finger/finger_store.h"
 #include "tests/studio/studio_rig.h"
 

@@ -4,15 +4,14 @@
 // screen, with pictures of all below the build's folder, screens/pages. ALLTACT_RENEW_GALLERY=1
 // keeps them, reduced, a sheet a page in tests/gallery/pages: look at them before committing.
 // ALLTACT_DRESSES="1024x700 de" looks at those alone whose name has these words.
-#include "app/studio/session_file.h"
-#include "core/io/atomic_file.h"
+#include "app/studio/session.h"
+#include "core/base/atomic_file.h"
 #include "tests/studio/calibrate_rig.h"
 #include "tests/studio/layout_rig.h"
 #include "tests/studio/measured_finger.h"
 #include "tests/support/child_tests.h"
 #include "tests/support/same_everywhere.h"
-#include "widgets/inspect/gripper_dialog.h"
-#include "widgets/inspect/second_finger_dialog.h"
+#include "widgets/inspect/finger_pair.h"
 #include "widgets/pages/accuracy_page.h"
 #include "widgets/shell/export_dialog.h"
 #include "widgets/shell/new_finger_dialog.h"

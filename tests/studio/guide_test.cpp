@@ -1,12 +1,9 @@
 // Help where one is: hints for who comes for the first time, the glossary with its pictures, the
 // guide to print. ALLTACT_RENEW_HELP=1 keeps the glossary's pictures as they are painted now: look
 // at them before committing.
-#include "app/studio/help_pages.h"
-#include "app/studio/help_window.h"
-#include "app/studio/page_hint.h"
-#include "app/studio/quick_guide.h"
-#include "app/studio/tutorial.h"
-#include "core/io/atomic_file.h"
+#include "app/studio/help.h"
+#include "app/studio/onboarding.h"
+#include "core/base/atomic_file.h"
 #include "tests/gallery/gallery.h"
 #include "tests/studio/studio_rig.h"
 #include "tests/support/picture_match.h"

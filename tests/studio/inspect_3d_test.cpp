@@ -2,8 +2,8 @@
 // is exported, and pictures to look at.
 #include "tests/studio/standing_view.h"
 #include "tests/studio/two_fingers.h"
-#include "widgets/inspect/face_positions.h"
-#include "widgets/inspect/reading_text.h"
+#include "widgets/inspect/inspected_frame.h"
+#include "widgets/inspect/point_readings.h"
 
 #include <QComboBox>
 #include <QLabel>

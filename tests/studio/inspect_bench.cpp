@@ -1,6 +1,6 @@
 // What the face in 3D costs in time: made of a frame, brought up to date, drawn.
+#include "core/open/open_source.h"
 #include "core/sensing/pipeline.h"
-#include "core/sources/open/open_source.h"
 #include "tests/studio/studio_rig.h"
 #include "tests/support/made_surface.h"
 #include "widgets/inspect/inspect_pane.h"

@@ -1,9 +1,9 @@
 // What the place Inspect compares, tells under the pointer and over time, and writes for papers.
 #include "core/recording/video_file.h"
-#include "core/sensing/measures.h"
+#include "core/sensing/surface_measurement.h"
 #include "tests/studio/two_fingers.h"
-#include "widgets/inspect/face_positions.h"
-#include "widgets/inspect/view_box.h"
+#include "widgets/inspect/inspect_side.h"
+#include "widgets/inspect/inspected_frame.h"
 
 #include <QComboBox>
 #include <QLabel>

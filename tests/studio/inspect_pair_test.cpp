@@ -1,10 +1,9 @@
 // Two fingers in the place Inspect, and the view that is turned by hand.
 #include "core/finger/finger.h"
-#include "core/io/image_file.h"
+#include "core/image/image_file.h"
 #include "tests/studio/standing_view.h"
 #include "tests/studio/two_fingers.h"
-#include "widgets/inspect/gripper_dialog.h"
-#include "widgets/inspect/second_finger_dialog.h"
+#include "widgets/inspect/finger_pair.h"
 
 #include <QLabel>
 #include <QLineEdit>

@@ -1,13 +1,13 @@
 // The place Inspect, as a person uses it. On Qt's offscreen platform it shows height maps; 3D is
 // looked at on a screen (see tests/scene3d).
 #include "core/finger/finger_store.h"
-#include "core/io/image_file.h"
+#include "core/image/image_file.h"
+#include "core/open/open_source.h"
 #include "core/recording/video_file.h"
-#include "core/sensing/measures.h"
-#include "core/sources/open/open_source.h"
+#include "core/sensing/surface_measurement.h"
 #include "tests/studio/studio_rig.h"
-#include "widgets/inspect/face_positions.h"
-#include "widgets/inspect/surface_readings.h"
+#include "widgets/inspect/inspected_frame.h"
+#include "widgets/inspect/point_readings.h"
 
 #include <QAccessible>
 #include <QClipboard>

@@ -1,10 +1,10 @@
 // What the libraries say, in German, in Chinese and in English.
 #include "widgets/language.h"
 
-#include "app/studio/program_appearance.h"
-#include "calibration/report/press_residuals.h"
+#include "app/studio/main_window.h"
+#include "calibration/report/press_errors.h"
 #include "calibration/verdict/verdict.h"
-#include "core/result.h"
+#include "core/base/result.h"
 #include "tests/support/good_evidence.h"
 #include "tests/support/ts_file.h"
 #include "tests/support/words_left.h"

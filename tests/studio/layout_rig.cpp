@@ -1,9 +1,9 @@
 #include "tests/studio/layout_rig.h"
 
 #include "widgets/image/image_view.h"
+#include "widgets/panels/recording_checks.h"
 #include "widgets/plots/plot.h"
-#include "widgets/recording/coverage_view.h"
-#include "widgets/shell/elided_label.h"
+#include "widgets/widget_base.h"
 
 #include <QAbstractButton>
 #include <QAbstractScrollArea>

@@ -1,10 +1,11 @@
 // Two fingers watched at once in the place Live.
+#include "widgets/live/live_pair.h"
+
+#include "core/base/atomic_file.h"
 #include "core/finger/finger_store.h"
-#include "core/io/atomic_file.h"
-#include "core/io/image_file.h"
+#include "core/image/image_file.h"
 #include "tests/core/gripper/gripper_files.h"
 #include "tests/studio/studio_rig.h"
-#include "widgets/pair/second_camera_dialog.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>

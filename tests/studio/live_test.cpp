@@ -1,5 +1,5 @@
 // The place Live, as a person uses it.
-#include "core/sources/open/open_source.h"
+#include "core/open/open_source.h"
 #include "tests/studio/studio_rig.h"
 
 #include <QAccessible>

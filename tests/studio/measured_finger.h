@@ -1,8 +1,8 @@
 // A finger that keeps a study, always the same one: times of the day would make other pictures.
 #pragma once
 
-#include "calibration/study/finger_study.h"
-#include "core/program.h"
+#include "calibration/study/study_file.h"
+#include "core/base/program.h"
 #include "tests/studio/studio_rig.h"
 
 namespace alltact::test {

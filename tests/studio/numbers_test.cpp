@@ -1,12 +1,12 @@
 // Numbers typed into every field of the window, in three languages: the value that a person means,
 // or a refusal that stays in sight; never another value.
-#include "app/studio/program_appearance.h"
-#include "core/typed_number.h"
+#include "app/studio/main_window.h"
+#include "core/base/typed_number.h"
 #include "tests/studio/studio_rig.h"
 #include "tests/support/typed_numbers.h"
 #include "widgets/controls/control_panel.h"
 #include "widgets/controls/number_field.h"
-#include "widgets/inspect/gripper_dialog.h"
+#include "widgets/inspect/finger_pair.h"
 #include "widgets/shell/new_finger_dialog.h"
 
 #include <QAbstractSpinBox>

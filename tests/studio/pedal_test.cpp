@@ -1,5 +1,5 @@
 // A foot pedal that is made up, as the window hears it. Needs umockdev's preload library.
-#include "core/sources/open/open_source.h"
+#include "core/open/open_source.h"
 #include "tests/rigs/hid_device.h"
 #include "tests/studio/calibrate_rig.h"
 #include "widgets/shell/settings_dialog.h"

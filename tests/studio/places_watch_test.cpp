@@ -1,6 +1,6 @@
 // The places Inspect, Calibrate and Accuracy never hold the event loop, as the whole window does
 // not (see whole_test.cpp).
-#include "core/sources/open/open_source.h"
+#include "core/open/open_source.h"
 #include "tests/studio/calibrate_rig.h"
 #include "tests/studio/loop_watch_rig.h"
 #include "tests/studio/measured_finger.h"

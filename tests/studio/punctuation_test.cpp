@@ -1,8 +1,7 @@
 // Words are put together, and written down, with the punctuation of their language.
-#include "app/studio/program_appearance.h"
+#include "app/studio/main_window.h"
 #include "tests/support/program.h"
 #include "tests/support/ts_file.h"
-#include "widgets/joined_words.h"
 #include "widgets/language.h"
 
 #include <QRegularExpression>

@@ -1,8 +1,8 @@
 // The place Record, as a person uses it.
-#include "core/finger/new_finger.h"
+#include "core/finger/finger_store.h"
+#include "core/open/open_source.h"
 #include "core/recording/video_file.h"
 #include "core/simulation/plan.h"
-#include "core/sources/open/open_source.h"
 #include "tests/studio/studio_rig.h"
 
 #include <QLineEdit>

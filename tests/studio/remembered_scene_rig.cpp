@@ -1,7 +1,7 @@
 // Scenes that many tests look at, rendered once.
-#include "core/io/atomic_file.h"
+#include "core/base/atomic_file.h"
 #include "core/simulation/plan.h"
-#include "core/sources/pacer.h"
+#include "core/sources/source.h"
 #include "tests/studio/studio_rig.h"
 
 #include <map>

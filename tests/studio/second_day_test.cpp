@@ -1,8 +1,8 @@
 // The day after: a finger that was calibrated earlier shows what is known of it, from what it
 // keeps.
-#include "app/studio/finger_summary.h"
+#include "app/studio/header_bar.h"
 #include "calibration/checks/check_history.h"
-#include "core/io/atomic_file.h"
+#include "core/base/atomic_file.h"
 #include "tests/studio/calibrate_rig.h"
 #include "widgets/plots/plot.h"
 

@@ -1,8 +1,6 @@
 // The kept session: there and back, kind to damage, and honest about a crash.
-#include "app/studio/session_file.h"
-
-#include "app/studio/session_store.h"
-#include "core/io/atomic_file.h"
+#include "app/studio/session.h"
+#include "core/base/atomic_file.h"
 #include "tests/fuzz/mutations.h"
 #include "tests/studio/studio_rig.h"
 

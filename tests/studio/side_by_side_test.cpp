@@ -1,9 +1,9 @@
 // The live picture with two settings, and what more presses would bring, as a person sees them.
-#include "calibration/finger/measuring_settings.h"
+#include "calibration/finger/measuring_presets.h"
 #include "tests/studio/calibrate_rig.h"
 #include "tests/studio/measured_finger.h"
-#include "widgets/accuracy/more_data_box.h"
 #include "widgets/accuracy/settings_comparison.h"
+#include "widgets/calibrating/verdict_page.h"
 #include "widgets/pages/accuracy_page.h"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // In a German and in a Chinese window the libraries speak German and Chinese, too.
-#include "core/io/atomic_file.h"
+#include "core/base/atomic_file.h"
 #include "tests/studio/calibrate_rig.h"
 #include "tests/support/ts_file.h"
 #include "tests/support/words_left.h"

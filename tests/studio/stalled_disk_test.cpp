@@ -1,7 +1,7 @@
 // A folder whose disk stops answering: the window says so, and goes on when it answers.
+#include "core/base/atomic_file.h"
+#include "core/base/slow_disk.h"
 #include "core/finger/finger.h"
-#include "core/io/atomic_file.h"
-#include "core/io/disk_wait.h"
 #include "tests/studio/studio_rig.h"
 
 #include <QElapsedTimer>

@@ -3,7 +3,7 @@
 
 #include "tests/studio/studio_rig.h"
 #include "tests/support/sanitized.h"
-#include "widgets/inspect/face_pane.h"
+#include "widgets/inspect/inspect_pane.h"
 
 #include <QTest>
 

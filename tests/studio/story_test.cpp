@@ -4,7 +4,7 @@
 #include "core/simulation/plan.h"
 #include "tests/studio/studio_rig.h"
 #include "tests/support/sanitized.h"
-#include "widgets/recording/coverage_view.h"
+#include "widgets/panels/recording_checks.h"
 
 #include <QAccessible>
 #include <QCheckBox>

@@ -1,7 +1,7 @@
 // What the window costs in time: until its picture moves, and how old the picture is when it is
 // shown.
-#include "calibration/reference/new_reference.h"
-#include "core/finger/new_finger.h"
+#include "calibration/reference/reference_recording.h"
+#include "core/finger/finger_store.h"
 #include "core/simulation/plan.h"
 #include "tests/studio/studio_rig.h"
 #include "tests/support/own_cache.h"

@@ -1,13 +1,12 @@
 #include "tests/studio/studio_rig.h"
 
-#include "app/studio/page_hint.h"
-#include "calibration/reference/new_reference.h"
+#include "app/studio/onboarding.h"
+#include "calibration/reference/reference_recording.h"
+#include "core/base/atomic_file.h"
 #include "core/finger/finger_store.h"
-#include "core/finger/new_finger.h"
-#include "core/io/atomic_file.h"
-#include "core/io/image_file.h"
+#include "core/image/image_file.h"
+#include "core/open/open_source.h"
 #include "core/simulation/plan.h"
-#include "core/sources/open/open_source.h"
 #include "tests/support/sanitized.h"
 
 #include <QSettings>

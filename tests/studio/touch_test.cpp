@@ -1,5 +1,5 @@
 // What the finger feels, as the window tells it.
-#include "core/io/atomic_file.h"
+#include "core/base/atomic_file.h"
 #include "tests/studio/force_finger.h"
 
 #include <QLabel>

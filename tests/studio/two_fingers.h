@@ -1,8 +1,8 @@
 // Two fingers and what both recorded.
 #pragma once
 
-#include "core/recording/video_writer.h"
-#include "core/sources/open/open_source.h"
+#include "core/open/open_source.h"
+#include "core/recording/video_file.h"
 #include "tests/studio/studio_rig.h"
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // One stack of steps for the session: finger and source can be taken back like everything else.
-#include "app/studio/program_appearance.h"
-#include "core/sources/open/open_source.h"
+#include "app/studio/main_window.h"
+#include "core/open/open_source.h"
 #include "tests/studio/studio_rig.h"
 
 #include <QAction>

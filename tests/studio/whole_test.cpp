@@ -1,6 +1,6 @@
 // What holds for the whole window: it never blocks, always closes, and everyone can use it.
 #include "app/studio/main_window.h"
-#include "core/sources/open/open_source.h"
+#include "core/open/open_source.h"
 #include "tests/studio/loop_watch_rig.h"
 #include "tests/studio/studio_rig.h"
 #include "tests/support/program.h"

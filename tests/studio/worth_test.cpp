@@ -1,17 +1,15 @@
 // The large words of the place Calibrate, with the evidence and without it; and pictures of them to
 // look at.
-#include "app/studio/finger_summary.h"
-#include "app/studio/session_file.h"
+#include "app/studio/header_bar.h"
+#include "app/studio/session.h"
 #include "calibration/checks/check_history.h"
+#include "core/base/atomic_file.h"
 #include "core/finger/finger_store.h"
-#include "core/io/atomic_file.h"
-#include "core/io/image_file.h"
+#include "core/image/image_file.h"
 #include "tests/studio/calibrate_rig.h"
-#include "widgets/calibrating/verdict_sheet.h"
-#include "widgets/shell/finger_card_words.h"
-#include "widgets/shell/finger_cards.h"
-#include "widgets/shell/finger_list_dialog.h"
-#include "widgets/shell/primary_button.h"
+#include "widgets/calibrating/verdict_page.h"
+#include "widgets/shell/finger_card.h"
+#include "widgets/theme.h"
 
 #include <QPixmap>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "calibration/lens/board.h"
-#include "calibration/lens/view_cost.h"
+#include "calibration/lens/lens_fit.h"
 #include "core/camera/camera.h"
 
 #include <algorithm>

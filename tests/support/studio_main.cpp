@@ -4,7 +4,7 @@
 #include "tests/support/qt_messages.h"
 #include "tests/support/run_all_tests.h"
 #include "widgets/scene3d/vtk_view.h"
-#include "widgets/shell/studio_style.h"
+#include "widgets/theme.h"
 
 #include <QApplication>
 #include <QLocale>

@@ -2,7 +2,7 @@
 // the line of sight through a pixel touches the ball.
 #include "widgets/image/outline_editor.h"
 
-#include "widgets/value_change.h"
+#include "widgets/undo_step.h"
 
 #include <QAccessible>
 #include <QSignalSpy>

@@ -1,5 +1,5 @@
 // Two fingers in one gripper: their places typed in.
-#include "widgets/inspect/gripper_dialog.h"
+#include "widgets/inspect/finger_pair.h"
 
 #include <QSignalSpy>
 #include <QTest>

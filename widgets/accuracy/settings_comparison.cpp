@@ -1,9 +1,9 @@
 #include "widgets/accuracy/settings_comparison.h"
 
-#include "calibration/live/layers.h"
-#include "calibration/study/study_choice.h"
+#include "calibration/live/live_finger.h"
+#include "calibration/study/accuracy_study.h"
 #include "widgets/image/overlays.h"
-#include "widgets/inspect/height_map.h"
+#include "widgets/inspect/inspect_pane.h"
 #include "widgets/language.h"
 
 #include <QGridLayout>

@@ -1,11 +1,11 @@
 // The live frame measured with two settings: both depth maps and their difference.
 #pragma once
 
-#include "calibration/study/compared_settings.h"
+#include "calibration/study/accuracy_study.h"
 #include "widgets/background_work.h"
 #include "widgets/image/image_view.h"
 #include "widgets/live/live_session.h"
-#include "widgets/translated.h"
+#include "widgets/widget_base.h"
 
 #include <QLabel>
 #include <array>

@@ -1,9 +1,10 @@
 #include "widgets/calibrating/calibration_run.h"
 
 #include "calibration/finger/calibration_report.h"
-#include "calibration/finger/recall_calibration.h"
-#include "core/io/atomic_file.h"
-#include "core/utc_time.h"
+#include "core/base/atomic_file.h"
+#include "core/base/utc_time.h"
+#include "widgets/calibrating/verdict_page.h"
+#include "widgets/language.h"
 #include "widgets/report/calibration_pages.h"
 #include "widgets/undo_step.h"
 
@@ -307,6 +308,125 @@ void CalibrationRun::restore(const Files& files, const Outcome& made) {
 
 fs::path CalibrationRun::report() const {
   return has_report_ && !is_writing_report() ? collection_.folder() / kReportHtml : fs::path();
+}
+
+PressForecast::PressForecast(const PressCollection& collection,
+                             const CalibrationRun& run,
+                             QObject* parent)
+    : QObject(parent), collection_(collection), run_(run) {
+  delay_.setSingleShot(true);
+  delay_.setInterval(kDelay_ms);
+  connect(&delay_, &QTimer::timeout, this, &PressForecast::begin);
+  connect(&collection_, &PressCollection::changed, this, &PressForecast::follow);
+  connect(&run_, &CalibrationRun::changed, this, &PressForecast::follow);
+  connect(&work_, &BackgroundWork::finished, this, &PressForecast::follow);
+}
+
+void PressForecast::set_watched(bool is_watched) {
+  is_watched_ = is_watched;
+  if (!is_watched) {
+    delay_.stop();
+    work_.stop();
+  }
+  follow();
+}
+
+PressForecast::Presses PressForecast::present() const {
+  Presses presses;
+  presses.press_set = run_.next_inputs().press_set;
+  for (const CollectedPress& press : collection_.presses())
+    if (press.analysis.measured) presses.measured.push_back(press.analysis.measured);
+  return presses;
+}
+
+bool PressForecast::is_needed() const {
+  if (!collection_.is_ready() || collection_.analyser() == nullptr || run_.is_running() ||
+      run_.state() == CalibrationState::kCurrent)
+    return false;
+  return std::any_of(
+      collection_.presses().begin(), collection_.presses().end(), [this](const auto& press) {
+        return collection_.is_usable(press) && collection_.has_ball(press);
+      });
+}
+
+void PressForecast::follow() {
+  if (folder_ != collection_.folder()) last_.reset();
+  folder_ = collection_.folder();
+  const bool is_needed_now = is_needed();
+  if (!is_needed_now || present() != requested_) {
+    const bool was_known = result_ || problem_;
+    result_.reset();
+    problem_.reset();
+    requested_ = {};
+    work_.stop();
+    if (was_known) Q_EMIT changed();
+  }
+  if (!is_needed_now) return delay_.stop();
+  if (is_watched_ && requested_ == Presses() && !collection_.is_analysing() && !work_.is_running())
+    delay_.start();  // restarts with every change
+}
+
+void PressForecast::begin() {
+  if (work_.is_running() || !is_needed() || collection_.is_analysing()) return;
+  requested_ = present();
+  work_.start([this,
+               requested = requested_,
+               inputs = run_.next_inputs(),
+               finger = collection_.analyser()->finger()](const Job& job) {
+    std::vector<ReferencedPress> presses;
+    for (const auto& press : requested.measured) presses.push_back(*press);
+    auto made = std::make_shared<Result<FingerCalibration>>(
+        forecast_calibration(finger, presses, inputs, job));
+    return std::function<void()>([this, requested, made, is_stopped = job.stop_requested()] {
+      if (requested != requested_) return;
+      if (is_stopped) return void(requested_ = {});
+      if (*made)
+        result_ = last_ = std::make_shared<const FingerCalibration>(std::move(**made));
+      else
+        problem_ = made->error();
+      Q_EMIT changed();
+    });
+  });
+  Q_EMIT changed();
+}
+
+const FingerCalibration* PressForecast::baseline() const {
+  return run_.result() ? run_.result().get() : last_.get();
+}
+
+std::optional<Verdict> verdict_of(const CalibrationRun& run) {
+  const auto& worth = run.worth();
+  return worth && worth->evidence ? std::optional(window_verdict(*worth->evidence)) : std::nullopt;
+}
+
+QString recalibration_reason(const CalibrationRun& run) {
+  if (run.state() != CalibrationState::kStale) return {};
+  const auto known = verdict_of(run);
+  QStringList reasons;
+  for (std::size_t i = 0; known && i < known->missing.size(); ++i)
+    if (known->missing_names[i] == "numbers_unchanged" ||
+        known->missing_names[i] == "reference_older")
+      reasons << window_sentence(known->missing[i]);
+  if (reasons.isEmpty())
+    reasons << VerdictPage::tr("The presses have changed since this calibration.");
+  return reasons.join(QLatin1Char(' '));
+}
+
+QString forecast_text(const PressForecast& forecast, const CalibrationRun& run) {
+  if (forecast.problem())
+    return VerdictPage::tr("With the presses as they are now there is no calibration: %1")
+        .arg(window_sentence(forecast.problem()->what));
+  const auto& then = forecast.result();
+  if (!then)
+    return forecast.is_working()
+               ? VerdictPage::tr("What the presses come to now is being worked out.")
+               : QString();
+  const QString now =
+      VerdictPage::tr("With the presses as they are now: %1 mm, %2")
+          .arg(local_mm(then->verdict.error_mm, 3), grade_text(then->verdict.grade));
+  const auto used = verdict_of(run);
+  return used ? VerdictPage::tr("%1 (in use: %2 mm).").arg(now, local_mm(used->error_mm, 3))
+              : as_sentence(now);
 }
 
 }  // namespace alltact

@@ -2,12 +2,16 @@
 // stopped and undone, and writes the same bytes as the command line.
 #pragma once
 
-#include "calibration/checks/finger_worth.h"
+#include "calibration/checks/finger_check.h"
 #include "calibration/finger/calibrate_finger.h"
+#include "calibration/finger/calibrate_presses.h"
 #include "widgets/calibrating/press_collection.h"
-#include "widgets/report/report_writer.h"
+#include "widgets/report/calibration_pages.h"
+#include "widgets/verdict_text.h"
 
+#include <QTimer>
 #include <map>
+#include <optional>
 
 namespace alltact {
 
@@ -99,5 +103,70 @@ class CalibrationRun : public QObject {
   std::shared_ptr<SharedRounds> rounds_;  ///< shared with the calibrating thread
   BackgroundWork work_, loading_, recalling_;
 };
+
+// Forecast of the calibration from the presses as they are now. Runs on a background thread while
+// the user moves outlines, adds presses or leaves them out.
+
+class PressForecast : public QObject {
+  Q_OBJECT
+ public:
+  /// Time without changes before a forecast starts.
+  static constexpr int kDelay_ms = 300;
+
+  PressForecast(const PressCollection& collection,
+                const CalibrationRun& run,
+                QObject* parent = nullptr);
+
+  /// Runs only while a watching page is visible; a result is retained.
+  void set_watched(bool is_watched);
+  /// Forecast from the current presses. Null: not known yet, nothing has changed since the
+  /// calibration, or there is a problem.
+  [[nodiscard]] const std::shared_ptr<const FingerCalibration>& result() const { return result_; }
+  [[nodiscard]] bool is_working() const { return work_.is_running() || delay_.isActive(); }
+  /// Why the presses give no calibration.
+  [[nodiscard]] const std::optional<Error>& problem() const { return problem_; }
+
+  /// The calibration in use or, before the first, the last forecast; null: none.
+  [[nodiscard]] const FingerCalibration* baseline() const;
+
+ Q_SIGNALS:
+  void changed();
+
+ private:
+  /// All inputs of a forecast.
+  struct Presses {
+    std::vector<std::shared_ptr<const ReferencedPress>> measured;
+    PressSet press_set;
+    bool operator==(const Presses&) const = default;
+  };
+  void follow();
+  void begin();
+  [[nodiscard]] Presses present() const;
+  [[nodiscard]] bool is_needed() const;
+
+  const PressCollection& collection_;
+  const CalibrationRun& run_;
+  bool is_watched_ = false;
+  Presses requested_;  // inputs of result_, of problem_ or of the running work
+  std::shared_ptr<const FingerCalibration> result_, last_;
+  std::filesystem::path folder_;  // finger of last_
+  std::optional<Error> problem_;
+  QTimer delay_;
+  BackgroundWork work_;
+};
+
+// Sentences about the rated accuracy of the calibration in use, and about the forecast with the
+// present presses.
+
+/// Verdict on the calibration in use, as of now. nullopt: there is none, or its evidence is not
+/// stored.
+[[nodiscard]] std::optional<Verdict> verdict_of(const CalibrationRun& run);
+
+/// Why a calibration has to be repeated, as sentences; empty: it is current, or there is none.
+[[nodiscard]] QString recalibration_reason(const CalibrationRun& run);
+
+/// "With the presses as they are now: 0.021 mm, good (in use: 0.024 mm)."; empty: nothing has
+/// changed.
+[[nodiscard]] QString forecast_text(const PressForecast& forecast, const CalibrationRun& run);
 
 }  // namespace alltact

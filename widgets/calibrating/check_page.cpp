@@ -1,16 +1,18 @@
 #include "widgets/calibrating/check_page.h"
 
-#include "core/io/atomic_file.h"
-#include "core/utc_time.h"
+#include "core/base/atomic_file.h"
+#include "core/base/utc_time.h"
+#include "core/live/source_runner.h"
+#include "widgets/calibrating/calibration_run.h"
 #include "widgets/calibrating/press_guide.h"
-#include "widgets/calibrating/space_key.h"
-#include "widgets/calibrating/verdict_words.h"
+#include "widgets/calibrating/step_page.h"
 #include "widgets/language.h"
-#include "widgets/panels/side_panel.h"
-#include "widgets/report/report_words.h"
-#include "widgets/shell/icons.h"
-#include "widgets/value_change.h"
+#include "widgets/report/document.h"
+#include "widgets/shell/page.h"
+#include "widgets/theme.h"
+#include "widgets/undo_step.h"
 
+#include <QApplication>
 #include <QDateTime>
 #include <QHBoxLayout>
 #include <QLocale>
@@ -322,6 +324,74 @@ void CheckPage::show_status() {
 void CheckPage::changeEvent(QEvent* event) {
   StepPage::changeEvent(event);
   if (event->type() == QEvent::PaletteChange) show_verdict();
+}
+
+// Taking presses for the step Check, as in the step Presses: while they are held still.
+
+QString CheckPage::take_obstacle() const {
+  if (!session_.view()) return tr("There is no live picture: choose a source.");
+  if (run_.state() == CalibrationState::kNone) return tr("The finger is not calibrated.");
+  if (work_.is_running()) return tr("The check is being made.");
+  return {};
+}
+
+void CheckPage::press_pedal() {
+  if (take_->isEnabled()) take();
+}
+
+void CheckPage::take() {
+  if (!take_obstacle().isEmpty()) return;
+  live_->freeze(false);
+  const auto taken = taker_.request(monotonic_s());
+  if (taken) add_taken(*taken);
+  follow_source();
+  show_status();
+}
+
+void CheckPage::add_taken(const PressTaker::Taken& taken) {
+  auto copy = std::make_shared<Frame>(*taken.frame);
+  copy->name = "check_" + std::to_string(taken_.size() + 1);
+  copy->jpeg.reset();
+  auto more = taken_;
+  more.push_back(copy);
+  set_taken([] { return tr("take a press for the check"); }, std::move(more));
+  live_->flash(tr("Press %1").arg(taken_.size()));
+  QApplication::beep();
+}
+
+void CheckPage::watch() {
+  if (!isVisible()) return;
+  const FrameResult& result = session_.view()->result;
+  const auto waited = taker_.state();
+  if (const auto taken = taker_.see(result.frame, dark_patch(result), monotonic_s()))
+    add_taken(*taken);
+  if (taker_.state() != waited) show_status();
+}
+
+void CheckPage::follow_source() {
+  if (session_.status().source.state != SourceState::kEnded) return;
+  if (const auto last = taker_.end()) add_taken(*last);
+}
+
+void CheckPage::hideEvent(QHideEvent* event) {
+  taker_.forget();
+  StepPage::hideEvent(event);
+}
+
+void CheckPage::set_taken(const StepWords& what, std::vector<FramePtr> frames) {
+  undo_.push(new ValueChange<std::vector<FramePtr>>(
+      what,
+      taken_,
+      std::move(frames),
+      [this, folder = folder_](const std::vector<FramePtr>& restored) {
+        if (folder != folder_) return;
+        taken_ = restored;
+        show_status();
+      }));
+}
+
+void CheckPage::begin_again() {
+  set_taken([] { return tr("begin the check again"); }, {});
 }
 
 }  // namespace alltact

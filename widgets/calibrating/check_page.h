@@ -3,11 +3,11 @@
 #pragma once
 
 #include "calibration/checks/check_history.h"
-#include "calibration/presses/press_taker.h"
+#include "calibration/presses/guided_presses.h"
 #include "widgets/calibrating/calibration_run.h"
 #include "widgets/calibrating/step_page.h"
 #include "widgets/panels/image_panel.h"
-#include "widgets/plots/history_plot.h"
+#include "widgets/plots/calibration_plots.h"
 #include "widgets/shell/problem_list.h"
 #include "widgets/undo_step.h"
 

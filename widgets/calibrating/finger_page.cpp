@@ -1,9 +1,9 @@
 #include "widgets/calibrating/finger_page.h"
 
-#include "calibration/reference/new_reference.h"
+#include "calibration/reference/reference_recording.h"
 #include "core/finger/finger_store.h"
-#include "widgets/panels/side_panel.h"
-#include "widgets/value_change.h"
+#include "widgets/shell/page.h"
+#include "widgets/undo_step.h"
 
 #include <QFormLayout>
 #include <QHBoxLayout>

@@ -1,7 +1,7 @@
 // Step 2, the finger: its geometry, and its contact-free reference.
 #pragma once
 
-#include "core/io/disk_queue.h"
+#include "core/base/slow_disk.h"
 #include "widgets/background_work.h"
 #include "widgets/calibrating/step_page.h"
 #include "widgets/controls/number_field.h"

@@ -1,22 +1,110 @@
 #include "widgets/calibrating/lens_page.h"
 
-#include "core/io/atomic_file.h"
-#include "core/io/message_json.h"
-#include "widgets/calibrating/space_key.h"
-#include "widgets/joined_words.h"
+#include "calibration/lens/board_views.h"
+#include "core/base/atomic_file.h"
+#include "core/base/message_json.h"
+#include "core/camera/camera.h"
+#include "core/image/image_file.h"
+#include "widgets/calibrating/step_page.h"
+#include "widgets/image/image_view.h"
+#include "widgets/image/overlays.h"
 #include "widgets/language.h"
-#include "widgets/panels/side_panel.h"
-#include "widgets/tip_of_text.h"
+#include "widgets/shell/page.h"
+#include "widgets/widget_base.h"
 
+#include <QApplication>
+#include <QDateTime>
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLocale>
+#include <QPainter>
+#include <QPainterPath>
 #include <QVBoxLayout>
 
 #include <nlohmann/json.hpp>
 
 namespace alltact {
 namespace {
+
+const QColor kCorner(255, 214, 64), kAccepted(47, 199, 155), kGrid(86, 180, 233);
+constexpr double kCornerRing = 4;  // logical pixels
+constexpr double kGridStep = 0.1;  // of a tangent
+constexpr int kGridLines = 12;     // on each side
+constexpr int kGridPoints = 96;
+
+/// A world line at z = 1, interrupted where it is outside the image.
+QPainterPath seen_line(const Camera& camera,
+                       double fixed,
+                       bool is_upright,
+                       const ImageTransform& t) {
+  QPainterPath path;
+  bool is_drawing = false;
+  constexpr double kReach = kGridLines * kGridStep;
+  const cv::Size size = camera.size();
+  for (int i = 0; i <= kGridPoints; ++i) {
+    const double along = -kReach + 2 * kReach * i / kGridPoints;
+    const Eigen::Vector3d point =
+        is_upright ? Eigen::Vector3d(fixed, along, 1) : Eigen::Vector3d(along, fixed, 1);
+    const auto pixel = camera.project(100 * point);
+    const bool is_seen = pixel && pixel->x() > -20 && pixel->y() > -20 &&
+                         pixel->x() < size.width + 20 && pixel->y() < size.height + 20;
+    if (is_seen) {
+      const QPointF at = t.to_widget({pixel->x(), pixel->y()});
+      if (is_drawing)
+        path.lineTo(at);
+      else
+        path.moveTo(at);
+    }
+    is_drawing = is_seen;
+  }
+  return path;
+}
+
+/// Detected corners as rings, filled where the view is worth adding.
+Overlay corners_overlay(const BoardAnalysis& detection) {
+  return [view = *detection.view, is_good = detection.is_useful()](
+             QPainter& painter, const ImageTransform& transform) {
+    QPainterPath path;
+    for (const Eigen::Vector2d& pixel : view.pixels)
+      path.addEllipse(transform.to_widget({pixel.x(), pixel.y()}), kCornerRing, kCornerRing);
+    if (is_good) painter.fillPath(path, kAccepted);
+    stroke_over(painter, path, is_good ? kAccepted : kCorner, 1.4);
+  };
+}
+
+/// Image cells without a corner in any accepted view, hatched.
+Overlay unseen_cells_overlay(const BoardCollector::Cells& cells, QSize image_size) {
+  return [cells, image_size](QPainter& painter, const ImageTransform& transform) {
+    const QRectF area = transform.covered(image_size);
+    const double width = area.width() / BoardCollector::kColumns;
+    const double height = area.height() / BoardCollector::kRows;
+    for (int row = 0; row < BoardCollector::kRows; ++row)
+      for (int column = 0; column < BoardCollector::kColumns; ++column)
+        if (cells[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] == 0)
+          painter.fillRect(
+              QRectF(area.left() + column * width, area.top() + row * height, width, height)
+                  .adjusted(2, 2, -2, -2),
+              QBrush(QColor(240, 145, 90, 130), Qt::BDiagPattern));
+  };
+}
+
+/// Straight lines in the world, evenly spaced in tangents, as projected by this camera.
+Overlay lens_grid_overlay(const Camera& camera) {
+  return [camera](QPainter& painter, const ImageTransform& transform) {
+    if (!camera.is_perspective()) return;
+    const cv::Size size = camera.size();
+    painter.setClipRect(transform.covered({size.width, size.height}));
+    QPainterPath path;
+    for (int line = -kGridLines; line <= kGridLines; ++line)
+      for (const bool is_upright : {true, false})
+        path.addPath(seen_line(camera, line * kGridStep, is_upright, transform));
+    QColor colour = kGrid;
+    colour.setAlpha(150);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(colour, 1));
+    painter.drawPath(path);
+  };
+}
 
 constexpr int kLensSideWidth = 280, kGroupMargin = 0;
 constexpr int kLongestLine = 28;  // letters; longer lines widen the column
@@ -375,6 +463,341 @@ void LensPage::show_progress() {
   stop_->setVisible(is_running);
   bar_->setValue(static_cast<int>(100 * work_.fraction()));
   bar_->setFormat(in_window_language(work_.what()));
+}
+
+namespace {
+
+NumberField* number(double low, double high, int decimals, double value) {
+  auto* box = new NumberField;
+  box->setRange(low, high);
+  box->set_shown_decimals(decimals);
+  box->setValue(value);
+  return box;
+}
+
+/// The typed number, also before editing is finished.
+template <class Field>
+auto now(const Field* field) {
+  return field->typed().value_or(field->value());
+}
+
+}  // namespace
+
+LensForm::LensForm(QWidget* parent)
+    : Translated(parent),
+      form_(new QFormLayout(this)),
+      pattern_(new QComboBox),
+      model_(new QComboBox),
+      columns_(new IntegerField),
+      rows_(new IntegerField),
+      square_(number(0.01, 1000, 3, 5)),
+      distance_(number(1, 10000, 1, LensSettings().distance_mm)),
+      gap_(number(0, 1000, 2, 0)),
+      plate_(number(0, 1000, 2, 2)),
+      plate_index_(number(1, 3, 3, FlatPort().plate_index)),
+      medium_index_(number(1, 3, 3, FlatPort().medium_index)),
+      has_port_(new QCheckBox),
+      pattern_label_(new QLabel),
+      size_label_(new QLabel),
+      square_label_(new QLabel),
+      by_label_(new QLabel),
+      model_label_(new QLabel),
+      distance_label_(new QLabel),
+      gap_label_(new QLabel),
+      plate_label_(new QLabel),
+      plate_index_label_(new QLabel),
+      medium_index_label_(new QLabel) {
+  square_->set_quantity(kBoardSquare);
+  form_->setContentsMargins(0, 0, 0, 0);
+  form_->setRowWrapPolicy(QFormLayout::WrapLongRows);
+  for (int i = 0; i < 3; ++i) pattern_->addItem({});
+  for (int i = 0; i < 2; ++i) model_->addItem({});
+  for (IntegerField* count : {columns_, rows_}) count->setRange(3, 100);
+  columns_->setValue(9);
+  rows_->setValue(6);
+  auto* size = new QHBoxLayout;
+  size->setSpacing(4);  // px: "9 by 6" stands in one line of the side
+  size->addWidget(columns_);
+  size->addWidget(by_label_);
+  size->addWidget(rows_);
+  size->addStretch();
+  form_->addRow(pattern_label_, pattern_);
+  form_->addRow(size_label_, size);
+  form_->addRow(square_label_, square_);
+  form_->addRow(model_label_, model_);
+  form_->addRow(distance_label_, distance_);
+  form_->addRow(has_port_);
+  form_->addRow(gap_label_, gap_);
+  form_->addRow(plate_label_, plate_);
+  form_->addRow(plate_index_label_, plate_index_);
+  form_->addRow(medium_index_label_, medium_index_);
+  pattern_label_->setBuddy(pattern_);
+  size_label_->setBuddy(columns_);
+  square_label_->setBuddy(square_);
+  connect(pattern_, &QComboBox::currentIndexChanged, this, &LensForm::board_changed);
+  for (IntegerField* count : {columns_, rows_})
+    connect(count, &IntegerField::valueChanged, this, &LensForm::board_changed);
+  connect(square_, &NumberField::valueChanged, this, &LensForm::board_changed);
+  connect(has_port_, &QCheckBox::toggled, this, &LensForm::show_port);
+  say([this] { name_parts(); });
+}
+
+void LensForm::name_parts() {
+  pattern_label_->setText(tr("&Board"));
+  pattern_->setAccessibleName(tr("Board"));
+  pattern_->setItemText(0, tr("Chessboard"));
+  pattern_->setItemText(1, tr("ChArUco board"));
+  pattern_->setItemText(2, tr("Grid of dots"));
+  size_label_->setText(tr("&Inner corners, or dots"));
+  columns_->setAccessibleName(tr("Inner corners in a row"));
+  rows_->setAccessibleName(tr("Inner corners in a column"));
+  by_label_->setText(tr("by"));
+  square_label_->setText(tr("&Side of a square"));
+  square_->setAccessibleName(tr("Side of a square"));
+  model_label_->setText(tr("Lens"));
+  model_->setAccessibleName(tr("Lens"));
+  model_->setItemText(0, tr("usual (Brown)"));
+  model_->setItemText(1, tr("fisheye"));
+  distance_label_->setText(tr("Finger's distance"));
+  distance_->setAccessibleName(tr("Distance from the lens to the finger's middle"));
+  has_port_->setText(tr("The finger lies behind a window"));
+  has_port_->setToolTip(
+      tr("Tick it where the finger is seen through a plate into silicone and the board was seen "
+         "in air"));
+  gap_label_->setText(tr("Air before it"));
+  gap_->setAccessibleName(tr("Air between lens and window"));
+  plate_label_->setText(tr("Its thickness"));
+  plate_->setAccessibleName(tr("Thickness of the window"));
+  plate_index_label_->setText(tr("Its index"));
+  plate_index_->setAccessibleName(tr("Index of refraction of the window"));
+  medium_index_label_->setText(tr("Index behind it"));
+  medium_index_->setAccessibleName(tr("Index of refraction behind the window"));
+  for (NumberField* length : {square_, distance_, gap_, plate_}) length->setSuffix(tr(" mm"));
+  show_port();
+}
+
+void LensForm::show_port() {
+  for (QWidget* part : {static_cast<QWidget*>(gap_label_),
+                        static_cast<QWidget*>(gap_),
+                        static_cast<QWidget*>(plate_label_),
+                        static_cast<QWidget*>(plate_),
+                        static_cast<QWidget*>(plate_index_label_),
+                        static_cast<QWidget*>(plate_index_),
+                        static_cast<QWidget*>(medium_index_label_),
+                        static_cast<QWidget*>(medium_index_)})
+    part->setVisible(has_port_->isChecked());
+}
+
+Board LensForm::board() const {
+  constexpr BoardPattern kPatterns[] = {
+      BoardPattern::kChessboard, BoardPattern::kCharuco, BoardPattern::kDots};
+  Board board;
+  board.pattern = kPatterns[pattern_->currentIndex()];
+  board.columns = now(columns_);
+  board.rows = now(rows_);
+  board.square_mm = now(square_);
+  return board;
+}
+
+LensSettings LensForm::settings() const {
+  LensSettings settings;
+  settings.pattern = board().pattern;
+  settings.model = model_->currentIndex() == 0 ? CameraModel::kBrown : CameraModel::kFisheye;
+  settings.distance_mm = now(distance_);
+  return settings;
+}
+
+std::optional<FlatPort> LensForm::port() const {
+  if (!has_port_->isChecked()) return std::nullopt;
+  return FlatPort{now(gap_), now(plate_), now(plate_index_), now(medium_index_)};
+}
+
+QString LensForm::refusal() const {
+  for (const NumberField* field : findChildren<NumberField*>())
+    if (field->isVisibleTo(this) && !field->typed()) return field->refusal();
+  for (const IntegerField* field : findChildren<IntegerField*>())
+    if (field->isVisibleTo(this) && !field->typed()) return field->refusal();
+  return {};
+}
+
+// The step Lens with a board in front of the live camera: detects it, captures useful views, and
+// calibrates the lens with them.
+
+bool LensPage::has_folder() const {
+  const FingerStatus& finger = session_.status().finger;
+  return finger.state == FingerState::kReady && !finger.folder.empty();
+}
+
+bool LensPage::can_take() const {
+  return !has_folder() && session_.view() && session_.status().source.is_live;
+}
+
+void LensPage::press_pedal() {
+  if (take_->isEnabled() && take_->isVisible()) request_board();
+}
+
+void LensPage::request_board() {
+  is_board_requested_ = true;
+  analyse_frame();
+}
+
+void LensPage::begin_boards() {
+  collector_.reset();
+  detection_.reset();
+  cells_ = {};
+  fitted_.reset();
+  boards_folder_.clear();
+  is_board_requested_ = false;
+  fitting_.stop();
+  views_->clear();
+  forecast_->clear();
+  show_boards();
+}
+
+/// Analyses one frame at a time, always the newest.
+void LensPage::analyse_frame() {
+  if (!isVisible() || !can_take() || analysing_.is_running() || work_.is_running()) return;
+  const FramePtr frame = session_.view()->result.frame;
+  if (!frame || (detection_ && detection_->frame == frame)) return;
+  if (!collector_) collector_ = std::make_shared<BoardCollector>(form_->board());
+  analysing_.start([this, frame, collector = collector_](const Job&) {
+    auto detection = std::make_shared<BoardAnalysis>(collector->analyse(frame));
+    return std::function<void()>(
+        [this, detection, collector] { take_detection(collector, *detection); });
+  });
+}
+
+void LensPage::take_detection(const std::shared_ptr<BoardCollector>& by,
+                              const BoardAnalysis& detection) {
+  if (by != collector_) return;  // another board was chosen meanwhile
+  detection_ = detection;
+  remove_pending_view();
+  if (is_fit_stale_) fit_boards();
+  const bool is_by_hand = std::exchange(is_board_requested_, false);
+  if (detection.view && (is_by_hand || (automatic_->isChecked() && detection.is_useful())))
+    add_board(detection);
+  show_boards();
+}
+
+void LensPage::add_board(const BoardAnalysis& detection) {
+  collector_->add(detection);
+  cells_ = collector_->cells();
+  if (boards_folder_.empty()) {
+    boards_folder_ =
+        work_folder_ /
+        ("boards_" +
+         QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd_HHmmss")).toStdString());
+    images_->setText(QString::fromStdString(boards_folder_.string()));
+  }
+  disk_->add([folder = boards_folder_, frame = collector_->frames().back()]() -> Status {
+    if (const Status made = make_folder(folder); !made) return made;
+    return write_image(folder / (frame->name + ".png"),
+                       frame->grey,
+                       frame->controls ? *frame->controls : std::string());
+  });
+  live_->freeze(false);
+  live_->flash(tr("Board %1").arg(collector_->views().size()));
+  QApplication::beep();
+  is_fit_stale_ = true;
+  fit_boards();
+}
+
+void LensPage::remove_chosen_view() {
+  if (const QListWidgetItem* item = views_->currentItem())
+    view_to_remove_ = item->data(Qt::UserRole).toString().toStdString();
+  if (!analysing_.is_running()) remove_pending_view();
+}
+
+void LensPage::remove_pending_view() {
+  const std::string name = std::exchange(view_to_remove_, {});
+  if (name.empty() || !collector_) return;
+  collector_->forget(name);
+  cells_ = collector_->cells();
+  disk_->add([file = boards_folder_ / (name + ".png")]() -> Status {
+    std::error_code failed;
+    std::filesystem::remove(file, failed);
+    return {};
+  });
+  is_fit_stale_ = true;
+  fit_boards();
+}
+
+/// Calibrates the lens with the views captured so far.
+void LensPage::fit_boards() {
+  // While a frame is analysed its thread owns the collector; finishing calls this again.
+  if (!is_fit_stale_ || fitting_.is_running() || analysing_.is_running() || !collector_)
+    return show_boards();
+  is_fit_stale_ = false;
+  const auto& views = collector_->views();
+  std::vector<LensViewReport> bare;
+  for (const BoardView& view : views) {
+    bare.emplace_back();
+    bare.back().name = view.name;
+    bare.back().rejection = en::say("its error is told from the third view on");
+  }
+  if (static_cast<int>(views.size()) < kFewestViews) {
+    fitted_.reset();
+    show_views(bare);
+    return show_boards();
+  }
+  fitting_.start([this,
+                  views,
+                  size = collector_->frames().front()->grey.size(),
+                  settings = form_->settings(),
+                  collector = collector_](const Job& job) {
+    auto made =
+        std::make_shared<Result<LensCalibration>>(calibrate_lens(views, size, settings, job));
+    return std::function<void()>([this, made, collector] {
+      if (collector != collector_) return;
+      fitted_ = *made ? std::make_shared<const LensCalibration>(std::move(**made)) : nullptr;
+      if (fitted_) show_views(fitted_->views);
+      forecast_->setText(fitted_ ? window_sentence(fitted_->verdict.sentence)
+                                 : window_sentence(made->error().what));
+      show_boards();
+    });
+  });
+  show_boards();
+}
+
+QString LensPage::board_words() const {
+  if (!can_take()) return tr("Open the camera as source, and boards can be taken live.");
+  if (!detection_) return tr("Looking for the board.");
+  if (!detection_->view) return window_sentence(detection_->no_board_reason);
+  if (!detection_->is_sharp) return tr("The board is blurred: hold it still, or further away.");
+  if (!detection_->is_new) return tr("This place is taken: move the board, or tilt it.");
+  if (!detection_->is_still) return tr("Hold it still.");
+  return tr("Good: take it.");
+}
+
+void LensPage::show_boards() {
+  const bool is_possible = can_take();
+  live_group_->setVisible(!has_folder());
+  take_->setEnabled(is_possible && detection_ && detection_->view);
+  automatic_->setEnabled(is_possible);
+  QString words = board_words();
+  if (fitted_ && !fitted_->coverage.advice.empty())
+    words += QLatin1Char('\n') +
+             tr("Still missing: %1.").arg(in_window_language(fitted_->coverage.advice));
+  guide_->setText(words);
+  views_->setVisible(!has_folder() && views_->count() > 0);
+  forecast_->setVisible(!has_folder() && !forecast_->text().isEmpty());
+  forget_->setVisible(!has_folder() && !boards_folder_.empty());
+  forget_->setEnabled(views_->currentItem() != nullptr);
+}
+
+std::vector<Overlay> LensPage::overlays(const LiveView& view) const {
+  const FingerStatus& finger = session_.status().finger;
+  if (has_folder() && finger.finger) {
+    const auto camera = Camera::create(finger.finger->camera);
+    const bool fits = camera && camera->size().width == view.result.grey.cols;
+    return fits ? std::vector<Overlay>{lens_grid_overlay(*camera)} : std::vector<Overlay>();
+  }
+  std::vector<Overlay> overlays;
+  if (!can_take()) return overlays;
+  const QSize size(view.result.grey.cols, view.result.grey.rows);
+  if (views_->count() > 0) overlays.push_back(unseen_cells_overlay(cells_, size));
+  if (detection_ && detection_->view) overlays.push_back(corners_overlay(*detection_));
+  return overlays;
 }
 
 }  // namespace alltact

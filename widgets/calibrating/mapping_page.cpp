@@ -1,6 +1,6 @@
 #include "widgets/calibrating/mapping_page.h"
 
-#include "widgets/calibrating/verdict_words.h"
+#include "widgets/calibrating/calibration_run.h"
 #include "widgets/language.h"
 #include "widgets/report/calibration_figures.h"
 

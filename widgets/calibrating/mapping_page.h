@@ -2,12 +2,11 @@
 // solution.
 #pragma once
 
-#include "widgets/calibrating/press_forecast.h"
+#include "widgets/calibrating/calibration_run.h"
 #include "widgets/calibrating/step_page.h"
-#include "widgets/plots/convergence_plot.h"
+#include "widgets/plots/calibration_plots.h"
 #include "widgets/plots/face_map_plot.h"
-#include "widgets/plots/mapping_plot.h"
-#include "widgets/plots/press_error_plot.h"
+#include "widgets/plots/press_plots.h"
 #include "widgets/shell/finger_drawing.h"
 #include "widgets/shell/problem_list.h"
 

@@ -1,11 +1,13 @@
 #include "widgets/calibrating/press_collection.h"
 
+#include "calibration/finger/calibrate_presses.h"
 #include "calibration/finger/calibration_inputs.h"
-#include "core/io/atomic_file.h"
-#include "core/io/image_file.h"
-#include "core/sources/open/open_source.h"
-#include "widgets/joined_words.h"
-#include "widgets/report/report_words.h"
+#include "core/base/atomic_file.h"
+#include "core/image/image_file.h"
+#include "core/open/open_source.h"
+#include "widgets/language.h"
+#include "widgets/report/document.h"
+#include "widgets/undo_step.h"
 
 #include <algorithm>
 #include <set>
@@ -369,6 +371,156 @@ void PressCollection::add_next() {
                         {}});
     });
   });
+}
+
+Result<std::shared_ptr<PressAnalyser>> PressAnalyser::create(const std::filesystem::path& folder,
+                                                             const Job& job) {
+  const auto finger = open_finger(folder);
+  if (!finger) return finger.error();
+  // The settings of the last calibration, so that a forecast equals its result.
+  const auto inputs = CalibrationInputs::load(folder);
+  const PipelineSettings settings =
+      settings_for_presses(inputs ? inputs->pipeline : PipelineSettings());
+  // A mapping would replace the brightness difference by depth.
+  auto pipeline = Pipeline::create((*finger)->without_mapping(), settings, job);
+  if (!pipeline) return pipeline.error();
+  return std::shared_ptr<PressAnalyser>(new PressAnalyser(std::move(*pipeline)));
+}
+
+PressAnalysis PressAnalyser::operator()(const FramePtr& frame, double radius_mm) {
+  PressAnalysis analysis;
+  pipeline_.forget();
+  auto result = pipeline_(frame);
+  if (!result) {
+    analysis.problem = result.error();
+    return analysis;
+  }
+  analysis.grey = result->grey;
+  auto measured = std::make_shared<ReferencedPress>();
+  measured->taken = press_of(frame->name, *result);
+  measured->reference = std::move(result->reference);
+  analysis.measured = measured;
+  if (!measured->taken.press) {
+    if (result->shape) analysis.shape = std::make_shared<const FaceShape>(*result->shape);
+    analysis.problem = Error{measured->taken.left_out, "", ""};
+    return analysis;
+  }
+  analysis.shape = std::shared_ptr<const FaceShape>(measured, &measured->taken.press->shape);
+  if (!(radius_mm > 0)) return analysis;
+  Press press = *measured->taken.press;
+  press.ball_radius_mm = radius_mm;
+  const auto ball = find_ball(press, pipeline_.finger().face);
+  if (ball)
+    analysis.found_mm = ball->centre_mm;
+  else
+    analysis.problem = Error{ball.error().what, "", ball.error().advice};
+  return analysis;
+}
+
+// Changes of the press notes, each an undo step.
+
+namespace {
+
+// Consecutive steps with the same id are undone together.
+enum MergeId { kRadius = 5'000'000, kOperator, kGrips = 5'100'000 };
+
+}  // namespace
+
+void PressCollection::change(const StepWords& words, PressSet press_set, int merge_id) {
+  if (press_set == press_set_ || folder_.empty()) return;
+  undo_.push(new ValueChange<PressSet>(
+      words,
+      press_set_,
+      std::move(press_set),
+      [this, folder = folder_](const PressSet& value) {
+        if (folder == folder_) set_press_set(value);
+      },
+      merge_id));
+}
+
+void PressCollection::change_radii(const StepWords& words, PressSet press_set, int merge_id) {
+  // Outlines drawn by hand stay the same: the ball moves within its cone of view.
+  if (analyser_ && analyser_->is_perspective())
+    for (auto& [name, note] : press_set.notes)
+      if (const double before = press_set_.radius_of(name); note.ball_mm && before > 0)
+        *note.ball_mm *= press_set.radius_of(name) / before;
+  change(words, std::move(press_set), merge_id);
+}
+
+void PressCollection::change_note(const StepWords& words,
+                                  const std::string& name,
+                                  const std::function<void(PressNote&)>& change_it,
+                                  int merge_id) {
+  PressSet press_set = press_set_;
+  PressNote note = press_set.of(name);
+  change_it(note);
+  press_set.say(name, std::move(note));
+  change(words, std::move(press_set), merge_id);
+}
+
+void PressCollection::set_radius(double radius_mm) {
+  if (!(radius_mm > 0)) return;
+  PressSet press_set = press_set_;
+  press_set.ball_radius_mm = radius_mm;
+  change_radii([] { return tr("change the ball's radius"); }, std::move(press_set), kRadius);
+}
+
+void PressCollection::set_radius_of(const std::string& name, double radius_mm) {
+  PressSet press_set = press_set_;
+  PressNote note = press_set.of(name);
+  note.ball_radius_mm.reset();
+  if (radius_mm > 0 && radius_mm != press_set.ball_radius_mm) note.ball_radius_mm = radius_mm;
+  press_set.say(name, std::move(note));
+  change_radii([name] { return tr("change the ball's radius of %1").arg(as_text(name)); },
+               std::move(press_set),
+               -1);
+}
+
+void PressCollection::set_depth_of(const std::string& name, const GivenDepth& depth) {
+  change_note(
+      [name] { return tr("change the measured depth of %1").arg(as_text(name)); },
+      name,
+      [&](PressNote& note) { note.depth = depth.mm > 0 ? std::optional(depth) : std::nullopt; });
+}
+
+void PressCollection::set_step_of(const std::string& name, double step_mm) {
+  change_note(
+      [name] { return tr("change the step of %1").arg(as_text(name)); },
+      name,
+      [&](PressNote& note) { note.step_mm = step_mm > 0 ? std::optional(step_mm) : std::nullopt; });
+}
+
+void PressCollection::set_operator(const std::string& name) {
+  PressSet press_set = press_set_;
+  press_set.operator_name = name;
+  change([] { return tr("change the operator"); }, std::move(press_set), kOperator);
+}
+
+void PressCollection::set_ball(const std::string& name,
+                               const Eigen::Vector3d& centre_mm,
+                               int grip) {
+  change_note([name] { return tr("move the outline of %1").arg(as_text(name)); },
+              name,
+              [&](PressNote& note) { note.ball_mm = centre_mm; },
+              kGrips + grip);
+}
+
+void PressCollection::find_ball_again(const std::string& name) {
+  change_note([name] { return tr("find the ball of %1").arg(as_text(name)); },
+              name,
+              [](PressNote& note) { note.ball_mm.reset(); });
+}
+
+void PressCollection::leave_out(const std::string& name, const std::string& because) {
+  change_note([name] { return tr("take out %1").arg(as_text(name)); },
+              name,
+              [&](PressNote& note) { note.excluded = because; });
+}
+
+void PressCollection::use_again(const std::string& name) {
+  change_note([name] { return tr("put back %1").arg(as_text(name)); },
+              name,
+              [](PressNote& note) { note.excluded.reset(); });
 }
 
 }  // namespace alltact

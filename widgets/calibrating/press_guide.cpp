@@ -1,10 +1,9 @@
 #include "widgets/calibrating/press_guide.h"
 
-#include "calibration/presses/manual_ball.h"
-#include "core/geometry/disc_depth.h"
-#include "widgets/calibrating/press_model.h"
+#include "calibration/presses/press.h"
+#include "core/geometry/ball.h"
+#include "widgets/calibrating/press_list.h"
 #include "widgets/image/overlays.h"
-#include "widgets/joined_words.h"
 #include "widgets/language.h"
 
 #include <QCoreApplication>

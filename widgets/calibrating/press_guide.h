@@ -2,10 +2,9 @@
 // depth, and a ring that fills while the contact is still.
 #pragma once
 
-#include "calibration/presses/press_plan.h"
-#include "calibration/presses/press_taker.h"
-#include "core/live/stationary_contact.h"
-#include "widgets/calibrating/press_forecast.h"
+#include "calibration/presses/guided_presses.h"
+#include "core/sensing/stationary_contact.h"
+#include "widgets/calibrating/calibration_run.h"
 #include "widgets/image/image_view.h"
 
 #include <optional>

@@ -1,15 +1,27 @@
 #include "widgets/calibrating/presses_page.h"
 
-#include "widgets/calibrating/space_key.h"
-#include "widgets/calibrating/verdict_words.h"
-#include "widgets/panels/side_panel.h"
-#include "widgets/report/report_words.h"
+#include "calibration/presses/press.h"
+#include "core/live/source_runner.h"
+#include "widgets/calibrating/calibration_run.h"
+#include "widgets/calibrating/press_list.h"
+#include "widgets/calibrating/step_page.h"
+#include "widgets/image/overlays.h"
+#include "widgets/language.h"
+#include "widgets/report/calibration_figures.h"
+#include "widgets/report/document.h"
+#include "widgets/shell/page.h"
+#include "widgets/widget_base.h"
 
+#include <QApplication>
 #include <QButtonGroup>
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
+#include <QPainter>
+#include <QPainterPath>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
+#include <cmath>
 
 namespace alltact {
 namespace {
@@ -348,6 +360,459 @@ void PressesPage::show_status() {
   show_take();
   show_forecast();
   Q_EMIT changed();
+}
+
+namespace {
+
+constexpr double kMinSdMm = 0.001;  // smallest value that the field shows
+
+/// Sets the value without a change signal.
+void show_value(NumberField* field, double value) {
+  const QSignalBlocker quiet(field);
+  field->setValue(value);
+}
+
+}  // namespace
+
+PressForm::PressForm(PressCollection& collection, QWidget* parent)
+    : Translated(parent),
+      collection_(collection),
+      radius_label_(new QLabel),
+      depth_label_(new QLabel),
+      depth_sd_label_(new QLabel),
+      step_label_(new QLabel),
+      radius_(new NumberField),
+      depth_(new NumberField),
+      depth_sd_(new NumberField),
+      step_(new NumberField) {
+  auto* form = new QFormLayout(this);
+  form->setContentsMargins(0, 0, 0, 0);
+  const auto add = [form](QLabel* label, NumberField* field, const Quantity& is, double step) {
+    field->set_quantity(is);
+    field->setMinimum(0);  // 0: unknown
+    field->set_shown_decimals(3);
+    field->setSingleStep(step);
+    label->setBuddy(field);
+    form->addRow(label, field);
+  };
+  add(radius_label_, radius_, kBallRadius, 0.1);
+  add(depth_label_, depth_, kPressDepth, 0.1);
+  add(depth_sd_label_, depth_sd_, kDepthSd, 0.005);
+  depth_sd_->setMinimum(kMinSdMm);
+  add(step_label_, step_, kStepHeight, 0.1);
+  connect(radius_, &NumberField::valueChanged, this, [this](double value) {
+    collection_.set_radius_of(shown_, value);
+  });
+  connect(depth_, &NumberField::valueChanged, this, [this](double value) {
+    const auto before = collection_.press_set().of(shown_).depth;
+    collection_.set_depth_of(shown_, {value, before ? before->sd_mm : kTypicalDepthSdMm});
+  });
+  connect(depth_sd_, &NumberField::valueChanged, this, [this](double value) {
+    if (const auto before = collection_.press_set().of(shown_).depth)
+      collection_.set_depth_of(shown_, {before->mm, value});
+  });
+  connect(step_, &NumberField::valueChanged, this, [this](double value) {
+    collection_.set_step_of(shown_, value);
+  });
+  say([this] { name_parts(); });
+}
+
+void PressForm::name_parts() {
+  for (NumberField* field : {radius_, depth_, depth_sd_, step_}) field->setSuffix(tr(" mm"));
+  radius_label_->setText(tr("&Its ball"));
+  radius_->setAccessibleName(tr("Radius of this press' ball"));
+  radius_->setToolTip(tr("Where this press was made with a ball of another radius"));
+  depth_label_->setText(tr("Measured &depth"));
+  depth_->setAccessibleName(tr("Measured depth of this press"));
+  depth_->setSpecialValueText(tr("not measured"));
+  depth_->setToolTip(
+      tr("How deep the ball was pressed in, normal to the face, from where it first "
+         "touches, as a stage or a feeler gauge tells it"));
+  depth_sd_label_->setText(tr("&Give or take"));
+  depth_sd_->setAccessibleName(tr("Standard deviation of the measured depth"));
+  depth_sd_->setToolTip(tr("How well the depth is known: the standard deviation of measuring it"));
+  step_label_->setText(tr("&Step of a punch"));
+  step_->setAccessibleName(tr("Step of a punch"));
+  step_->setSpecialValueText(tr("a ball"));
+  step_->setToolTip(
+      tr("Height of the step of a flat punch that was pressed in instead of a ball; no ball is "
+         "looked for then"));
+}
+
+void PressForm::show_press(const std::string& name) {
+  shown_ = name;
+  const PressNote& note = collection_.press_set().of(name);
+  const bool is_ball = !note.step_mm;
+  show_value(radius_, collection_.press_set().radius_of(name));
+  show_value(depth_, note.depth ? note.depth->mm : 0.0);
+  show_value(depth_sd_, note.depth ? note.depth->sd_mm : kTypicalDepthSdMm);
+  show_value(step_, note.step_mm.value_or(0.0));
+  const auto enable = [](QLabel* label, NumberField* field, bool is_enabled) {
+    label->setEnabled(is_enabled);
+    field->setEnabled(is_enabled);
+  };
+  enable(radius_label_, radius_, is_ball);
+  enable(depth_label_, depth_, is_ball);
+  enable(depth_sd_label_, depth_sd_, is_ball && note.depth);
+  enable(step_label_, step_, !is_ball || !note.depth);
+}
+
+namespace {
+
+constexpr int kOpaque = 170;  // of 255
+
+Overlay squares_overlay(const PressFit& fit) {
+  return [fit](QPainter& painter, const ImageTransform& transform) {
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    const double half = 0.5 * fit.side_px;
+    for (const ResidualSample& sample : fit.residuals.samples) {
+      if (!(sample.rim <= kInnerRim) || !std::isfinite(sample.residual_mm)) continue;
+      const MapColour colour = cool_to_warm(sample.residual_mm / kGoodErrorMm);
+      const QPointF at(sample.pixel.x(), sample.pixel.y());
+      painter.fillRect(QRectF(transform.to_widget(at - QPointF(half, half)),
+                              transform.to_widget(at + QPointF(half, half))),
+                       QColor(colour.red, colour.green, colour.blue, kOpaque));
+    }
+  };
+}
+
+/// The press took part in the mapping, so this is not its error; see press_error_mm().
+QString difference_text(const PressFit& fit) {
+  return PressFitPane::tr("%1 mm").arg(local_mm(fit.error_mm, 3));
+}
+
+}  // namespace
+
+std::vector<Overlay> residual_overlays(const PressFit& fit) {
+  return {
+      squares_overlay(fit),
+      colour_bar_overlay(difference_scale(kGoodErrorMm), PressFitPane::tr("Mapping − ball, mm"))};
+}
+
+PressFitPane::PressFitPane(QWidget* parent)
+    : Translated(parent), plot_(new MappingPlot), words_(new QLabel) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(plot_, 1);
+  words_->setWordWrap(true);
+  words_->setTextFormat(Qt::RichText);
+  words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  say([this] { words_->setAccessibleName(tr("Mapping minus ball in this press")); });
+  hide();
+  words_->hide();
+}
+
+void PressFitPane::show_fit(const PressFit* fit,
+                            const PressFit* before,
+                            const Calibration* calibration,
+                            const QString& forecast) {
+  setVisible(fit != nullptr && calibration != nullptr);
+  words_->setVisible(fit != nullptr && calibration != nullptr);
+  if (fit == nullptr || calibration == nullptr) return;
+  MappingPlotData data = mapping_figure(*calibration, {fit->residuals});
+  data.is_small = true;
+  plot_->set_data(std::move(data));
+  QStringList lines{tr("<b>Mapping − ball here:</b> %1").arg(difference_text(*fit))};
+  if (before != nullptr)
+    lines << tr("as the calibration puts it: %1").arg(difference_text(*before));
+  if (!forecast.isEmpty()) lines << forecast.toHtmlEscaped();
+  words_->setText(lines.join(QStringLiteral("<br>")));
+}
+
+// View of one press in the step Presses: its image, the ball over it, and its advice.
+
+namespace {
+
+constexpr int kRimPoints = 90;
+const QColor kContact(86, 180, 233);  // Okabe and Ito's sky blue
+
+/// Where the ball meets the undeformed face: nearly the visible dark disc.
+Overlay contact_overlay(const std::vector<Eigen::Vector2d>& rim) {
+  return [rim](QPainter& painter, const ImageTransform& transform) {
+    QPolygonF polygon;
+    for (const auto& p : rim) polygon << transform.to_widget({p.x(), p.y()});
+    QPainterPath path;
+    path.addPolygon(polygon);
+    path.closeSubpath();
+    stroke_over(painter, path, kContact, 1.4, Qt::DotLine);
+  };
+}
+
+}  // namespace
+
+std::optional<ShownBall> PressesPage::ball_of(const CollectedPress& press) const {
+  if (auto known = known_ball(press, collection_, run_)) return known;
+  const double radius = collection_.press_set().radius_of(press.name);
+  if (collection_.analyser() == nullptr || !(radius > 0) ||
+      collection_.press_set().of(press.name).step_mm || press.analysis.grey.empty())
+    return std::nullopt;
+  // No ball was found: an outline in the middle for the user to drag onto it.
+  const auto middle =
+      press.analysis.shape
+          ? press.analysis.shape->at(0.5 * press.analysis.grey.cols, 0.5 * press.analysis.grey.rows)
+          : std::nullopt;
+  if (!middle) return std::nullopt;
+  const double layer_mm = collection_.analyser()->finger().face.layer_mm;
+  return ShownBall{
+      collection_.analyser()->camera(),
+      radius,
+      untouched_point_mm(*middle, layer_mm, MappingAlong::kNormal) + 0.8 * radius * middle->normal,
+      false,
+      middle->normal};
+}
+
+std::vector<Overlay> PressesPage::overlays_of(const CollectedPress& press) const {
+  std::vector<Overlay> overlays;
+  if (fit_ && residual_->isChecked()) overlays = residual_overlays(*fit_);
+  const auto ball = ball_of(press);
+  if (!ball || !press.analysis.shape) return overlays;
+  const auto contact = ball_on_face(*press.analysis.shape,
+                                    collection_.analyser()->finger().face,
+                                    ball->centre_mm,
+                                    ball->radius_mm);
+  if (contact)
+    overlays.push_back(contact_overlay(contact_rim_px(ball->camera, *contact, kRimPoints)));
+  return overlays;
+}
+
+QString PressesPage::advice_for(const CollectedPress& press) const {
+  QStringList lines{press_state_text(press, collection_, run_)};
+  if (press.is_analysed && press.analysis.problem && !collection_.has_ball(press)) {
+    const Error& problem = *press.analysis.problem;
+    lines << window_sentence(problem.what);
+    if (!problem.advice.empty()) lines << tr("Try: %1.").arg(in_window_language(problem.advice));
+  }
+  const auto ball = ball_of(press);
+  if (press.is_analysed && !press.analysis.found_mm &&
+      !collection_.press_set().of(press.name).ball_mm && ball)
+    lines << tr("Or drag the outline onto the ball.");
+  if (ball && collection_.press_set().of(press.name).ball_mm && press.analysis.shape) {
+    const auto contact = ball_on_face(*press.analysis.shape,
+                                      collection_.analyser()->finger().face,
+                                      ball->centre_mm,
+                                      ball->radius_mm);
+    lines << (contact && contact->depth_mm > 0 ? tr("As it lies now it is pressed in by %1 mm.")
+                                                     .arg(local_mm(contact->depth_mm, 2))
+                                               : tr("As it lies now it does not touch the face."));
+  }
+  return lines.join(QLatin1Char('\n'));
+}
+
+std::optional<PressFit> PressesPage::fit_at(const CollectedPress& press,
+                                            const Eigen::Vector3d& centre_mm) const {
+  const FingerCalibration* known = forecast_.baseline();
+  if (known == nullptr || !press.analysis.measured || !press.analysis.measured->taken.press)
+    return std::nullopt;
+  Press measured = *press.analysis.measured->taken.press;  // shares its images
+  measured.ball_radius_mm = collection_.press_set().radius_of(press.name);
+  return fit_of_press(
+      measured, collection_.analyser()->finger().face, known->calibration.mapping, centre_mm);
+}
+
+void PressesPage::show_shown() {
+  const CollectedPress* press = collection_.find(shown_);
+  if (press == nullptr) shown_.clear();
+  live_button_->setChecked(press == nullptr);
+  press_button_->setChecked(press != nullptr);
+  press_button_->setText(press != nullptr ? as_text(press->name) : tr("Chosen &press"));
+  press_button_->setEnabled(!collection_.presses().empty());
+  views_->setCurrentIndex(press == nullptr ? 0 : 1);
+  take_group_->setVisible(press == nullptr);
+  press_group_->setVisible(press != nullptr);
+  residual_->setVisible(press != nullptr);
+  leave_out_->setEnabled(press != nullptr && collection_.is_ready());
+  form_->setEnabled(collection_.is_ready());
+  remove_->setEnabled(press != nullptr && press->frame);
+  leave_out_->setText(
+      collection_.toggle_left_out_text(press != nullptr ? press->name : std::string()));
+  leave_out_->setToolTip(tr("A press that is taken out stays with the finger and is not used"));
+  if (press == nullptr) {
+    fit_.reset();
+    editor_->set_ball(std::nullopt);
+    return;
+  }
+  const PressNote& note = collection_.press_set().of(press->name);
+  const bool is_measured = note.depth || note.step_mm || note.ball_radius_mm;
+  find_->setEnabled(!note.step_mm && note.ball_mm.has_value());
+  legend_->setVisible(!note.step_mm);
+  more_->setArrowType(more_->isChecked() ? Qt::DownArrow : Qt::RightArrow);
+  form_->setVisible(more_->isChecked() || is_measured);
+  more_->setVisible(!is_measured);
+  form_->show_press(press->name);
+  press_text_->setText(advice_for(*press));
+  show_press_image(*press);
+}
+
+void PressesPage::show_press_image(const CollectedPress& press) {
+  if (press.analysis.grey.empty()) {
+    fit_.reset();
+    fit_pane_->show_fit(nullptr, nullptr, nullptr, {});
+    editor_->set_ball(std::nullopt);
+    editor_->show_message(tr("The picture is being read."));
+  } else {
+    editor_->set_ball(ball_of(press));
+    show_fit(press);
+    editor_->show_image(press.analysis.grey, overlays_of(press));
+  }
+  show_position();
+}
+
+std::optional<Eigen::Vector3d> PressesPage::solved_ball(const CollectedPress& press) const {
+  const FingerCalibration* known = forecast_.baseline();
+  if (known == nullptr) return std::nullopt;
+  for (const BallFit& ball : known->calibration.balls)
+    if (ball.press == press.name) return ball.centre_mm;
+  return press.analysis.found_mm;
+}
+
+void PressesPage::show_fit(const CollectedPress& press) {
+  // The detected ball is only a start value; the solved position is what counts.
+  const bool is_by_hand = editor_->ball() && editor_->ball()->is_by_hand;
+  const auto solved = collection_.has_ball(press) ? solved_ball(press) : std::nullopt;
+  const auto before = solved ? fit_at(press, *solved) : std::nullopt;
+  fit_ = is_by_hand ? fit_at(press, editor_->ball()->centre_mm) : before;
+  const FingerCalibration* known = forecast_.baseline();
+  fit_pane_->show_fit(fit_ ? &*fit_ : nullptr,
+                      is_by_hand && before ? &*before : nullptr,
+                      known != nullptr ? &known->calibration : nullptr,
+                      forecast_text(forecast_, run_));
+}
+
+void PressesPage::show_position() {
+  const auto circle = editor_->ball() ? image_outline(*editor_->ball()) : std::nullopt;
+  position_->setText(circle ? tr("Centre u %1 px, v %2 px, radius %3 px, %4 mm before the camera")
+                                  .arg(local_mm(circle->centre.x(), 1),
+                                       local_mm(circle->centre.y(), 1),
+                                       local_mm(circle->radius_px(), 1),
+                                       local_mm(editor_->ball()->centre_mm.z(), 2))
+                            : tr("No ball is drawn here."));
+}
+
+// Taking presses in the step Presses: by a click, a key, a pedal, or automatically.
+
+QString PressesPage::take_obstacle() const {
+  if (!session_.view()) return tr("There is no live picture: choose a source.");
+  if (!collection_.is_ready()) return tr("The presses are being read.");
+  if (!collection_.analyser()) return tr("The finger cannot be compared with its reference.");
+  const FramePtr& frame = session_.view()->result.frame;
+  if (!frame || session_.view()->problem) return tr("The live picture does not fit this finger.");
+  return {};
+}
+
+void PressesPage::take() {
+  if (!take_obstacle().isEmpty()) return;
+  refused_.reset();
+  live_->freeze(false);
+  show_press({});
+  const auto taken = taker_.request(monotonic_s());
+  if (taken) add_taken(*taken);
+  follow_source();
+  show_problems();
+  show_take();
+}
+
+void PressesPage::add_taken(const PressTaker::Taken& taken) {
+  taken_name_ = collection_.add({taken.frame});
+  taken_frames_ = taken.of;
+  live_->flash(tr("Press %1").arg(collection_.presses().size()));
+  QApplication::beep();
+  show_problems();
+  show_take();
+}
+
+void PressesPage::follow_source() {
+  if (session_.status().source.state != SourceState::kEnded) return;
+  if (const auto last = taker_.end()) add_taken(*last);
+}
+
+double PressesPage::held_part() const {
+  return automatic_->isChecked() ? still_.hold().hold_fraction : taker_.held_part();
+}
+
+void PressesPage::hideEvent(QHideEvent* event) {
+  taker_.forget();
+  forecast_.set_watched(false);
+  StepPage::hideEvent(event);
+}
+
+void PressesPage::showEvent(QShowEvent* event) {
+  StepPage::showEvent(event);
+  forecast_.set_watched(true);
+}
+
+void PressesPage::press_pedal() {
+  if (take_->isEnabled()) take();
+}
+
+void PressesPage::watch_contact() {
+  if (!isVisible()) return;
+  const FrameResult& result = session_.view()->result;
+  const bool can_take = take_obstacle().isEmpty();
+  guided_ = can_take ? guidance_of(result, collection_, forecast_, 0) : PressGuidance();
+  const bool is_still = still_.add(guided_.contact, monotonic_s()) && can_take;
+  const auto taken =
+      taker_.see(can_take ? result.frame : FramePtr(), guided_.contact, monotonic_s());
+  guided_.hold_fraction = held_part();
+  show_guide();
+  if (taken)
+    add_taken(*taken);
+  else if (is_still && automatic_->isChecked())
+    take();
+  else
+    show_take();
+}
+
+QString PressesPage::auto_take_obstacle() const {
+  if (!automatic_->isChecked() || !take_obstacle().isEmpty()) return {};
+  const FaceContact touch = session_.view()->result.touch;
+  switch (still_.hold().state) {
+    case HoldState::kNothing:
+      return touch == FaceContact::kUnknown
+                 ? tr("Waiting: it cannot be seen whether the face is touched.")
+                 : tr("Waiting: nothing presses yet.");
+    case HoldState::kMoves:
+      return tr("Waiting: the contact still moves, or is pressed in deeper.");
+    case HoldState::kTaken:
+      return tr("Taken. Lift the ball, or move it by 2 mm, for the next one.");
+    case HoldState::kHolds:
+      break;
+  }
+  return tr("Holds still.");
+}
+
+void PressesPage::show_guide() {
+  const bool is_face_seen = guided_.layer_mm > 0;
+  guide_->setText(is_face_seen ? guide_words(guided_) : QString());
+  guide_->setVisible(is_face_seen);
+  const QString why = auto_take_obstacle();
+  waiting_reason_->setText(why);
+  waiting_reason_->setVisible(!why.isEmpty());
+}
+
+void PressesPage::show_take() {
+  const QString reason = take_obstacle();
+  take_->setEnabled(reason.isEmpty());
+  take_reason_->setText(reason);
+  take_reason_->setVisible(!reason.isEmpty());
+  show_taken();
+}
+
+void PressesPage::show_taken() {
+  if (taker_.state() != PressTaker::State::kIdle) {
+    taken_->setText(waiting_words(taker_.state()));
+    return taken_->setVisible(true);
+  }
+  const bool is_there =
+      collection_.find(taken_name_) != nullptr && collection_.is_saved(taken_name_);
+  taken_->setVisible(is_there);
+  if (!is_there) return;
+  const QString name = as_text(taken_name_);
+  taken_->setText(
+      taken_frames_ > 1
+          ? tr("%1 is taken: the mean of %2 pictures held still.").arg(name).arg(taken_frames_)
+          : tr("%1 is taken from a single picture; hold ball and finger still for half "
+               "a second, and its noise falls to a quarter.")
+                .arg(name));
 }
 
 }  // namespace alltact

@@ -2,25 +2,77 @@
 // shown with the ball's outline, which can be moved, and can be left out.
 #pragma once
 
-#include "calibration/presses/press_taker.h"
-#include "widgets/calibrating/press_fit_pane.h"
-#include "widgets/calibrating/press_form.h"
+#include "calibration/finger/calibrate_presses.h"
+#include "calibration/presses/guided_presses.h"
+#include "widgets/calibrating/press_collection.h"
 #include "widgets/calibrating/press_guide.h"
-#include "widgets/calibrating/press_list_view.h"
-#include "widgets/calibrating/press_model.h"
+#include "widgets/calibrating/press_list.h"
 #include "widgets/calibrating/step_page.h"
 #include "widgets/controls/number_field.h"
+#include "widgets/image/overlays.h"
 #include "widgets/panels/image_panel.h"
+#include "widgets/plots/calibration_plots.h"
 #include "widgets/shell/problem_list.h"
+#include "widgets/widget_base.h"
 
 #include <QCheckBox>
 #include <QGroupBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QToolButton>
+#include <QWidget>
+#include <optional>
 
 namespace alltact {
+
+// Form for the notes of one press: ball or punch, and measured depth.
+
+class PressForm : public Translated<QWidget> {
+  Q_OBJECT
+ public:
+  explicit PressForm(PressCollection& collection, QWidget* parent = nullptr);
+  /// Shows the notes of this press; call it again when they change.
+  void show_press(const std::string& name);
+
+ private:
+  void name_parts();
+
+  PressCollection& collection_;
+  std::string shown_;
+  QLabel *radius_label_, *depth_label_, *depth_sd_label_, *step_label_;
+  NumberField *radius_, *depth_, *depth_sd_, *step_;
+};
+
+// What the ball's position means for one press: the error of the mapping under it, as an image
+// overlay and as points around the curve. Updated while an outline is dragged.
+
+/// Mapping minus ball over the contact as colours: red where the mapping is too deep.
+[[nodiscard]] std::vector<Overlay> residual_overlays(const PressFit& fit);
+
+class PressFitPane : public Translated<QWidget> {
+  Q_OBJECT
+ public:
+  explicit PressFitPane(QWidget* parent = nullptr);
+
+  /// fit: at the current ball position; before: at the calibrated position, if the ball was moved
+  /// by hand. Null fit: the pane is hidden. `forecast`: expected accuracy with all presses.
+  void show_fit(const PressFit* fit,
+                const PressFit* before,
+                const Calibration* calibration,
+                const QString& forecast);
+
+  /// Text of the plot, for the layout next to the image; shown and hidden with the pane.
+  [[nodiscard]] QLabel* words() const { return words_; }
+
+  [[nodiscard]] QSize sizeHint() const override { return {640, 190}; }
+  [[nodiscard]] QSize minimumSizeHint() const override { return {320, 150}; }
+
+ private:
+  MappingPlot* plot_;
+  QLabel* words_;
+};
 
 class PressesPage : public StepPage {
   Q_OBJECT

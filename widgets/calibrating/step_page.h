@@ -1,14 +1,60 @@
 // Base class of the pages of a calibration, one a step.
 #pragma once
 
-#include "widgets/shell/step_list.h"
-#include "widgets/translated.h"
+#include "widgets/widget_base.h"
 
 #include <QLabel>
+#include <QObject>
 #include <QPushButton>
+#include <QString>
+#include <QToolButton>
 #include <QVBoxLayout>
+#include <QWidget>
+#include <functional>
+#include <vector>
 
 namespace alltact {
+
+// Steps in a row, each with number, name and state; a step that is not open yet shows why.
+
+enum class StepState {
+  kToDo = 1,
+  kDone,
+  kOutdated,  ///< done, but something has changed since
+  kReading,   ///< not known yet: the finger is being read
+};
+
+struct Step {
+  QString title;
+  StepState state = StepState::kToDo;
+  bool is_open = true;  ///< the user can go to it
+  QString why_not;      ///< shown where it is not open
+};
+
+class StepList : public Translated<QWidget> {
+  Q_OBJECT
+ public:
+  explicit StepList(QWidget* parent = nullptr);
+
+  /// Always the same number of steps. `current` is marked.
+  void show_steps(const std::vector<Step>& steps, std::size_t current);
+
+ Q_SIGNALS:
+  void chosen(std::size_t step);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void make_buttons(std::size_t count);
+  void apply_style();
+  [[nodiscard]] QString title(std::size_t step) const;
+  /// In one line where all have the room, else in two.
+  void fit();
+  std::vector<Step> steps_;
+  std::vector<QToolButton*> buttons_;
+};
 
 class StepPage : public Translated<QWidget> {
   Q_OBJECT
@@ -42,5 +88,26 @@ class StepPage : public Translated<QWidget> {
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);
   return label;
 }
+
+// Makes the space bar act as a foot pedal: it takes the next press wherever the focus is in the
+// window.
+
+/// While `page` is visible, Space calls `act`. Exceptions are text fields and controls that were
+/// focused by keys: there Space has its own function. A button focused by a mouse click and a
+/// number field are no exceptions.
+class SpaceKey : public QObject {
+  Q_OBJECT
+ public:
+  SpaceKey(QWidget& page, std::function<void()> act);
+
+ protected:
+  bool eventFilter(QObject* receiver, QEvent* event) override;
+
+ private:
+  [[nodiscard]] bool handles_space(const QWidget& widget) const;
+  QWidget& page_;
+  std::function<void()> act_;
+  const QObject* clicked_ = nullptr;  // widget focused by a mouse click; only compared with
+};
 
 }  // namespace alltact

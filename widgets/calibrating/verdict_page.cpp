@@ -1,17 +1,23 @@
 #include "widgets/calibrating/verdict_page.h"
 
-#include "widgets/calibrating/verdict_sheet.h"
-#include "widgets/calibrating/verdict_words.h"
+#include "calibration/checks/check_history.h"
+#include "widgets/calibrating/calibration_run.h"
 #include "widgets/language.h"
+#include "widgets/plots/custom_plot.h"
 #include "widgets/report/calibration_figures.h"
-#include "widgets/report/report_words.h"
-#include "widgets/shell/icons.h"
+#include "widgets/report/document.h"
 #include "widgets/theme.h"
+#include "widgets/verdict_text.h"
 
 #include <QClipboard>
+#include <QCoreApplication>
+#include <QDateTime>
 #include <QDesktopServices>
 #include <QGuiApplication>
 #include <QHBoxLayout>
+#include <QLocale>
+#include <QPrintDialog>
+#include <QPrinter>
 #include <QUrl>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -335,6 +341,342 @@ void VerdictPage::show_remarks() {
 void VerdictPage::changeEvent(QEvent* event) {
   StepPage::changeEvent(event);
   if (event->type() == QEvent::PaletteChange) show_status();
+}
+
+namespace {
+
+constexpr int kSheetWidth = 600;         // px at 96 per inch: the width of a printed page
+constexpr double kSheetSharpness = 3.0;  // pixels per sheet pixel: 288 per inch
+constexpr std::size_t kMaxPresses = 12;
+
+struct SheetWords {
+  Q_DECLARE_TR_FUNCTIONS(alltact::SheetWords)
+};
+
+/// Builds one sheet from top to bottom.
+class Sheet {
+ public:
+  Sheet(const FingerCalibration& done, const std::optional<FingerWorth>& now)
+      : done_(done),
+        now_(now),
+        light_(theme_palette(Theme::kLight)),
+        document_(SheetWords::tr("Finger %1: what its calibration is worth")
+                      .arg(as_text(done.finger.name))) {}
+
+  Document written(const QString& command) {
+    add_verdict();
+    add_figures();
+    add_presses();
+    add_next();
+    document_.command(command);
+    return std::move(document_);
+  }
+
+ private:
+  void add_verdict() {
+    const bool is_known = now_ && now_->evidence;
+    const Verdict worth = is_known ? window_verdict(*now_->evidence) : done_.verdict;
+    const Headline headline = headline_of(worth.grade,
+                                          expected_error_mm(worth).value_or(0.0),
+                                          is_known && now_->must_repeat,
+                                          is_known ? now_->reference : ReferenceState::kIntact);
+    QStringList lines;
+    for (const Message& finding :
+         findings_of(worth, is_known ? now_->evidence->contradictions : done_.contradictions))
+      lines << window_sentence(finding);
+    for (const Message& line : {worth.cause, worth.rests_on})
+      if (!line.empty()) lines << window_sentence(line);
+    document_.box(
+        headline.text, lines.join(QLatin1Char('\n')), meaning_colour(headline.meaning, light_));
+    const auto seconds = unix_seconds(done_.inputs.date);
+    const QString date =
+        seconds ? QLocale().toString(QDateTime::fromSecsSinceEpoch(static_cast<qint64>(*seconds)),
+                                     QLocale::ShortFormat)
+                : as_text(done_.inputs.date);
+    const QString person = as_text(done_.inputs.press_set.operator_name);
+    document_.paragraph(joined({SheetWords::tr("%1, ball of radius %2 mm, %n press(es), AllTact %3",
+                                               nullptr,
+                                               static_cast<int>(done_.calibration.balls.size()))
+                                    .arg(date,
+                                         local_mm(done_.inputs.press_set.ball_radius_mm, 3),
+                                         as_text(done_.inputs.program_version)),
+                                person}));
+    if (!done_.zones.empty())
+      document_.paragraph(SheetWords::tr("By zone of the face: %1.")
+                              .arg(in_window_language(zone_sentence(done_.zones))));
+    QStringList signs;
+    for (const Message& sign : done_.fault_signs) signs << window_sentence(sign);
+    if (!signs.isEmpty())
+      document_.box(SheetWords::tr("The presses show a fault"),
+                    signs.join(QLatin1Char('\n')),
+                    meaning_colour(Meaning::kDoubtful, light_));
+  }
+
+  void add_figures() {
+    MappingPlot mapping;
+    mapping.set_data(mapping_figure(done_.calibration, done_.residuals));
+    add(mapping,
+        220,
+        SheetWords::tr("From brightness to depth: each point is a block of pixels "
+                       "under a ball."));
+    FaceMapPlot map;
+    map.set_data(face_figure(
+        FaceQuantity::kResidual, done_.calibration, done_.residuals, done_.finger.face.kind));
+    add(map, 180, SheetWords::tr("Where on the face, and how far the mapping is off there."));
+  }
+
+  void add(Plot& plot, int height, const QString& caption) {
+    QFont font(QStringLiteral("DejaVu Sans"));
+    font.setPixelSize(12);
+    plot.setFont(font);
+    plot.setPalette(light_);
+    document_.figure(plot.image({kSheetWidth, height}, kSheetSharpness), kSheetWidth, caption);
+  }
+
+  void add_presses() {
+    std::vector<Document::Row> rows;
+    for (const BallFit& ball : done_.calibration.balls) {
+      if (rows.size() == kMaxPresses) break;
+      const auto error = press_error_mm(ball);
+      rows.push_back({{as_text(ball.press), {}, 0},
+                      {local_mm(ball.depth_mm, 2), {}, 0},
+                      {error ? local_mm(*error, 3) : SheetWords::tr("unknown"), {}, 0},
+                      {error ? error_word(meaning_of_error(*error)) : QString(), {}, 0}});
+    }
+    document_.table({SheetWords::tr("Press"),
+                     SheetWords::tr("Depth (mm)"),
+                     SheetWords::tr("Error (mm)"),
+                     QString()},
+                    rows,
+                    {false, true, true, false});
+    const auto more = done_.calibration.balls.size() - rows.size();
+    if (more > 0)
+      document_.paragraph(
+          SheetWords::tr("And %n press(es) more, in the report.", nullptr, static_cast<int>(more)));
+  }
+
+  void add_next() {
+    if (done_.calibration.next_press)
+      document_.paragraph(window_sentence(done_.calibration.next_press->sentence));
+  }
+
+  const FingerCalibration& done_;
+  const std::optional<FingerWorth>& now_;
+  const QPalette light_;
+  Document document_;
+};
+
+}  // namespace
+
+Document verdict_sheet(const FingerCalibration& done,
+                       const QString& command,
+                       const std::optional<FingerWorth>& now) {
+  return Sheet(done, now).written(command);
+}
+
+void print_sheet(const Document& sheet, QWidget& parent) {
+  auto printer = std::make_shared<QPrinter>(QPrinter::HighResolution);
+  printer->setPageLayout(
+      QPageLayout(QPageSize(QPageSize::A4), QPageLayout::Portrait, QMarginsF(0, 0, 0, 0)));
+  auto* dialog = new QPrintDialog(printer.get(), &parent);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(SheetWords::tr("Print the verdict"));
+  QObject::connect(dialog,
+                   qOverload<QPrinter*>(&QPrintDialog::accepted),
+                   dialog,
+                   [sheet, printer](QPrinter* chosen) { sheet.print(*chosen); });
+  // The dialog uses the printer as long as it lives.
+  QObject::connect(dialog, &QObject::destroyed, [printer] {});
+  dialog->show();
+}
+
+namespace {
+
+std::vector<PressesPoint> points_of(const CalibratingStudy& study) {
+  const CalibratingChoice& now = study.rows.front().choice;
+  std::vector<PressesPoint> points;
+  for (const CalibratingRow& row : study.rows) {
+    CalibratingChoice same = row.choice;
+    same.presses = now.presses;
+    if (!row.painted || !(same == now)) continue;
+    PressesPoint point;
+    point.presses = row.choice.presses;
+    point.median_mm = row.painted->median_mm;
+    point.p95_mm = row.painted->p95_mm;
+    if (row.real) point.real_median_mm = row.real->depth.median_mm;
+    point.is_current = row.choice == now;
+    points.push_back(point);
+  }
+  std::sort(points.begin(), points.end(), [](const PressesPoint& a, const PressesPoint& b) {
+    return a.presses < b.presses;
+  });
+  return points;
+}
+
+/// The painted presses depend on the calibration.
+bool is_same_calibration(const FingerPtr& a, const FingerPtr& b) {
+  if (!a || !b) return a == b;
+  const MappingParameters &m = a->mapping->parameters(), &n = b->mapping->parameters();
+  return a->folder == b->folder && m.x_max == n.x_max && m.chebyshev == n.chebyshev &&
+         m.a_mm == n.a_mm && m.b == n.b;
+}
+
+}  // namespace
+
+MoreDataBox::MoreDataBox(QWidget* parent)
+    : Translated(parent),
+      words_(new QLabel),
+      plot_(new PressesPlot),
+      start_(new QPushButton),
+      bar_(new QProgressBar) {
+  words_->setWordWrap(true);
+  words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  plot_->setMinimumHeight(150);
+  auto* column = new QVBoxLayout(this);
+  column->addWidget(words_);
+  column->addWidget(plot_, 1);
+  auto* line = new QHBoxLayout;
+  line->addWidget(start_);
+  line->addWidget(bar_, 1);
+  line->addStretch();
+  column->addLayout(line);
+  connect(start_, &QPushButton::clicked, this, [this] {
+    if (work_.is_running())
+      work_.stop();
+    else
+      start();
+  });
+  connect(&work_, &BackgroundWork::progressed, this, &MoreDataBox::show_state);
+  connect(&work_, &BackgroundWork::finished, this, &MoreDataBox::show_state);
+  say([this] {
+    setTitle(tr("What more would bring"));
+    bar_->setAccessibleName(tr("Progress of working it out"));
+    show_state();
+  });
+}
+
+void MoreDataBox::set_finger(const FingerPtr& finger) {
+  const FingerPtr calibrated = finger && finger->mapping ? finger : nullptr;
+  if (!is_same_calibration(calibrated, finger_)) {
+    work_.stop();
+    study_.reset();
+    problem_.reset();
+    plot_->set_points({});
+  }
+  finger_ = calibrated;
+  show_state();
+}
+
+void MoreDataBox::start() {
+  if (!finger_) return;
+  problem_.reset();
+  work_.start([this, finger = finger_](const Job& job) -> std::function<void()> {
+    CalibratingOptions how;
+    how.quick = true;
+    auto made = study_calibrating(finger, how, job);
+    std::shared_ptr<const CalibratingStudy> study;
+    std::optional<Error> problem;
+    if (made)
+      study = std::make_shared<const CalibratingStudy>(std::move(made).value());
+    else if (!job.stop_requested())
+      problem = made.error();
+    return [this, finger, study, problem] {
+      if (!is_same_calibration(finger, finger_)) return;
+      study_ = study;
+      problem_ = problem;
+      plot_->set_points(study ? points_of(*study) : std::vector<PressesPoint>());
+      show_state();
+    };
+  });
+  show_state();
+}
+
+void MoreDataBox::show_state() {
+  const bool is_running = work_.is_running();
+  start_->setText(is_running ? tr("Sto&p") : tr("&Work it out"));
+  start_->setVisible(!study_);
+  bar_->setVisible(is_running);
+  bar_->setValue(static_cast<int>(100 * work_.fraction()));
+  plot_->setVisible(study_ != nullptr);
+  if (problem_) {
+    words_->setText(window_sentence(problem_->message()));
+    return;
+  }
+  if (!study_) {
+    words_->setText(
+        tr("One more press, more pictures of each, one more minute: told by balls "
+           "painted into this finger's own pictures, which calibrate it anew."));
+    return;
+  }
+  QStringList lines;
+  for (const Message& sentence : benefit_of_more_data(*study_, study_->rows.front().choice))
+    lines << window_sentence(sentence);
+  if (lines.isEmpty()) lines << tr("Nothing that was tried brings more.");
+  words_->setText(lines.join(QLatin1Char('\n')));
+}
+
+PressesPlot::PressesPlot(QWidget* parent) : Plot(parent) {
+  setAccessibleName(tr("Error of depth by the number of presses"));
+}
+
+void PressesPlot::set_points(std::vector<PressesPoint> points) {
+  points_ = std::move(points);
+  QStringList words;
+  for (const PressesPoint& point : points_)
+    words << tr("%n press(es): %1 µm", nullptr, point.presses)
+                 .arg(QLocale().toString(1000 * point.median_mm, 'f', 1));
+  setAccessibleDescription(joined_clauses(words));
+  rebuild();
+}
+
+QString PressesPlot::empty_text() const {
+  return tr("Nothing is worked out yet");
+}
+
+bool PressesPlot::draw() {
+  if (points_.empty()) return false;
+  const QColor painted = series_colour(0, palette()), real = series_colour(1, palette());
+  auto* line = chart().addGraph();
+  auto* now = chart().addGraph();
+  auto* pressed = chart().addGraph();
+  auto* whiskers = new QCPErrorBars(chart().xAxis, chart().yAxis);
+  whiskers->setDataPlottable(line);
+  whiskers->setPen(QPen(painted));
+  whiskers->removeFromLegend();
+  double highest = 0, tallest = 0;
+  for (const PressesPoint& point : points_) {
+    const double presses = point.presses, median_um = 1000 * point.median_mm,
+                 p95_um = 1000 * point.p95_mm;
+    line->addData(presses, median_um);
+    whiskers->addData(0, p95_um - median_um);
+    if (point.is_current) now->addData(presses, median_um);
+    if (point.real_median_mm) pressed->addData(presses, 1000 * *point.real_median_mm);
+    // A single press may be far off and would squash the others.
+    if (point.presses > 2 || points_.size() < 3) tallest = std::max(tallest, p95_um);
+    highest = std::max(highest, p95_um);
+  }
+  line->setName(tr("painted balls, whisker to 95 %"));
+  line->setPen(QPen(painted, 2));
+  line->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, painted, 7));
+  now->setName(tr("presses there are now"));
+  now->setLineStyle(QCPGraph::lsNone);
+  now->setScatterStyle(QCPScatterStyle(
+      QCPScatterStyle::ssCircle, QPen(palette().text().color(), 2), Qt::NoBrush, 13));
+  pressed->setName(tr("real presses left out"));
+  pressed->setLineStyle(QCPGraph::lsNone);
+  pressed->setScatterStyle(
+      QCPScatterStyle(QCPScatterStyle::ssSquare, QPen(real, 2), Qt::NoBrush, 8));
+  if (pressed->data()->isEmpty()) pressed->removeFromLegend();
+  chart().xAxis->setRange(points_.front().presses - 0.5, points_.back().presses + 0.5);
+  auto integer_ticks = QSharedPointer<QCPAxisTickerFixed>::create();
+  integer_ticks->setTickStep(1);
+  integer_ticks->setScaleStrategy(QCPAxisTickerFixed::ssMultiples);
+  chart().xAxis->setTicker(integer_ticks);
+  chart().xAxis->setLabel(tr("Presses"));
+  chart().yAxis->setRange(0, 1.1 * std::max(tallest > 0 ? tallest : highest, 1e-3));
+  chart().yAxis->setLabel(tr("Error of depth (µm)"));
+  show_legend();
+  return true;
 }
 
 }  // namespace alltact

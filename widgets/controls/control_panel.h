@@ -1,12 +1,19 @@
 // A camera's controls, built from the list that the camera reports.
 #pragma once
 
-#include "core/sources/v4l2/camera_controls.h"
-#include "widgets/translated.h"
+#include "core/devices/camera_controls.h"
+#include "widgets/controls/devices.h"
+#include "widgets/controls/number_field.h"
+#include "widgets/widget_base.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QGridLayout>
 #include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSlider>
+#include <QString>
 #include <QWidget>
 #include <map>
 #include <vector>
@@ -43,6 +50,42 @@ class ControlPanel : public Translated<QWidget> {
   QLabel* empty_;
   QWidget* list_;
   std::map<std::uint32_t, Row*> rows_;
+};
+
+// Names of camera controls in the window's language.
+
+/// The driver's own name for a control that is not one of V4L2's standard ones.
+[[nodiscard]] QString control_name(const CameraControl& control);
+
+// The lamp's brightness in the window: which dimmer, and how bright.
+
+class LampPanel : public Translated<QWidget> {
+  Q_OBJECT
+ public:
+  /// Shows the state of `lamp`; listeners of setting_requested make the changes.
+  explicit LampPanel(Lamp& lamp, QWidget* parent = nullptr);
+
+ Q_SIGNALS:
+  /// None: the lamp is left as it is.
+  void setting_requested(const std::optional<alltact::DimmerSetting>& setting);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  void name_parts();
+  void show_lamp();
+  void show_devices();
+  void ask();
+  [[nodiscard]] std::optional<DimmerSetting> chosen() const;
+
+  Lamp& lamp_;
+  QLabel *device_label_, *control_label_, *level_label_, *state_;
+  QComboBox *device_, *control_;
+  QLineEdit* report_;
+  QPushButton* look_;
+  QSlider* slider_;
+  IntegerField* level_;
 };
 
 }  // namespace alltact

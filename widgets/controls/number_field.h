@@ -2,9 +2,8 @@
 // to the field.
 #pragma once
 
-#include "core/finger/quantity.h"
-#include "core/result.h"
-#include "core/typed_number.h"
+#include "core/base/result.h"
+#include "core/base/typed_number.h"
 
 #include <QDoubleSpinBox>
 #include <QLabel>

@@ -1,7 +1,6 @@
 #include "widgets/image/image_view.h"
 
-#include "widgets/accessible.h"
-#include "widgets/grey_image.h"
+#include "widgets/widget_base.h"
 
 #include <QImage>
 #include <QKeyEvent>
@@ -288,6 +287,57 @@ void ImageView::keyPressEvent(QKeyEvent* event) {
       break;
   }
   QWidget::keyPressEvent(event);
+}
+
+namespace {
+
+double clamped_offset(double offset, double covered, double room) {
+  if (covered <= room) return 0.5 * (room - covered);
+  return std::clamp(offset, room - covered, 0.0);
+}
+
+}  // namespace
+
+ImageTransform ImageTransform::fit(QSize image, QSizeF widget) {
+  if (image.isEmpty() || widget.isEmpty()) return {};
+  ImageTransform transform;
+  transform.scale = std::min(widget.width() / image.width(), widget.height() / image.height());
+  return transform.clamped_to(image, widget);
+}
+
+ImageTransform ImageTransform::zoomed(double new_scale, QPointF fixed) const {
+  ImageTransform transform;
+  transform.scale = new_scale;
+  transform.offset = fixed - (fixed - offset) * (new_scale / scale);
+  return transform;
+}
+
+ImageTransform ImageTransform::clamped_to(QSize image, QSizeF widget) const {
+  ImageTransform transform = *this;
+  const QSizeF covered = QSizeF(image) * scale;
+  transform.offset = {clamped_offset(offset.x(), covered.width(), widget.width()),
+                      clamped_offset(offset.y(), covered.height(), widget.height())};
+  return transform;
+}
+
+ImageDialog::ImageDialog(QImage image, QWidget* parent)
+    : QDialog(parent), image_(std::move(image)) {}
+
+// The image's size, but no larger than the parent window.
+QSize ImageDialog::sizeHint() const {
+  const QSize max_size =
+      parentWidget() != nullptr ? parentWidget()->window()->size() : QSize(1000, 700);
+  return image_.width() > max_size.width() || image_.height() > max_size.height()
+             ? image_.size().scaled(max_size, Qt::KeepAspectRatio)
+             : image_.size();
+}
+
+void ImageDialog::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::SmoothPixmapTransform);
+  QRect target({}, image_.size().scaled(size(), Qt::KeepAspectRatio));
+  target.moveCenter(rect().center());
+  painter.drawImage(target, image_);
 }
 
 }  // namespace alltact

@@ -2,10 +2,15 @@
 // it.
 #pragma once
 
-#include "widgets/image/image_transform.h"
-#include "widgets/translated.h"
+#include "widgets/widget_base.h"
 
+#include <QDialog>
+#include <QImage>
 #include <QPixmap>
+#include <QPointF>
+#include <QRectF>
+#include <QSize>
+#include <QSizeF>
 #include <QWidget>
 #include <functional>
 #include <optional>
@@ -14,6 +19,33 @@
 #include <opencv2/core.hpp>
 
 namespace alltact {
+
+// Transform between an image's pixels and a widget.
+
+/// Image coordinates have the centre of the top-left pixel at (0, 0), so that the image covers
+/// [-0.5, width - 0.5] by [-0.5, height - 0.5]; widget coordinates are Qt's logical pixels.
+///   widget = (image + 0.5) * scale + offset
+struct ImageTransform {
+  double scale = 1;  ///< logical pixels per image pixel, > 0
+  QPointF offset;    ///< of the top-left pixel's outer corner
+
+  [[nodiscard]] QPointF to_widget(QPointF image) const {
+    return (image + QPointF(0.5, 0.5)) * scale + offset;
+  }
+  [[nodiscard]] QPointF to_image(QPointF widget) const {
+    return (widget - offset) / scale - QPointF(0.5, 0.5);
+  }
+  /// The area of the full image in the widget.
+  [[nodiscard]] QRectF covered(QSize image) const { return {offset, QSizeF(image) * scale}; }
+
+  /// The full image as large as it fits, centred.
+  [[nodiscard]] static ImageTransform fit(QSize image, QSizeF widget);
+  /// The same with another scale; the image point under `fixed` does not move.
+  [[nodiscard]] ImageTransform zoomed(double new_scale, QPointF fixed) const;
+  /// Moved as little as needed: an image larger than the widget leaves no gap at its sides, a
+  /// smaller one is centred.
+  [[nodiscard]] ImageTransform clamped_to(QSize image, QSizeF widget) const;
+};
 
 /// Draws over the image, in widget coordinates.
 using Overlay = std::function<void(QPainter& painter, const ImageTransform& transform)>;
@@ -76,6 +108,34 @@ class ImageView : public Translated<QWidget> {
   std::optional<QPointF> dragged_from_;
   std::optional<QPoint> hovered_;  // pixel under the pointer
   std::optional<QPoint> pinned_;   // pixel that the keys selected
+};
+
+// Grey images as Qt draws them.
+
+/// Shares the pixels (CV_8UC1); valid while `grey` lives.
+[[nodiscard]] inline QImage grey_image(const cv::Mat& grey) {
+  return {grey.data,
+          grey.cols,
+          grey.rows,
+          static_cast<qsizetype>(grey.step),
+          QImage::Format_Grayscale8};
+}
+
+// An image in a window of its own, as large as the window allows.
+
+class ImageDialog : public QDialog {
+  Q_OBJECT
+ public:
+  explicit ImageDialog(QImage image, QWidget* parent = nullptr);
+
+  [[nodiscard]] QSize sizeHint() const override;
+  [[nodiscard]] QSize minimumSizeHint() const override { return {320, 240}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  QImage image_;
 };
 
 }  // namespace alltact

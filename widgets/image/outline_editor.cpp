@@ -1,9 +1,9 @@
 #include "widgets/image/outline_editor.h"
 
 #include "core/geometry/ball.h"
-#include "widgets/accessible.h"
-#include "widgets/grey_image.h"
+#include "widgets/image/image_view.h"
 #include "widgets/image/overlays.h"
+#include "widgets/widget_base.h"
 
 #include <QKeyEvent>
 #include <QLocale>

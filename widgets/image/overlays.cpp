@@ -1,6 +1,6 @@
 #include "widgets/image/overlays.h"
 
-#include "widgets/number_text.h"
+#include "widgets/language.h"
 
 #include <QFontMetricsF>
 #include <QPainter>

@@ -2,7 +2,7 @@
 // width at any zoom. Different meanings have different shapes.
 #pragma once
 
-#include "core/io/colour_map.h"
+#include "core/image/colour_map.h"
 #include "core/sensing/contact/push.h"
 #include "core/sensing/face/face_edges.h"
 #include "core/sensing/markers/markers.h"

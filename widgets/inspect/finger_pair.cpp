@@ -1,6 +1,14 @@
 #include "widgets/inspect/finger_pair.h"
 
 #include "core/finger/finger_store.h"
+#include "widgets/language.h"
+#include "widgets/widget_base.h"
+
+#include <QFileDialog>
+#include <QGridLayout>
+#include <QLocale>
+#include <QVBoxLayout>
+#include <cmath>
 
 namespace alltact {
 namespace {
@@ -155,6 +163,294 @@ void FingerPair::set_pose(const fs::path& folder,
     return changed ? Status() : changed.error();
   });
   read_mounts();
+}
+
+PairBox::PairBox(const FingerPair& pair, QWidget* parent)
+    : Translated(parent),
+      pair_(pair),
+      open_(new QPushButton),
+      close_(new QPushButton),
+      pose_first_(new QPushButton),
+      pose_second_(new QPushButton),
+      names_(new QLabel),
+      joined_(new QLabel),
+      gap_(new QLabel) {
+  auto* grid = new QGridLayout(this);
+  grid->addWidget(names_, 0, 0, 2, 1);
+  grid->addWidget(close_, 0, 1);
+  grid->addWidget(pose_first_, 2, 0);
+  grid->addWidget(pose_second_, 2, 1);
+  grid->addWidget(gap_, 3, 0, 1, 2);
+  grid->addWidget(joined_, 4, 0, 1, 2);
+  for (QLabel* label : {names_, joined_, gap_}) label->setWordWrap(true);
+  gap_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  connect(open_, &QPushButton::clicked, this, &PairBox::open_requested);
+  connect(close_, &QPushButton::clicked, this, &PairBox::close_requested);
+  connect(pose_first_, &QPushButton::clicked, this, [this] { Q_EMIT pose_requested(false); });
+  connect(pose_second_, &QPushButton::clicked, this, [this] { Q_EMIT pose_requested(true); });
+  say([this] {
+    setTitle(tr("Second finger"));
+    open_->setText(tr("Second fin&ger…"));
+    close_->setText(tr("Close it"));
+    pose_first_->setText(tr("Place of 1…"));
+    pose_second_->setText(tr("Place of 2…"));
+    pose_first_->setAccessibleName(tr("Place of the first finger in the gripper"));
+    pose_second_->setAccessibleName(tr("Place of the second finger in the gripper"));
+    for (QPushButton* button : {pose_first_, pose_second_})
+      button->setToolTip(tr("Where this finger's camera sits in the gripper."));
+    gap_->setAccessibleName(tr("Distance between the faces"));
+    joined_->setAccessibleName(tr("How the two recordings are joined"));
+  });
+}
+
+void PairBox::show_pair(bool is_recording) {
+  const bool is_open = pair_.is_open();
+  open_->setEnabled(is_recording);
+  open_->setToolTip(is_recording ? QString()
+                                 : tr("Open a recording first; a second one can be joined to it."));
+  setVisible(is_open);
+  if (!is_open) return;
+  pose_first_->setEnabled(!pair_.folder(false).empty());
+  names_->setText(labelled(QStringLiteral("1"), pair_.name(false).toHtmlEscaped()) +
+                  QStringLiteral("<br>") +
+                  labelled(QStringLiteral("2"), pair_.name(true).toHtmlEscaped()));
+  joined_->setText(joined_text());
+  gap_->setText(gap_text());
+}
+
+QString PairBox::joined_text() const {
+  const MatchedFrame& partner = pair_.partner();
+  if (!pair_.frames()) return {};
+  const QString later = QLocale().toString(std::round(10 * partner.later_ms) / 10 + 0.0, 'f', 1);
+  switch (partner.by) {
+    case MatchedBy::kTime:
+      return tr("Joined by time stamps; 2 was taken %1 ms after 1.").arg(later);
+    case MatchedBy::kBeginning:
+      return tr("Recorded at different times: their beginnings count as one moment; 2 was taken "
+                "%1 ms after 1.")
+          .arg(later);
+    case MatchedBy::kNumber:
+      break;
+  }
+  return tr("Without time stamps: joined by the number of the frame.");
+}
+
+QString PairBox::gap_text() const {
+  if (!pair_.has_both_poses() || !pair_.frames()) return {};
+  const auto gap = pair_.gap();
+  if (!gap) return tr("Measuring the distance…");
+  const double apart_mm = gap->distance();
+  if (apart_mm < 0.005) return tr("<b>The faces touch or cross.</b>");
+  const Eigen::Vector3d middle = 0.5 * (gap->first + gap->second);
+  const auto number = [](double value, int digits) {
+    const double unit = std::pow(10, digits);
+    return QLocale().toString(std::round(value * unit) / unit + 0.0, 'f', digits);
+  };
+  return tr("<b>%1 mm</b> between the faces where they are nearest, around X %2, Y %3, Z %4 mm")
+      .arg(
+          number(apart_mm, 2), number(middle.x(), 1), number(middle.y(), 1), number(middle.z(), 1));
+}
+
+SecondFingerDialog::SecondFingerDialog(const std::optional<SecondFinger>& now, QWidget* parent)
+    : FittedDialog(parent),
+      intro_(new QLabel),
+      finger_label_(new QLabel),
+      recording_label_(new QLabel),
+      missing_(new QLabel),
+      finger_(new QLineEdit),
+      recording_(new QLineEdit),
+      choose_finger_(new QPushButton),
+      choose_video_(new QPushButton),
+      choose_folder_(new QPushButton),
+      buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel)) {
+  auto* column = new QVBoxLayout(this);
+  intro_->setWordWrap(true);
+  column->addWidget(intro_);
+  auto* grid = new QGridLayout;
+  grid->addWidget(finger_label_, 0, 0);
+  grid->addWidget(finger_, 0, 1);
+  grid->addWidget(choose_finger_, 0, 2, 1, 2);
+  grid->addWidget(recording_label_, 1, 0);
+  grid->addWidget(recording_, 1, 1);
+  grid->addWidget(choose_video_, 1, 2);
+  grid->addWidget(choose_folder_, 1, 3);
+  finger_label_->setBuddy(finger_);
+  recording_label_->setBuddy(recording_);
+  for (QLineEdit* line : {finger_, recording_}) {
+    line->setMinimumWidth(280);
+    show_text_as_tip(*line);
+  }
+  column->addLayout(grid);
+  column->addStretch();
+  column->addWidget(missing_);
+  column->addWidget(buttons_);
+  if (now) {
+    finger_->setText(QString::fromStdString(now->finger.string()));
+    recording_->setText(QString::fromStdString(now->recording.string()));
+  }
+  for (QLineEdit* line : {finger_, recording_})
+    connect(line, &QLineEdit::textChanged, this, &SecondFingerDialog::show_missing);
+  connect(choose_finger_, &QPushButton::clicked, this, [this] {
+    choose(finger_, true, tr("The second finger's folder"));
+  });
+  connect(choose_video_, &QPushButton::clicked, this, [this] {
+    choose(recording_, false, tr("The second finger's video"));
+  });
+  connect(choose_folder_, &QPushButton::clicked, this, [this] {
+    choose(recording_, true, tr("The second finger's folder of pictures"));
+  });
+  connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  connect(buttons_, &QDialogButtonBox::accepted, this, [this] {
+    Q_EMIT chosen(
+        {finger_->text().trimmed().toStdString(), recording_->text().trimmed().toStdString()});
+    accept();
+  });
+  say([this] {
+    setWindowTitle(tr("Second finger"));
+    intro_->setText(
+        tr("Another finger of the same gripper, with what it recorded at the same time. Both are "
+           "shown in the gripper's frame; their frames are joined by the times of capture."));
+    finger_label_->setText(tr("&Finger's folder"));
+    recording_label_->setText(tr("&Recording"));
+    finger_->setAccessibleName(tr("Finger's folder"));
+    recording_->setAccessibleName(tr("Recording"));
+    choose_finger_->setText(tr("Choose…"));
+    choose_finger_->setAccessibleName(tr("Choose the finger's folder"));
+    choose_video_->setText(tr("Video…"));
+    choose_folder_->setText(tr("Pictures…"));
+    buttons_->button(QDialogButtonBox::Ok)->setText(tr("&Show it"));
+    buttons_->button(QDialogButtonBox::Cancel)->setText(tr("Cancel"));
+    show_missing();
+  });
+}
+
+void SecondFingerDialog::choose(QLineEdit* line, bool is_folder, const QString& title) {
+  auto* dialog = new QFileDialog(
+      this, title, line->text(), is_folder ? QString() : tr("Videos (*.mkv *.avi *.mp4)"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(is_folder ? QFileDialog::Directory : QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, line, &QLineEdit::setText);
+  dialog->show();
+}
+
+void SecondFingerDialog::show_missing() {
+  const bool has_finger = !finger_->text().trimmed().isEmpty();
+  const bool has_recording = !recording_->text().trimmed().isEmpty();
+  buttons_->button(QDialogButtonBox::Ok)->setEnabled(has_finger && has_recording);
+  missing_->setText(!has_finger      ? tr("Choose the finger's folder.")
+                    : !has_recording ? tr("Choose what it recorded.")
+                                     : QString());
+}
+
+namespace {
+
+NumberField* field(double limit, int decimals) {
+  auto* box = new NumberField;
+  box->setRange(-limit, limit);
+  box->set_shown_decimals(decimals);
+  return box;
+}
+
+Eigen::Vector3d values(const std::array<NumberField*, 3>& fields) {
+  Eigen::Vector3d numbers;  // typed numbers, finished or not
+  for (std::size_t i = 0; i < 3; ++i)
+    numbers[static_cast<Eigen::Index>(i)] = fields[i]->typed().value_or(fields[i]->value());
+  return numbers;
+}
+
+void fill(const std::array<NumberField*, 3>& fields, const Eigen::Vector3d& values) {
+  for (std::size_t i = 0; i < 3; ++i) fields[i]->setValue(values[static_cast<Eigen::Index>(i)]);
+}
+
+}  // namespace
+
+GripperDialog::GripperDialog(const QString& finger,
+                             const std::optional<RigidTransform>& now,
+                             QWidget* parent)
+    : FittedDialog(parent),
+      finger_(finger),
+      now_(now),
+      intro_(new QLabel),
+      at_label_(new QLabel),
+      turn_label_(new QLabel),
+      at_{field(10000, 2), field(10000, 2), field(10000, 2)},
+      turn_{field(180, 2), field(180, 2), field(180, 2)},
+      forget_(new QPushButton),
+      buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel)) {
+  auto* column = new QVBoxLayout(this);
+  intro_->setWordWrap(true);
+  column->addWidget(intro_);
+  auto* grid = new QGridLayout;
+  int row = 0;
+  for (const auto& [label, fields] : {std::pair{at_label_, &at_}, {turn_label_, &turn_}}) {
+    grid->addWidget(label, row, 0);
+    label->setBuddy((*fields)[0]);
+    for (std::size_t i = 0; i < 3; ++i) grid->addWidget((*fields)[i], row, static_cast<int>(i) + 1);
+    ++row;
+  }
+  column->addLayout(grid);
+  column->addStretch();
+  buttons_->addButton(forget_, QDialogButtonBox::ResetRole);
+  forget_->setEnabled(now.has_value());
+  column->addWidget(buttons_);
+  if (now) {
+    fill(at_, now->translation_mm);
+    fill(turn_, rpy_deg(now->rotation));
+  }
+  connect(buttons_, &QDialogButtonBox::accepted, this, [this] {
+    for (NumberField* field : {at_[0], at_[1], at_[2], turn_[0], turn_[1], turn_[2]}) {
+      if (!field->typed()) return field->setFocus();
+      field->interpretText();
+    }
+    Q_EMIT chosen(pose());
+    accept();
+  });
+  connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  connect(forget_, &QPushButton::clicked, this, [this] {
+    Q_EMIT chosen(std::nullopt);
+    accept();
+  });
+  say([this] {
+    setWindowTitle(tr("%1 in the gripper").arg(finger_));
+    intro_->setText(
+        tr("Where the camera of %1 sits in the gripper's frame: its place, and how it is turned "
+           "about the gripper's axes, first x, then y, then z. A camera that is not turned looks "
+           "along the gripper's z, with x along its picture and y across it.")
+            .arg(finger_));
+    at_label_->setText(tr("&Place"));
+    turn_label_->setText(tr("&Turned about"));
+    static const std::array axes{QStringLiteral("x "), QStringLiteral("y "), QStringLiteral("z ")};
+    const std::array<QString, 3> position_names{tr("Place, x"), tr("Place, y"), tr("Place, z")};
+    const std::array<QString, 3> turns{
+        tr("Turned about x"), tr("Turned about y"), tr("Turned about z")};
+    for (std::size_t i = 0; i < 3; ++i) {
+      at_[i]->setPrefix(axes[i]);
+      at_[i]->setSuffix(tr(" mm"));
+      at_[i]->setAccessibleName(position_names[i]);
+      turn_[i]->setPrefix(axes[i]);
+      turn_[i]->setSuffix(QStringLiteral("°"));
+      turn_[i]->setAccessibleName(turns[i]);
+    }
+    buttons_->button(QDialogButtonBox::Ok)->setText(tr("&Set"));
+    buttons_->button(QDialogButtonBox::Cancel)->setText(tr("Cancel"));
+    forget_->setText(tr("&Not known"));
+    forget_->setToolTip(tr("Takes the place out of the finger's file."));
+  });
+}
+
+RigidTransform GripperDialog::pose() const {
+  if (!now_) return {rotation_from_rpy_deg(values(turn_)), values(at_)};
+  // The fields round; unchanged values must stay exact.
+  const auto unless_changed = [](const std::array<NumberField*, 3>& fields,
+                                 const Eigen::Vector3d& was) {
+    constexpr double kRounded = 0.0051;
+    const Eigen::Vector3d now = values(fields);
+    return Eigen::Vector3d(((now - was).array().abs() < kRounded).select(was, now));
+  };
+  const Eigen::Vector3d degrees = rpy_deg(now_->rotation),
+                        view_settled = unless_changed(turn_, degrees);
+  return {view_settled == degrees ? now_->rotation : rotation_from_rpy_deg(view_settled),
+          unless_changed(at_, now_->translation_mm)};
 }
 
 }  // namespace alltact

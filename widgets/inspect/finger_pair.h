@@ -2,16 +2,26 @@
 // in the gripper, and the distance between their faces.
 #pragma once
 
+#include "core/base/slow_disk.h"
+#include "core/geometry/rigid_transform.h"
 #include "core/geometry/surface_distance.h"
-#include "core/io/disk_queue.h"
-#include "core/recording/time_match.h"
+#include "core/sources/file_source.h"
 #include "widgets/background_work.h"
-#include "widgets/inspect/inspect_options.h"
+#include "widgets/controls/number_field.h"
+#include "widgets/inspect/inspected_frame.h"
 #include "widgets/inspect/inspection.h"
+#include "widgets/widget_base.h"
 
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QGroupBox>
+#include <QLabel>
+#include <QLineEdit>
 #include <QObject>
+#include <QPushButton>
 #include <array>
 #include <map>
+#include <optional>
 
 namespace alltact {
 
@@ -88,6 +98,77 @@ class FingerPair : public QObject {
   std::optional<Measured> measured_;
   std::shared_ptr<DiskQueue> disk_ = std::make_shared<DiskQueue>();
   BackgroundWork reading_, measuring_;
+};
+
+// The second finger, how both recordings are synchronised, and the distance between the faces.
+
+class PairBox : public Translated<QGroupBox> {
+  Q_OBJECT
+ public:
+  /// `pair` outlives it.
+  explicit PairBox(const FingerPair& pair, QWidget* parent = nullptr);
+  /// is_recording: a recording is open, so that a second one can be opened.
+  void show_pair(bool is_recording);
+  /// For the layout of another widget: the box is hidden while there is no second finger.
+  [[nodiscard]] QPushButton* open_button() const { return open_; }
+
+ Q_SIGNALS:
+  void open_requested();
+  void close_requested();
+  void pose_requested(bool is_second);
+
+ private:
+  [[nodiscard]] QString joined_text() const;
+  [[nodiscard]] QString gap_text() const;
+
+  const FingerPair& pair_;
+  QPushButton *open_, *close_, *pose_first_, *pose_second_;
+  QLabel *names_, *joined_, *gap_;
+};
+
+// Dialog for the second finger and its recording.
+
+class SecondFingerDialog : public FittedDialog {
+  Q_OBJECT
+ public:
+  explicit SecondFingerDialog(const std::optional<SecondFinger>& now, QWidget* parent = nullptr);
+
+ Q_SIGNALS:
+  void chosen(const alltact::SecondFinger& second);
+
+ private:
+  void choose(QLineEdit* line, bool is_folder, const QString& title);
+  void show_missing();
+
+  QLabel *intro_, *finger_label_, *recording_label_, *missing_;
+  QLineEdit *finger_, *recording_;
+  QPushButton *choose_finger_, *choose_video_, *choose_folder_;
+  QDialogButtonBox* buttons_;
+};
+
+// Dialog for the pose of a finger's camera in the gripper, in millimetres and degrees.
+
+class GripperDialog : public FittedDialog {
+  Q_OBJECT
+ public:
+  /// now: the known pose.
+  GripperDialog(const QString& finger,
+                const std::optional<RigidTransform>& now,
+                QWidget* parent = nullptr);
+  /// The pose in the fields; exactly the initial pose where no field was changed.
+  [[nodiscard]] RigidTransform pose() const;
+
+ Q_SIGNALS:
+  /// none: the pose is unknown.
+  void chosen(const std::optional<alltact::RigidTransform>& gripper_from_camera);
+
+ private:
+  QString finger_;
+  std::optional<RigidTransform> now_;
+  QLabel *intro_, *at_label_, *turn_label_;
+  std::array<NumberField*, 3> at_, turn_;
+  QPushButton* forget_;
+  QDialogButtonBox* buttons_;
 };
 
 }  // namespace alltact

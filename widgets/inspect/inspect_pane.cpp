@@ -1,14 +1,21 @@
 #include "widgets/inspect/inspect_pane.h"
 
-#include "widgets/accessible.h"
+#include "core/sensing/depth/depth_sd.h"
 #include "widgets/image/overlays.h"
-#include "widgets/inspect/face_positions.h"
-#include "widgets/inspect/height_map.h"
-#include "widgets/inspect/shown_scene.h"
+#include "widgets/inspect/inspected_frame.h"
+#include "widgets/widget_base.h"
 
+#include <QCoreApplication>
 #include <QCursor>
+#include <QFontMetricsF>
+#include <QImage>
+#include <QKeyEvent>
 #include <QMouseEvent>
+#include <QPainter>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace alltact {
 
@@ -208,6 +215,303 @@ bool InspectPane::eventFilter(QObject* watched, QEvent* event) {
     pressed_.reset();
   }
   return Translated::eventFilter(watched, event);
+}
+
+namespace {
+
+constexpr double kTurn_deg = 5, kShift_part = 0.05, kCloser = 1.1;
+
+cv::Vec3b colour_of(const QColor& colour) {
+  return {static_cast<std::uint8_t>(colour.red()),
+          static_cast<std::uint8_t>(colour.green()),
+          static_cast<std::uint8_t>(colour.blue())};
+}
+
+}  // namespace
+
+SceneColours scene_colours(const QPalette& palette) {
+  return {colour_of(palette.color(QPalette::Base)), colour_of(palette.color(QPalette::Text))};
+}
+
+FacePane::FacePane(QWidget* parent)
+    : Translated(parent), scene_(std::make_unique<FaceScene>(scene_window())) {
+  set_accessible_role(*this, QAccessible::Graphic);
+  apply_appearance();
+  constexpr int kPointerInterval_ms = 25;
+  pointing_.setSingleShot(true);
+  pointing_.setInterval(kPointerInterval_ms);
+  constexpr int kRestDelay_ms = 250;
+  resting_.setSingleShot(true);
+  resting_.setInterval(kRestDelay_ms);
+  connect(&resting_, &QTimer::timeout, this, [this] {
+    if (scene_->set_moving(false)) draw_later();
+  });
+  connect(this, &FacePane::view_changed, this, &FacePane::begin_motion);
+  connect(&pointing_, &QTimer::timeout, this, &FacePane::report_pointed_at);
+  say([this] { setAccessibleName(tr("Face in 3D")); });
+}
+
+FacePane::~FacePane() = default;
+
+FaceScene& FacePane::change() {
+  draw_later();
+  return *scene_;
+}
+
+std::optional<QPointF> FacePane::pixel_at(QPointF point) const {
+  const double ratio = devicePixelRatioF();
+  const auto pixel = scene_->pixel_at(point.x() * ratio, point.y() * ratio);
+  return pixel ? std::optional(QPointF(pixel->x, pixel->y)) : std::nullopt;
+}
+
+void FacePane::begin_motion() {
+  scene_->set_moving(true);
+  resting_.start();
+}
+
+void FacePane::update_pointer() {
+  if (!pointing_.isActive()) pointing_.start();
+}
+
+void FacePane::report_pointed_at() {
+  Q_EMIT pointed_at(pointer_ ? pixel_at(*pointer_) : std::nullopt);
+}
+
+void FacePane::apply_appearance() {
+  change().set_colours(scene_colours(palette()));
+  scene_->set_scale(devicePixelRatioF());
+}
+
+void FacePane::changeEvent(QEvent* event) {
+  Translated::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange && scene_) apply_appearance();
+}
+
+void FacePane::resizeEvent(QResizeEvent* event) {
+  Translated::resizeEvent(event);
+  apply_appearance();
+  scene_->fit();
+}
+
+bool FacePane::event(QEvent* event) {
+  const bool is_wheel = event->type() == QEvent::Wheel;
+  const auto before = is_wheel ? std::optional(scene_->view_pose()) : std::nullopt;
+  const bool is_taken = Translated::event(event);
+  const auto* mouse =
+      event->type() == QEvent::MouseMove ? static_cast<QMouseEvent*>(event) : nullptr;
+  if (is_wheel || (mouse != nullptr && mouse->buttons() != Qt::NoButton)) Q_EMIT view_changed();
+  if (mouse != nullptr || event->type() == QEvent::Leave || is_wheel) {
+    const bool is_pointing = mouse != nullptr && mouse->buttons() == Qt::NoButton;
+    if (!is_wheel) pointer_ = is_pointing ? std::optional(mouse->position()) : std::nullopt;
+    update_pointer();
+  }
+  // A touchpad sends fractions of a step.
+  if (is_wheel && !(scene_->view_pose() == *before)) Q_EMIT view_settled(false);
+  return is_taken;
+}
+
+void FacePane::keyPressEvent(QKeyEvent* event) {
+  const bool moves = event->modifiers().testFlag(Qt::ShiftModifier);
+  const auto steer = [&](double right, double up) {
+    if (moves)
+      change().shift(right * kShift_part, up * kShift_part);
+    else
+      change().turn(-right * kTurn_deg, -up * kTurn_deg);
+  };
+  switch (event->key()) {
+    case Qt::Key_Left:
+      steer(-1, 0);
+      break;
+    case Qt::Key_Right:
+      steer(1, 0);
+      break;
+    case Qt::Key_Up:
+      steer(0, 1);
+      break;
+    case Qt::Key_Down:
+      steer(0, -1);
+      break;
+    case Qt::Key_Plus:
+    case Qt::Key_Equal:
+      change().dolly(kCloser);
+      break;
+    case Qt::Key_Minus:
+      change().dolly(1 / kCloser);
+      break;
+    case Qt::Key_0:
+      return Q_EMIT reset_requested();
+    default:
+      return Translated::keyPressEvent(event);
+  }
+  Q_EMIT view_changed();
+  Q_EMIT view_settled(false);
+}
+
+void FacePane::mousePressEvent(QMouseEvent* event) {
+  if (!pressed_) pressed_ = Press{event->position(), scene_->view_pose()};
+}
+
+void FacePane::mouseReleaseEvent(QMouseEvent* event) {
+  constexpr double kStill = 3;  // logical pixels of movement that still count as a click
+  if (!pressed_ || event->buttons() != Qt::NoButton) return;
+  const Press press = *pressed_;
+  pressed_.reset();
+  const bool is_turned = !(scene_->view_pose() == press.view_pose);
+  const bool is_click = (event->position() - press.at).manhattanLength() <= kStill;
+  if (is_turned && is_click) {
+    change().set_view_pose(press.view_pose);
+    Q_EMIT view_changed();
+  } else if (is_turned) {
+    Q_EMIT view_settled(true);
+  }
+  if (!is_click || event->button() == Qt::MiddleButton) return;
+  const auto pixel = pixel_at(event->position());
+  if (!pixel) return;
+  Q_EMIT clicked(
+      *pixel,
+      event->button() == Qt::RightButton || event->modifiers().testFlag(Qt::ControlModifier));
+}
+
+namespace {
+
+const QColor kHalo(0, 0, 0, 190);
+const QColor kMark(255, 184, 0);
+
+constexpr int kPeriod = 12;  // px, of every pattern
+
+struct Pattern {
+  std::uint8_t limits;  // bits of DepthLimit
+  cv::Vec4b bgra;       // premultiplied
+  bool (*is_drawn)(int u, int v);
+};
+/// The first matching pattern is drawn.
+const std::array<Pattern, 4> kPatterns{
+    {{kDepthClamped, {255, 255, 255, 255}, [](int u, int v) { return (u + v) % 6 < 2; }},
+     {kOutOfRange, {0, 0, 0, 255}, [](int u, int v) { return (u + 5 * v) % 6 < 2; }},
+     {kDoubtfulLight,
+      {60, 150, 255, 255},
+      [](int u, int v) { return (u + 6) % 12 < 2 && (v + 6) % 12 < 2; }},
+     {kSteep, {120, 120, 120, 120}, [](int u, int v) { return u % 6 == 3 && v % 6 == 3; }}}};
+
+struct LimitWords {
+  Q_DECLARE_TR_FUNCTIONS(alltact::LimitWords)
+ public:
+  static QString of(std::uint8_t limits) {
+    switch (limits) {
+      case kDepthClamped:
+        return tr("at the layer's limit");
+      case kOutOfRange:
+        return tr("beyond what was calibrated");
+      case kDoubtfulLight:
+        return tr("doubtful light");
+      default:
+        return tr("steep: its place matters");
+    }
+  }
+};
+
+void draw_point(QPainter& painter, QPointF at, const QString& letter) {
+  constexpr double kRadius = 6;
+  for (const auto& [colour, width] : {std::pair{kHalo, 4.5}, {kMark, 2.0}}) {
+    painter.setPen(QPen(colour, width));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawEllipse(at, kRadius, kRadius);
+  }
+  const QFontMetricsF metrics(painter.font());
+  const QRectF label(at.x() + kRadius + 3,
+                     at.y() - 0.5 * metrics.height(),
+                     metrics.horizontalAdvance(letter) + 6,
+                     metrics.height());
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(kHalo);
+  painter.drawRoundedRect(label, 3, 3);
+  painter.setPen(kMark);
+  painter.drawText(label, Qt::AlignCenter, letter);
+}
+
+}  // namespace
+
+cv::Mat height_layer(const cv::Mat& value_mm, const ColourScale& scale) {
+  constexpr int kSteps = 256;
+  std::array<cv::Vec4b, kSteps> table;
+  for (int i = 0; i < kSteps; ++i) {
+    const double part = static_cast<double>(i) / (kSteps - 1);
+    const MapColour c = scale.colour(part);
+    table[static_cast<std::size_t>(i)] = {c.blue, c.green, c.red, 255};
+  }
+  const auto low = static_cast<float>(scale.low_mm);
+  const auto per_mm = static_cast<float>((kSteps - 1) / (scale.top_mm - scale.low_mm));
+  cv::Mat layer(value_mm.size(), CV_8UC4);
+  for (int v = 0; v < layer.rows; ++v) {
+    const auto* value = value_mm.ptr<float>(v);
+    auto* pixel = layer.ptr<cv::Vec4b>(v);
+    for (int u = 0; u < layer.cols; ++u) {
+      pixel[u] = cv::Vec4b(0, 0, 0, 0);
+      if (!std::isfinite(value[u])) continue;
+      const float step = (value[u] - low) * per_mm + 0.5F;
+      pixel[u] = table[static_cast<std::size_t>(std::clamp(step, 0.0F, kSteps - 1.0F))];
+    }
+  }
+  return layer;
+}
+
+cv::Mat limits_layer(const cv::Mat& limits) {
+  cv::Mat layer = cv::Mat::zeros(limits.size(), CV_8UC4);
+  bool is_empty = true;
+  for (int v = 0; v < limits.rows; ++v) {
+    const auto* bits = limits.ptr<std::uint8_t>(v);
+    auto* pixel = layer.ptr<cv::Vec4b>(v);
+    for (int u = 0; u < limits.cols; ++u)
+      for (const Pattern& pattern : kPatterns)
+        if ((bits[u] & pattern.limits) != 0 && pattern.is_drawn(u, v)) {
+          pixel[u] = pattern.bgra;
+          is_empty = false;
+          break;
+        }
+  }
+  return is_empty ? cv::Mat() : layer;
+}
+
+std::vector<LegendLine> limits_legend(const cv::Mat& limits) {
+  constexpr int kMinPixels = 30;
+  std::vector<LegendLine> legend;
+  for (const Pattern& pattern : kPatterns) {
+    int count = 0;
+    for (int v = 0; v < limits.rows; ++v)
+      count += static_cast<int>(std::count_if(
+          limits.ptr<std::uint8_t>(v), limits.ptr<std::uint8_t>(v) + limits.cols, [&](auto bits) {
+            return (bits & pattern.limits) != 0;
+          }));
+    if (count < kMinPixels) continue;
+    QImage tile(kPeriod, kPeriod, QImage::Format_ARGB32_Premultiplied);
+    tile.fill(Qt::transparent);
+    for (int v = 0; v < kPeriod; ++v)
+      for (int u = 0; u < kPeriod; ++u)
+        if (pattern.is_drawn(u, v))
+          tile.setPixel(
+              u, v, qRgba(pattern.bgra[2], pattern.bgra[1], pattern.bgra[0], pattern.bgra[3]));
+    legend.push_back({QBrush(tile), LimitWords::of(pattern.limits)});
+  }
+  return legend;
+}
+
+Overlay points_overlay(const std::optional<cv::Point2d>& a, const std::optional<cv::Point2d>& b) {
+  return [a, b](QPainter& painter, const ImageTransform& transform) {
+    const auto widget_point = [&](const cv::Point2d& at) {
+      return transform.to_widget({at.x, at.y});
+    };
+    if (a && b) {
+      for (const auto& [colour, width] : {std::pair{kHalo, 4.5}, {kMark, 2.0}}) {
+        painter.setPen(QPen(colour, width));
+        painter.drawLine(widget_point(*a), widget_point(*b));
+      }
+      painter.setPen(QPen(kMark, 1.0, Qt::DashLine));  // the measured box
+      painter.setBrush(Qt::NoBrush);
+      painter.drawRect(QRectF(widget_point(*a), widget_point(*b)).normalized());
+    }
+    if (a) draw_point(painter, widget_point(*a), QStringLiteral("A"));
+    if (b) draw_point(painter, widget_point(*b), QStringLiteral("B"));
+  };
 }
 
 }  // namespace alltact

@@ -1,17 +1,80 @@
 // One measurement of a face, in 3D or as a height map, with a label at the pointer.
 #pragma once
 
+#include "core/image/colour_map.h"
 #include "widgets/image/image_view.h"
-#include "widgets/inspect/face_pane.h"
+#include "widgets/image/overlays.h"
 #include "widgets/inspect/finger_pair.h"
-#include "widgets/inspect/inspect_options.h"
-#include "widgets/translated.h"
+#include "widgets/inspect/inspected_frame.h"
+#include "widgets/scene3d/face_scene.h"
+#include "widgets/scene3d/vtk_view.h"
+#include "widgets/widget_base.h"
 
 #include <QLabel>
+#include <QPointF>
 #include <QStackedWidget>
+#include <QTimer>
 #include <memory>
+#include <optional>
+#include <vector>
 
 namespace alltact {
+
+// The face in 3D, controlled by mouse and keys.
+
+/// Only where VtkView::is_supported(). Mouse: dragging turns, with Shift or the middle button it
+/// pans, the wheel zooms. A click without dragging chooses a position; without a button the
+/// position under the pointer is reported. Keys: arrows turn, Shift and arrows pan, + and - zoom, 0
+/// shows all.
+class FacePane : public Translated<VtkView> {
+  Q_OBJECT
+ public:
+  explicit FacePane(QWidget* parent = nullptr);
+  ~FacePane() override;
+
+  /// Reports the position under the pointer again, since the scene may have changed.
+  void update_pointer();
+  /// The scene to be changed; it is drawn soon after.
+  [[nodiscard]] FaceScene& change();
+  [[nodiscard]] const FaceScene& scene() const { return *scene_; }
+
+ Q_SIGNALS:
+  /// A pixel of the image; is_second: with the right button, or Ctrl.
+  void clicked(QPointF pixel, bool is_second);
+  /// The pixel under the pointer; none: the pointer is outside the face.
+  void pointed_at(const std::optional<QPointF>& pixel);
+  /// The 3D camera has moved; also emitted during a drag.
+  void view_changed();
+  /// A movement has ended: at the end of a drag, and at each step of the wheel or a key.
+  void view_settled(bool is_drag);
+  /// The key that shows all.
+  void reset_requested();
+
+ protected:
+  bool event(QEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+
+ private:
+  void apply_appearance();
+  void begin_motion();
+  void report_pointed_at();
+  [[nodiscard]] std::optional<QPointF> pixel_at(QPointF point) const;
+  std::unique_ptr<FaceScene> scene_;
+  std::optional<QPointF> pointer_;  // its position while no button is pressed
+  QTimer pointing_, resting_;
+  struct Press {
+    QPointF at;
+    ViewPose view_pose;
+  };
+  std::optional<Press> pressed_;
+};
+
+/// The palette's colours for a scene.
+[[nodiscard]] SceneColours scene_colours(const QPalette& palette);
 
 class InspectPane : public Translated<QWidget> {
   Q_OBJECT
@@ -75,5 +138,22 @@ class InspectPane : public Translated<QWidget> {
   FacePane* face_ = nullptr;
   std::optional<QPointF> pressed_;
 };
+
+// A measured face as a colour-coded height map.
+
+/// Values as colours, CV_8UC4 (premultiplied blue, green, red, alpha), transparent where there is
+/// none.
+[[nodiscard]] cv::Mat height_layer(const cv::Mat& value_mm, const ColourScale& scale);
+
+/// Patterns where a depth is limited (DepthLimit bits, CV_8UC1), CV_8UC4 as above. White stripes:
+/// at the layer's limit; black stripes: outside the calibrated range; orange dots: doubtful light;
+/// small white dots: steep. Empty where no pixel is limited.
+[[nodiscard]] cv::Mat limits_layer(const cv::Mat& limits);
+/// Legend of the patterns that cover at least 30 pixels.
+[[nodiscard]] std::vector<LegendLine> limits_legend(const cv::Mat& limits);
+
+/// Points A and B with their letters, the line between them, and the box whose corners they are.
+[[nodiscard]] Overlay points_overlay(const std::optional<cv::Point2d>& a,
+                                     const std::optional<cv::Point2d>& b);
 
 }  // namespace alltact

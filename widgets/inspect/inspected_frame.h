@@ -2,8 +2,13 @@
 #pragma once
 
 #include "calibration/live/frame_measurer.h"
+#include "core/sensing/surface_measurement.h"
+#include "widgets/scene3d/face_scene.h"
 #include "widgets/scene3d/face_surface.h"
 
+#include <array>
+#include <filesystem>
+#include <memory>
 #include <optional>
 
 #include <opencv2/core.hpp>
@@ -17,5 +22,97 @@ struct InspectedFrame : MeasuredFrame {
   std::optional<FaceSurface> other_surface;  ///< of `other`
   cv::Mat other_depth_mm;                    ///< on the first surface's grid
 };
+
+// State of the page Inspect as one value that can be undone, saved and restored.
+
+enum class ShownAs { k3d = 1, kHeightMap };
+enum class Comparison { kNone = 1, kSideBySide, kDifference };
+
+/// Position on the face, mm: along it from its base and across it from its middle
+/// (FaceShape::position_mm). It moves with the finger.
+struct FacePosition {
+  double along_mm = 0, across_mm = 0;
+  bool operator==(const FacePosition&) const = default;
+};
+
+/// Another finger of the same gripper, with its own recording.
+struct SecondFinger {
+  std::filesystem::path finger, recording;
+  bool operator==(const SecondFinger&) const = default;
+};
+
+struct InspectOptions {
+  std::filesystem::path recording;     ///< a video or a folder of images; empty: the live finger
+  std::optional<SecondFinger> second;  ///< only with a recording
+  ShownAs shown_as = ShownAs::k3d;
+  Comparison comparison = Comparison::kNone;
+  ComparisonSpec with{OtherMethod::kPaper};  ///< what is compared with, if anything is
+  Viewpoint viewpoint = Viewpoint::kTilted;
+  std::optional<ViewPose> view_pose;  ///< 3D camera moved by hand; none: as from the standpoint
+  SceneOptions scene;
+  std::optional<FacePosition> a, b;  ///< the two measuring points
+
+  /// With a second finger nothing is compared.
+  [[nodiscard]] Comparison shown_comparison() const {
+    return second ? Comparison::kNone : comparison;
+  }
+  [[nodiscard]] ComparisonSpec comparand() const {
+    return shown_comparison() == Comparison::kNone ? ComparisonSpec() : with;
+  }
+  bool operator==(const InspectOptions&) const = default;
+};
+
+/// Which of a frame's measurements a pane shows.
+enum class PaneContent { kFirst = 1, kSecond, kDifference };
+
+// Summary of one frame of a recording, for plots over time.
+
+struct FrameSummary {
+  std::size_t number = 0;
+  /// Empty for a finger without calibration and for a frame without a face.
+  std::optional<double> deepest_mm, area_mm2;
+  std::optional<double> force_N;  ///< magnitude
+  bool has_contact = false;
+  Message problem;  ///< the first one; empty: none
+};
+
+[[nodiscard]] FrameSummary summary_of(const MeasuredFrame& frame);
+
+// Converts between the points A and B on the face and pixels of a frame.
+
+/// The pixel of a position on the face. A position computed from a pixel gives that pixel again.
+/// nullopt: the frame does not show it, or shows no face.
+[[nodiscard]] std::optional<cv::Point2d> pixel_of(const InspectedFrame& frame,
+                                                  const std::optional<FacePosition>& position);
+/// nullopt: the frame has no face.
+[[nodiscard]] std::optional<FacePosition> position_of(const InspectedFrame& frame,
+                                                      cv::Point2d pixel);
+
+/// Profile between both positions in the compared measurement; nullopt where there is none, or it
+/// does not show them.
+[[nodiscard]] std::optional<Profile> other_profile(const InspectedFrame& frame,
+                                                   const FacePosition& a,
+                                                   const FacePosition& b);
+
+/// The pixel with the nearest centre.
+[[nodiscard]] cv::Point2d nearest_pixel(cv::Point2d pixel);
+
+// Fills a 3D scene with the inspected faces, for the window, films and images.
+
+/// A second finger in the same scene; gripper_from_camera of both cameras.
+struct OtherInGripper {
+  std::shared_ptr<const InspectedFrame> frame;
+  std::array<RigidTransform, 2> poses;
+};
+
+/// The frame has a surface, or a bare one. Without a compared surface, kSecond and kDifference are
+/// shown as kFirst.
+void show_in(FaceScene& scene,
+             const InspectedFrame& frame,
+             PaneContent content,
+             const std::optional<OtherInGripper>& other);
+
+/// The points, and the path over the face between them.
+[[nodiscard]] SceneMarks marks_of(const InspectedFrame& frame, const InspectOptions& options);
 
 }  // namespace alltact

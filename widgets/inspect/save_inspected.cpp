@@ -1,10 +1,19 @@
 #include "widgets/inspect/save_inspected.h"
 
-#include "core/io/surface_file.h"
-#include "core/recording/time_match.h"
-#include "widgets/inspect/inspector.h"
+#include "core/base/atomic_file.h"
+#include "core/mesh/surface_file.h"
+#include "core/sources/file_source.h"
+#include "widgets/inspect/inspection.h"
 
+#include <QHBoxLayout>
+#include <QImage>
+#include <QStandardItemModel>
+#include <QString>
 #include <chrono>
+#include <cmath>
+
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 
 namespace alltact {
 namespace {
@@ -145,6 +154,211 @@ Status save_live_film(FilmQueue& queue,
     if (const auto moment = queue.next())
       if (const Status status = writer.add(*moment, kFramesPerS); !status) return status;
   return writer.finish();
+}
+
+namespace {
+
+/// Packs a colour image as a frame, already encoded as JPEG.
+Frame frame_of(const cv::Mat& bgr, const Frame& from, std::size_t number) {
+  Frame frame;
+  frame.name = from.name;
+  frame.origin = from.origin;
+  frame.sequence = number;
+  frame.time_ns = from.time_ns;
+  auto jpeg = std::make_shared<std::vector<std::uint8_t>>();
+  constexpr int kQuality = 95;
+  cv::imencode(".jpg", bgr, *jpeg, {cv::IMWRITE_JPEG_QUALITY, kQuality});
+  cv::cvtColor(bgr, frame.grey, cv::COLOR_BGR2GRAY);
+  frame.jpeg = std::move(jpeg);
+  return frame;
+}
+
+bool is_shown(const std::shared_ptr<const InspectedFrame>& frame) {
+  return frame && (frame->surface || frame->bare);
+}
+
+bool is_side_by_side(const FilmView& view, const FilmMoment& moment) {
+  return moment.second ? !moment.poses : view.options.shown_comparison() == Comparison::kSideBySide;
+}
+
+}  // namespace
+
+bool FilmMoment::has_face() const {
+  if (!poses) return is_shown(first) && (!second || is_shown(second));
+  return first && second && first->surface && second->surface;
+}
+
+Result<FilmRenderer> FilmRenderer::create(const FilmView& view) {
+  // Three panes are made where two fingers or measurements may be shown; a moment uses one or two.
+  const bool may_be_two =
+      view.options.second || view.options.shown_comparison() == Comparison::kSideBySide;
+  std::vector<OffscreenScene> panes;
+  const cv::Size half(view.size_px.width / 2, view.size_px.height);
+  for (const cv::Size& size :
+       may_be_two ? std::vector{view.size_px, half, half} : std::vector{view.size_px}) {
+    auto pane = OffscreenScene::create(size, view.pixels_per_unit);
+    if (!pane) return pane.error();
+    pane->scene().set_options(view.options.scene);
+    pane->scene().set_colours(view.colours);
+    pane->scene().set_viewpoint(view.options.viewpoint);
+    if (view.options.view_pose) pane->scene().set_view_pose(*view.options.view_pose);
+    panes.push_back(std::move(*pane));
+  }
+  return FilmRenderer(view, std::move(panes));
+}
+
+cv::Mat FilmRenderer::operator()(const FilmMoment& moment) {
+  if (moment.view_pose && !(view_pose_ && *view_pose_ == *moment.view_pose)) {
+    view_pose_ = moment.view_pose;
+    for (OffscreenScene& pane : panes_) pane.scene().set_view_pose(*view_pose_);
+  }
+  const auto draw = [&](OffscreenScene& pane,
+                        const InspectedFrame& frame,
+                        PaneContent content,
+                        bool has_marks,
+                        const std::optional<OtherInGripper>& other) {
+    show_in(pane.scene(), frame, content, other);
+    pane.scene().set_gap(other ? moment.gap : std::nullopt);
+    pane.scene().set_marks(has_marks ? marks_of(frame, view_.options) : SceneMarks());
+    return pane.image();
+  };
+  if (is_side_by_side(view_, moment) && panes_.size() > 1) {
+    const cv::Mat left = draw(panes_[1], *moment.first, PaneContent::kFirst, true, {});
+    const cv::Mat right = moment.second
+                              ? draw(panes_[2], *moment.second, PaneContent::kFirst, false, {})
+                              : draw(panes_[2], *moment.first, PaneContent::kSecond, true, {});
+    cv::Mat both;
+    cv::hconcat(left, right, both);
+    return both;
+  }
+  const bool is_difference = view_.options.shown_comparison() == Comparison::kDifference;
+  return draw(panes_[0],
+              *moment.first,
+              is_difference ? PaneContent::kDifference : PaneContent::kFirst,
+              true,
+              moment.second && moment.poses
+                  ? std::optional(OtherInGripper{moment.second, *moment.poses})
+                  : std::nullopt);
+}
+
+Status FilmWriter::add(const FilmMoment& moment, double frames_per_s) {
+  if (!moment.has_face()) return {};
+  if (!renderer_) {
+    auto renderer = FilmRenderer::create(view_);
+    if (!renderer) return renderer.error();
+    renderer_ = std::move(*renderer);
+  }
+  const cv::Mat bgr = (*renderer_)(moment);
+  const Frame frame = frame_of(bgr, *moment.first->result.frame, written_++);
+  if (!writer_) {
+    auto made = VideoWriter::create(file_, frame, VideoCodec::kMjpeg, frames_per_s);
+    if (!made) return made.error();
+    writer_ = std::move(*made);
+  }
+  return writer_->add(frame);
+}
+
+Status FilmWriter::finish() {
+  if (!writer_) return Error{en::say("no frame shows a face"), file_.string(), ""};
+  return writer_->finish();
+}
+
+Status save_paper_figure(const FilmMoment& moment,
+                         FilmView view,
+                         const std::filesystem::path& file) {
+  if (!moment.has_face())
+    return Error{en::say("there is no face to save"), file.string(), en::say("another frame")};
+  view.colours = {};
+  view.pixels_per_unit = kPaperWidth_px / std::max(1, view.size_px.width);
+  view.size_px = cv::Size(
+      static_cast<int>(kPaperWidth_px),
+      static_cast<int>(std::lround(view.pixels_per_unit * std::max(1, view.size_px.height))));
+  auto renderer = FilmRenderer::create(view);
+  if (!renderer) return renderer.error();
+  return write_paper_figure(file, (*renderer)(moment));
+}
+
+Status write_paper_figure(const std::filesystem::path& file, const cv::Mat& bgr) {
+  QImage image(
+      bgr.data, bgr.cols, bgr.rows, static_cast<qsizetype>(bgr.step), QImage::Format_BGR888);
+  constexpr double kMetresPerInch = 0.0254;
+  const int per_metre = static_cast<int>(std::lround(kPaperDotsPerInch / kMetresPerInch));
+  image.setDotsPerMeterX(per_metre);
+  image.setDotsPerMeterY(per_metre);
+  return write_file_atomically(file, [&](const std::filesystem::path& temporary) -> Status {
+    if (image.save(QString::fromStdString(temporary.string()), "PNG")) return {};
+    return Error{en::say("the picture cannot be written"),
+                 file.string(),
+                 en::say("another folder, or freeing some space")};
+  });
+}
+
+SaveBar::SaveBar(QWidget* parent)
+    : Translated(parent),
+      kind_(new QComboBox),
+      save_(new QPushButton),
+      stop_(new QPushButton),
+      progress_(new QProgressBar) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  for (const char* ending : kSaveFormats) kind_->addItem(QString(), QLatin1String(ending));
+  progress_->setMaximumWidth(160);
+  kind_->setMinimumWidth(52);  // px, for small windows
+  for (QWidget* widget : std::initializer_list<QWidget*>{progress_, stop_, kind_, save_})
+    row->addWidget(widget, widget == kind_ ? 1 : 0);
+  connect(save_, &QPushButton::clicked, this, [this] {
+    Q_EMIT save_requested(kind_->currentData().toString());
+  });
+  connect(stop_, &QPushButton::clicked, this, &SaveBar::stop_requested);
+  say([this] {
+    const std::array<QString, kSaveFormats.size()> kinds{tr("Mesh, PLY"),
+                                                         tr("Mesh, VTP (VTK)"),
+                                                         tr("Mesh, STL"),
+                                                         tr("Mesh, glTF"),
+                                                         tr("Picture, PNG (300 dpi)"),
+                                                         tr("Cross-section, PDF"),
+                                                         tr("Cross-section, SVG"),
+                                                         tr("Cross-section, CSV"),
+                                                         tr("Video in 3D, MKV")};
+    for (std::size_t i = 0; i < kinds.size(); ++i)
+      kind_->setItemText(static_cast<int>(i), kinds[i]);
+    kind_->setAccessibleName(tr("What is saved"));
+    save_->setText(tr("&Save…"));
+    stop_->setText(tr("Stop"));
+    progress_->setAccessibleName(tr("Progress of saving"));
+  });
+  show_progress(std::nullopt);
+  set_can_save({});
+}
+
+bool CanSave::saves(const std::string& ending) const {
+  if (ending == "png") return image;
+  if (ending == "pdf" || ending == "svg" || ending == "csv") return section;
+  return ending == "mkv" ? film : surface;
+}
+
+void SaveBar::set_can_save(const CanSave& can) {
+  auto* model = qobject_cast<QStandardItemModel*>(kind_->model());
+  int first = -1;
+  for (int i = 0; i < kind_->count(); ++i) {
+    const bool is_on = can.saves(kSaveFormats[static_cast<std::size_t>(i)]);
+    model->item(i)->setEnabled(is_on);
+    if (is_on && first < 0) first = i;
+  }
+  kind_->setEnabled(first >= 0);
+  save_->setEnabled(first >= 0);
+  if (first >= 0 && !can.saves(kSaveFormats[static_cast<std::size_t>(kind_->currentIndex())]))
+    kind_->setCurrentIndex(first);
+}
+
+void SaveBar::show_progress(std::optional<double> fraction) {
+  for (QWidget* widget : std::initializer_list<QWidget*>{progress_, stop_})
+    widget->setVisible(fraction.has_value());
+  for (QWidget* widget : std::initializer_list<QWidget*>{kind_, save_})
+    widget->setVisible(!fraction.has_value());
+  if (!fraction) return;
+  progress_->setRange(0, *fraction < 0 ? 0 : 100);
+  progress_->setValue(static_cast<int>(std::lround(100 * *fraction)));
 }
 
 }  // namespace alltact

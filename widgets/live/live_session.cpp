@@ -1,7 +1,7 @@
 #include "widgets/live/live_session.h"
 
-#include "core/sources/files/file_extension.h"
-#include "core/sources/open/open_source.h"
+#include "core/open/open_source.h"
+#include "core/sources/file_source.h"
 
 #include <QMetaObject>
 #include <cmath>

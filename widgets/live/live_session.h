@@ -5,9 +5,8 @@
 #include "calibration/live/live_finger.h"
 #include "core/live/camera_controller.h"
 #include "core/live/source_runner.h"
-#include "core/sources/open/open_source.h"
-#include "widgets/touch/session_zero.h"
-#include "widgets/touch/touch_history.h"
+#include "core/open/open_source.h"
+#include "widgets/live/touch_history.h"
 
 #include <QObject>
 #include <QTimer>

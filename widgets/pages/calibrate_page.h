@@ -8,15 +8,39 @@
 #include "widgets/calibrating/lens_page.h"
 #include "widgets/calibrating/mapping_page.h"
 #include "widgets/calibrating/presses_page.h"
-#include "widgets/calibrating/undo_bar.h"
 #include "widgets/calibrating/verdict_page.h"
-#include "widgets/pages/page.h"
+#include "widgets/live/live_session.h"
+#include "widgets/shell/page.h"
+#include "widgets/widget_base.h"
 
 #include <QStackedWidget>
+#include <QToolButton>
+#include <QUndoStack>
 #include <QVBoxLayout>
 #include <array>
 
 namespace alltact {
+
+// Undo and redo buttons, to compare the page before and after the last change.
+
+/// The text names the step to be undone. Disabled while a recording runs: a step may open another
+/// source.
+class UndoBar : public Translated<QWidget> {
+  Q_OBJECT
+ public:
+  UndoBar(QUndoStack& undo, const LiveSession& session, QWidget* parent = nullptr);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void follow();
+  void set_icons();
+
+  QUndoStack& stack_;
+  const LiveSession& session_;
+  QToolButton *undo_, *redo_;
+};
 
 /// Dependencies of the page.
 struct CalibrateTools {

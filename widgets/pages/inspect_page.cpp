@@ -1,11 +1,18 @@
 #include "widgets/pages/inspect_page.h"
 
-#include "widgets/inspect/face_positions.h"
-#include "widgets/panels/side_panel.h"
-#include "widgets/shell/elided_label.h"
-#include "widgets/touch/contact_words.h"
-#include "widgets/value_change.h"
+#include "core/base/atomic_file.h"
+#include "widgets/inspect/finger_pair.h"
+#include "widgets/inspect/inspected_frame.h"
+#include "widgets/inspect/point_readings.h"
+#include "widgets/language.h"
+#include "widgets/live/touch_history.h"
+#include "widgets/panels/force_box.h"
+#include "widgets/shell/page.h"
+#include "widgets/theme.h"
+#include "widgets/undo_step.h"
+#include "widgets/widget_base.h"
 
+#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 #include <cmath>
@@ -288,6 +295,454 @@ void InspectPage::showEvent(QShowEvent* event) {
 void InspectPage::hideEvent(QHideEvent* event) {
   inspection_.set_scanning(false);
   Translated::hideEvent(event);
+}
+
+// Contact and force in the page Inspect.
+
+namespace {
+
+double recorded_s(const RecordingInfo& recording, std::size_t number) {
+  if (recording.times_ns && number < recording.times_ns->size())
+    return 1e-9 * static_cast<double>((*recording.times_ns)[number]);
+  return static_cast<double>(number) / std::max(recording.frames_per_s, 1e-3);
+}
+
+}  // namespace
+
+void InspectPage::make_contact(QVBoxLayout& column) {
+  contact_->setWordWrap(true);
+  contact_->setTextFormat(Qt::RichText);
+  contact_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  constexpr int kContactLines = 8;  // constant height while contacts come and go
+  contact_->setMinimumHeight(kContactLines * contact_->fontMetrics().lineSpacing());
+  contact_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  (new QVBoxLayout(contact_group_))->addWidget(contact_);
+  column.addWidget(contact_group_);
+  column.addWidget(force_);
+  connect(force_, &ForceBox::zero_requested, this, [this](const ForceZero& zero) {
+    take_zero(session_, undo_, zero);
+  });
+  connect(force_, &ForceBox::no_zero_requested, this, [this] { drop_zero(session_, undo_); });
+  connect(&session_, &LiveSession::status_ready, force_, &ForceBox::schedule_update);
+}
+
+const TouchHistory& InspectPage::touch_history() const {
+  return options_.recording.empty() ? session_.touch_history() : played_;
+}
+
+void InspectPage::follow_contact() {
+  const auto& frame = inspection_.frame();
+  const auto& recording = inspection_.recording();
+  if (!frame || options_.recording.empty() || !recording) {
+    played_.forget();
+    last_played_.reset();
+  } else if (frame != last_played_) {
+    if (last_played_ && frame->number != last_played_->number + 1) played_.forget();
+    played_.add(frame->result, recorded_s(*recording, frame->number));
+    last_played_ = frame;
+  }
+  contact_->setText(frame ? contact_words(frame->result, &touch_history()) : tr("No picture yet."));
+  force_->schedule_update();
+}
+
+ShownForce InspectPage::shown_force() const {
+  ShownForce shown;
+  shown.is_live = options_.recording.empty();
+  if (const auto& frame = inspection_.frame()) shown.now = frame->result.force;
+  shown.history = &touch_history();
+  if (shown.is_live) shown.zero = session_.force_zero();
+  shown.why_none = no_force_reason(session_.status().finger);
+  return shown;
+}
+
+// Opening and saving files in the page Inspect.
+
+void InspectPage::choose_video() {
+  auto* dialog =
+      new QFileDialog(this, tr("Open a video"), QString(), tr("Videos (*.mkv *.avi *.mp4)"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
+    open(file.toStdString());
+  });
+  dialog->show();
+}
+
+void InspectPage::choose_folder() {
+  auto* dialog = new QFileDialog(this, tr("Open a folder of pictures"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::Directory);
+  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& folder) {
+    open(folder.toStdString());
+  });
+  dialog->show();
+}
+
+void InspectPage::choose_file(const QString& ending) {
+  auto* dialog = new QFileDialog(this, tr("Save what is shown"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix(ending);
+  dialog->setNameFilter(QStringLiteral("*.") + ending);
+  if (const auto& frame = inspection_.frame())
+    dialog->selectFile(QString::fromStdString(frame->result.frame->name) + QLatin1Char('.') +
+                       ending);
+  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
+    save(file.toStdString());
+  });
+  dialog->show();
+}
+
+void InspectPage::save(const std::filesystem::path& file) {
+  if (!inspection_.frame() || saving_.is_running()) return;
+  saved_->clear();
+  const std::string ending = file.extension().string();
+  if (ending == ".pdf" || ending == ".svg" || ending == ".csv")
+    return end_saving(save_section(file), {file});
+  saving_.start(saving_work(file));
+  show_saving();
+}
+
+CanSave InspectPage::can_save() const {
+  const auto& frame = inspection_.frame();
+  CanSave can;
+  can.surface = frame && frame->surface;
+  can.image = frame && (frame->surface || frame->bare);
+  can.section = !side_->section().is_empty();
+  can.film = can.image && (options_.recording.empty() || inspection_.recording());
+  return can;
+}
+
+/// The cross-section as shown, for a paper: on white, whatever the theme.
+Status InspectPage::save_section(const std::filesystem::path& file) {
+  SectionPlot& section = side_->section();
+  if (section.is_empty())
+    return Error{
+        en::say("there is no cross-section"), file.string(), en::say("two points, A and B")};
+  if (file.extension() == ".csv") return write_file_atomically(file, section.csv().toStdString());
+  const QPalette before = section.palette();
+  section.setPalette(theme_palette(Theme::kLight));
+  const QSize size(560, 320);
+  const Status status =
+      write_file_atomically(file, [&](const std::filesystem::path& temporary) -> Status {
+        const QString name = text_of(temporary);
+        if (file.extension() == ".pdf" ? section.save_pdf(name, size)
+                                       : section.save_svg(name, size))
+          return {};
+        return Error{en::say("the figure cannot be written"),
+                     file.string(),
+                     en::say("another folder, or freeing some space")};
+      });
+  section.setPalette(before);
+  return status;
+}
+
+FilmView InspectPage::film_view() const {
+  FilmView view;
+  view.options = options_;
+  view.colours = scene_colours(palette());
+  if (first_->face_pane() != nullptr)
+    view.options.view_pose = first_->face_pane()->scene().view_pose();
+  return view;
+}
+
+FilmMoment InspectPage::film_moment() const {
+  FilmMoment moment{inspection_.frame(), nullptr};
+  if (options_.second) moment.second = pair_.second().frame();
+  if (pair_.frames() && pair_.has_both_poses()) {
+    moment.poses = {*pair_.mount(false)->gripper_from_camera,
+                    *pair_.mount(true)->gripper_from_camera};
+    moment.gap = pair_.gap();
+  }
+  if (first_->face_pane() != nullptr) moment.view_pose = first_->face_pane()->scene().view_pose();
+  return moment;
+}
+
+BackgroundWork::Work InspectPage::image_work(const std::filesystem::path& file) {
+  const auto ended = [this, file](const Status& status) {
+    return [this, file, status] { end_saving(status, {file}); };
+  };
+  const QSize pane = first_->image_size();
+  if (first_->is_3d()) {
+    FilmView view = film_view();
+    const int panes = second_->isVisible() ? 2 : 1;
+    view.size_px = cv::Size(panes * pane.width(), pane.height());
+    return [=, moment = film_moment()](const Job&) {
+      return ended(save_paper_figure(moment, view, file));
+    };
+  }
+  const QImage image = first_->map_image(kPaperWidth_px / std::max(1, pane.width()));
+  return [=](const Job&) {
+    const cv::Mat pixels(image.height(),
+                         image.width(),
+                         CV_8UC3,
+                         const_cast<uchar*>(image.constBits()),
+                         static_cast<std::size_t>(image.bytesPerLine()));
+    return ended(write_paper_figure(file, pixels));
+  };
+}
+
+BackgroundWork::Work InspectPage::film_work(const std::filesystem::path& file) {
+  if (options_.recording.empty()) {
+    live_film_ = std::make_shared<FilmQueue>();
+    live_film_->add(film_moment());
+    return [this, file, queue = live_film_, view = film_view()](const Job& job) {
+      const Status status = save_live_film(*queue, view, file, job);
+      return std::function<void()>([this, file, status] {
+        live_film_.reset();
+        end_saving(status, {file});
+      });
+    };
+  }
+  FilmOptions film;
+  film.finger = session_.status().finger.folder;
+  film.input = options_.recording;
+  film.view = film_view();
+  film.poses = film_moment().poses;
+  return [this, film, file](const Job& job) {
+    const Status status = save_film(film, file, job);
+    return std::function<void()>([this, file, status] { end_saving(status, {file}); });
+  };
+}
+
+BackgroundWork::Work InspectPage::saving_work(const std::filesystem::path& file) {
+  if (file.extension() == ".png") return image_work(file);
+  if (file.extension() == ".mkv") return film_work(file);
+  const auto ended = [this](const Status& status, const std::vector<std::filesystem::path>& files) {
+    return [this, status, files] { end_saving(status, files); };
+  };
+  if (const auto frames = pair_.frames(); frames && pair_.has_both_poses()) {
+    const std::array<PosedFrame, 2> both{
+        PosedFrame{frames->first, *pair_.mount(false)->gripper_from_camera},
+        PosedFrame{frames->second, *pair_.mount(true)->gripper_from_camera}};
+    return [=](const Job&) { return ended(save_both(both, file), files_of_both(file)); };
+  }
+  const auto frame = inspection_.frame();
+  return [=](const Job&) { return ended(save_surface(*frame, file), {file}); };
+}
+
+void InspectPage::show_saving() {
+  const double fraction = live_film_ ? -1.0 : saving_.fraction();  // its length is unknown
+  save_bar_->show_progress(saving_.is_running() ? std::optional(fraction) : std::nullopt);
+}
+
+void InspectPage::end_saving(const Status& status,
+                             const std::vector<std::filesystem::path>& files) {
+  QStringList names;
+  for (const auto& file : files) names << text_of(file);
+  saved_->setText(status ? tr("Saved: %1").arg(listed(names))
+                         : window_sentence(status.error().message()));
+  saved_->setToolTip(saved_->text());
+}
+
+// The second finger in the page Inspect.
+
+void InspectPage::connect_pair() {
+  connect(&pair_, &FingerPair::changed, this, [this] {
+    if (options_.second) show_frame();
+  });
+  connect(pair_box_, &PairBox::open_requested, this, &InspectPage::choose_second);
+  connect(pair_box_, &PairBox::close_requested, this, [this] { open_second(std::nullopt); });
+  connect(pair_box_, &PairBox::pose_requested, this, &InspectPage::choose_pose);
+}
+
+void InspectPage::choose_second() {
+  auto* dialog = new SecondFingerDialog(options_.second, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &SecondFingerDialog::chosen, this, [this](const SecondFinger& second) {
+    open_second(second);
+  });
+  dialog->show();
+}
+
+void InspectPage::choose_pose(bool is_second) {
+  const FingerMount* known = pair_.mount(is_second);
+  if (known == nullptr) return;
+  const std::filesystem::path folder = pair_.folder(is_second);
+  using Pose = std::optional<RigidTransform>;
+  const Pose now = known->gripper_from_camera;
+  auto* dialog = new GripperDialog(pair_.name(is_second), now, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &GripperDialog::chosen, this, [this, folder, now](const Pose& chosen) {
+    if (chosen == now) return;
+    undo_.push(new ValueChange<Pose>(
+        [folder] { return tr("place %1 in the gripper").arg(text_of(folder.filename())); },
+        now,
+        chosen,
+        [this, folder](const Pose& requested) { pair_.set_pose(folder, requested); }));
+  });
+  dialog->show();
+}
+
+/// Both fingers are drawn in one 3D view: their gripper poses are known.
+bool InspectPage::is_joint_view() const {
+  return pair_.has_both_poses() && options_.shown_as == ShownAs::k3d && VtkView::is_supported();
+}
+
+void InspectPage::show_second() {
+  const auto& frame = pair_.second().frame();
+  if (frame && frame->surface) return second_->show_frame(frame);
+  second_->show_message(frame                      ? tr("The face was not found in this picture.")
+                        : pair_.second().problem() ? tr("Nothing can be shown; above stands why.")
+                                                   : tr("The recording is being opened."));
+}
+
+void InspectPage::add_pair_problems(std::vector<Problem>& problems) {
+  if (const auto problem = pair_.problem()) problems.push_back(Problem::of(*problem));
+  if (!options_.second) return;
+  if (pair_.second().problem()) problems.push_back(Problem::of(*pair_.second().problem()));
+  for (const bool is_second : {false, true}) {
+    const FingerMount* mount = pair_.mount(is_second);
+    if (mount == nullptr || mount->gripper_from_camera) continue;
+    problems.push_back(
+        {Meaning::kDoubtful,
+         tr("Where the camera of %1 sits in the gripper is not known, so the two fingers are shown "
+            "each in its own camera's frame.")
+             .arg(pair_.name(is_second)),
+         tr("Tell its place and how it is turned."),
+         is_second ? tr("Place of &2…") : tr("Place of &1…"),
+         [this, is_second] { choose_pose(is_second); }});
+  }
+}
+
+void InspectPage::open_second(const std::optional<SecondFinger>& second) {
+  InspectOptions next = options_;
+  next.second = second;
+  next.view_pose.reset();  // the frame of reference changes
+  change_options(
+      next,
+      [opens = second.has_value()] {
+        return opens ? tr("show a second finger") : tr("close the second finger");
+      },
+      -1);
+}
+
+// Views and texts of the page Inspect for a frame, and without one.
+
+void InspectPage::show_frame() {
+  const auto& frame = inspection_.frame();
+  if (frame && !options_.recording.empty()) {
+    last_frame_[options_.recording] = frame->number;
+    if (!time_line_->is_playing()) Q_EMIT changed();
+  }
+  pair_.follow();
+  show_panes();
+  side_->show_frame(frame && frame->surface ? frame : nullptr);
+  follow_contact();
+  summary_->setText(summary_text());
+  show_probe();
+  if (live_film_) live_film_->add(film_moment());
+  show_state();
+}
+
+void InspectPage::show_summaries() {
+  const auto& recording = inspection_.recording();
+  if (recording) time_line_->set_recording(recording->count, recording->frames_per_s);
+  time_line_->set_summaries(inspection_.summaries());
+}
+
+QString InspectPage::summary_text() const {
+  const auto text = [](const std::shared_ptr<const InspectedFrame>& frame) {
+    return frame && frame->surface ? deepest_text(*frame) : QString();
+  };
+  const QString first = text(inspection_.frame());
+  if (!options_.second) return first;
+  return QStringLiteral("1: ") + first + QStringLiteral("   2: ") + text(pair_.second().frame());
+}
+
+QString InspectPage::title_of(bool is_second) const {
+  if (!options_.second) {
+    const QString other = comparand_text(options_.with);
+    if (is_second) return tr("Compared with: %1").arg(other);
+    const Comparison comparison = options_.shown_comparison();
+    return comparison == Comparison::kSideBySide   ? tr("Shown")
+           : comparison == Comparison::kDifference ? tr("Shown less: %1").arg(other)
+           : inspection_.frame() && inspection_.frame()->bare
+               ? tr("Not calibrated yet: the shape of the whole finger, without depth")
+               : QString();
+  }
+  if (is_joint_view())
+    return tr("1: %1, 2: %2, in the gripper's frame X, Y, Z")
+        .arg(pair_.name(false), pair_.name(true));
+  return (is_second ? QStringLiteral("2: ") : QStringLiteral("1: ")) + pair_.name(is_second);
+}
+
+void InspectPage::show_panes() {
+  const auto& frame = inspection_.frame();
+  const bool has_face = frame && frame->surface;
+  const bool is_pair = is_joint_view() && pair_.frames();
+  first_->set_title(title_of(false));
+  second_->set_title(title_of(true));
+  if (is_pair)
+    first_->show_pair(pair_);
+  else if (has_face || (frame && frame->bare))
+    first_->show_frame(frame);
+  else
+    first_->show_message(empty_reason());
+  second_->setVisible(options_.second ? !is_pair : options_.comparison == Comparison::kSideBySide);
+  if (options_.second)
+    show_second();
+  else if (has_face)
+    second_->show_frame(frame);
+  else
+    second_->show_message(empty_reason());
+}
+
+void InspectPage::show_state() {
+  const auto& recording = inspection_.recording();
+  const bool is_recording = !options_.recording.empty();
+  time_line_->setVisible(is_recording);
+  if (recording) time_line_->set_recording(recording->count, recording->frames_per_s);
+  if (const auto& frame = inspection_.frame(); frame && is_recording)
+    time_line_->set_shown(frame->number, QString::fromStdString(frame->result.frame->name));
+  side_->set_frame_count(is_recording && recording ? recording->count : 0);
+  save_bar_->set_can_save(can_save());
+  shown_->setText(shown_text());
+  std::vector<Problem> problems;
+  const bool is_loading = session_.status().finger.state == FingerState::kLoading;
+  if (inspection_.problem() && !is_loading) problems.push_back(Problem::of(*inspection_.problem()));
+  add_pair_problems(problems);
+  problems_->set_problems(std::move(problems));
+  pair_box_->show_pair(is_recording);
+  if (!inspection_.frame()) first_->show_message(empty_reason());
+  if (!inspection_.frame() && !options_.second) second_->show_message(empty_reason());
+}
+
+QString InspectPage::shown_text() const {
+  return options_.recording.empty() ? tr("Shown: the live finger")
+                                    : tr("Shown: %1").arg(text_of(options_.recording.filename()));
+}
+
+QString InspectPage::empty_reason() const {
+  const auto& frame = inspection_.frame();
+  if (frame && !frame->is_calibrated)
+    return tr("The finger is not calibrated yet, so brightness cannot be told as depth.");
+  if (frame && !frame->result.problems.empty())
+    return window_sentence(frame->result.problems.front());
+  if (frame) return tr("The face was not found in this picture.");
+  if (session_.status().finger.state == FingerState::kLoading)
+    return tr("The finger is being loaded.");
+  if (inspection_.problem()) return tr("Nothing can be shown; above stands why.");
+  if (!options_.recording.empty()) return tr("The recording is being opened.");
+  const LiveStatus& status = session_.status();
+  if (status.source.state == SourceState::kClosed)
+    return tr("No source is open. Choose one above, or open a recording.");
+  if (!status.finger.finger) return tr("No finger is open. Open the one that is seen, above.");
+  return tr("Waiting for the first picture.");
+}
+
+void InspectPage::show_probe() {
+  const auto& frame = inspection_.frame();
+  const bool is_measured = pointed_at_ && frame && (frame->surface || frame->bare);
+  const auto text = is_measured
+                        ? probe_text(*frame, nearest_pixel({pointed_at_->x(), pointed_at_->y()}))
+                        : std::nullopt;
+  static_cast<ElidedLabel*>(probe_)->set_text(
+      text ? joined_clauses({text->depth, text->position})
+           : tr("Point at the face: what lies there is told here."));
+  for (InspectPane* pane : {first_, second_})
+    pane->show_at_pointer(
+        text && pane->underMouse() ? text->depth + QLatin1Char('\n') + text->position : QString());
 }
 
 }  // namespace alltact

@@ -6,13 +6,11 @@
 #include "widgets/inspect/inspect_pane.h"
 #include "widgets/inspect/inspect_side.h"
 #include "widgets/inspect/inspection.h"
-#include "widgets/inspect/pair_box.h"
-#include "widgets/inspect/save_bar.h"
 #include "widgets/inspect/save_inspected.h"
 #include "widgets/inspect/time_line.h"
 #include "widgets/live/live_session.h"
-#include "widgets/pages/page.h"
 #include "widgets/panels/force_box.h"
+#include "widgets/shell/page.h"
 #include "widgets/undo_step.h"
 
 #include <QElapsedTimer>

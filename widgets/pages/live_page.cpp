@@ -1,10 +1,16 @@
 #include "widgets/pages/live_page.h"
 
-#include "widgets/panels/side_panel.h"
-#include "widgets/touch/contact_words.h"
-#include "widgets/value_change.h"
+#include "widgets/controls/devices.h"
+#include "widgets/language.h"
+#include "widgets/live/live_pair.h"
+#include "widgets/live/touch_history.h"
+#include "widgets/panels/force_box.h"
+#include "widgets/shell/page.h"
+#include "widgets/theme.h"
+#include "widgets/undo_step.h"
 
 #include <QHBoxLayout>
+#include <QSettings>
 #include <QVBoxLayout>
 
 namespace alltact {
@@ -228,6 +234,315 @@ void LivePage::show_times() {
   add(tr("All together"), times.total);
   times_->setText(rows.isEmpty() ? tr("No picture yet.")
                                  : QStringLiteral("<table>%1</table>").arg(rows));
+}
+
+StartPanel::StartPanel(QWidget* parent)
+    : Translated(parent),
+      title_(new QLabel),
+      intro_(new QLabel),
+      cards_(new FingerCards),
+      drawing_(new FingerDrawing(DrawnThing::kFinger)),
+      try_(new QPushButton),
+      last_(new QPushButton),
+      simulated_(new QPushButton),
+      video_(new QPushButton),
+      folder_(new QPushButton),
+      finger_(new QPushButton),
+      new_finger_(new QPushButton),
+      all_(new QPushButton),
+      sources_(new QGroupBox),
+      fingers_(new QGroupBox),
+      cameras_(new QVBoxLayout) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(kSpacing, kSpacing, kSpacing, kSpacing);
+  row->setSpacing(3 * kSpacing);
+  row->addLayout(make_left(), 1);
+  row->addLayout(make_right());
+  connect(cards_, &FingerCards::filled, this, &StartPanel::mark_primary);
+  connect(try_, &QPushButton::clicked, this, &StartPanel::tutorial_requested);
+  connect(last_, &QPushButton::clicked, this, &StartPanel::last_requested);
+  connect(simulated_, &QPushButton::clicked, this, &StartPanel::simulation_requested);
+  connect(video_, &QPushButton::clicked, this, &StartPanel::video_requested);
+  connect(folder_, &QPushButton::clicked, this, &StartPanel::folder_requested);
+  connect(finger_, &QPushButton::clicked, this, &StartPanel::finger_requested);
+  connect(new_finger_, &QPushButton::clicked, this, &StartPanel::new_finger_requested);
+  connect(all_, &QPushButton::clicked, this, &StartPanel::all_fingers_requested);
+  say([this] { name_parts(); });
+}
+
+QVBoxLayout* StartPanel::make_left() {
+  auto* column = new QVBoxLayout;
+  column->setSpacing(kSpacing + kSpacing / 2);
+  title_->setFont(text_font(font(), TextSize::kTitle));
+  intro_->setWordWrap(true);
+  for (QWidget* widget : {static_cast<QWidget*>(title_),
+                          static_cast<QWidget*>(intro_),
+                          static_cast<QWidget*>(last_),
+                          static_cast<QWidget*>(cards_)})
+    column->addWidget(widget);
+  column->addWidget(drawing_, 1);
+  return column;
+}
+
+QVBoxLayout* StartPanel::make_right() {
+  constexpr int kWidth = 220;
+  auto* sources = new QVBoxLayout(sources_);
+  sources->addLayout(cameras_);
+  for (QPushButton* button : {simulated_, video_, folder_}) sources->addWidget(button);
+  auto* fingers = new QVBoxLayout(fingers_);
+  for (QPushButton* button : {finger_, all_, new_finger_}) fingers->addWidget(button);
+  auto* column = new QVBoxLayout;
+  column->setSpacing(2 * kSpacing);
+  for (QWidget* widget : {static_cast<QWidget*>(try_),
+                          static_cast<QWidget*>(sources_),
+                          static_cast<QWidget*>(fingers_)}) {
+    widget->setMinimumWidth(kWidth);
+    column->addWidget(widget);
+  }
+  column->addStretch();
+  return column;
+}
+
+void StartPanel::name_parts() {
+  title_->setText(tr("What shall be shown?"));
+  intro_->setText(tr("Choose where pictures come from. A finger can be opened before or after."));
+  try_->setText(tr("&Try with a simulated finger"));
+  try_->setToolTip(
+      tr("A whole day in five minutes: record, press, calibrate and check a finger that is "
+         "computed"));
+  simulated_->setText(tr("&Simulated finger"));
+  video_->setText(tr("&Video file…"));
+  folder_->setText(tr("Folder of &pictures…"));
+  finger_->setText(tr("&Open a finger…"));
+  all_->setText(tr("&All fingers…"));
+  all_->setToolTip(tr("What each is worth, and what is due, in one list"));
+  new_finger_->setText(tr("&New finger…"));
+  sources_->setTitle(tr("Source"));
+  fingers_->setTitle(tr("Finger"));
+  drawing_->setAccessibleName(
+      tr("A finger from its side: camera and lamps at its base, and a ball that presses"));
+  set_last(last_text_);
+  show_cameras();
+}
+
+void StartPanel::mark_primary() {
+  const bool has_worked = !last_text_.isEmpty();
+  set_primary(*last_, has_worked);
+  set_primary(*try_, !has_worked && cards_->cards().empty());
+  all_->setEnabled(!cards_->cards().empty());
+}
+
+void StartPanel::set_last(const QString& what) {
+  last_text_ = what;
+  last_->setVisible(!what.isEmpty());
+  last_->setText(tr("&Go on with %1").arg(what));
+  mark_primary();
+}
+
+void StartPanel::set_cameras(const std::vector<FoundCamera>& cameras) {
+  found_ = cameras;
+  show_cameras();
+}
+
+void StartPanel::show_cameras() {
+  while (QLayoutItem* item = cameras_->takeAt(0)) {
+    item->widget()->hide();
+    item->widget()->deleteLater();
+    delete item;
+  }
+  if (found_.empty()) cameras_->addWidget(new QLabel(tr("No camera is plugged in.")));
+  for (const FoundCamera& camera : found_) {
+    const QString name = QString::fromStdString(camera.identity.stable_name());
+    auto* button = new QPushButton(tr("Camera %1").arg(camera_label(camera, found_)));
+    button->setToolTip(name);
+    connect(button, &QPushButton::clicked, this, [this, name] { Q_EMIT camera_requested(name); });
+    cameras_->addWidget(button);
+    if (!camera.problem) continue;
+    button->setEnabled(false);
+    auto* why = new QLabel(window_sentence(camera.problem->message()));
+    why->setWordWrap(true);
+    cameras_->addWidget(why);
+  }
+}
+
+// Contact and force in the page Live.
+
+void LivePage::make_contact() {
+  contact_->setWordWrap(true);
+  contact_->setTextFormat(Qt::RichText);
+  contact_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  // Height of the longest text, constant while contacts come and go.
+  constexpr int kContactLines = 8;
+  contact_->setMinimumHeight(kContactLines * contact_->fontMetrics().lineSpacing());
+  contact_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  (new QVBoxLayout(contact_group_))->addWidget(contact_);
+}
+
+void LivePage::connect_force() {
+  connect(&session_, &LiveSession::view_ready, force_, &ForceBox::schedule_update);
+  connect(force_, &ForceBox::zero_requested, this, [this](const ForceZero& zero) {
+    take_zero(session_, undo_, zero);
+  });
+  connect(force_, &ForceBox::no_zero_requested, this, [this] { drop_zero(session_, undo_); });
+}
+
+ShownForce LivePage::shown_force() const {
+  ShownForce shown;
+  const auto& view = session_.view();
+  if (view) shown.now = view->result.force;
+  shown.history = &session_.touch_history();
+  shown.zero = session_.force_zero();
+  shown.why_none = no_force_reason(session_.status().finger);
+  return shown;
+}
+
+// The second finger in the page Live.
+
+namespace {
+
+constexpr int kMotorMergeId = 22000;
+
+}  // namespace
+
+void LivePage::connect_pair() {
+  connect(&pair_, &LivePair::pair_ready, this, &LivePage::show_pair);
+  connect(&pair_, &LivePair::changed, this, &LivePage::show_pair_state);
+  connect(pair_box_, &LivePairBox::open_requested, this, &LivePage::choose_second);
+  connect(pair_box_, &LivePairBox::close_requested, this, [this] { open_second(std::nullopt); });
+  connect(pair_box_, &LivePairBox::motor_requested, this, [this](double turns) {
+    auto second = pair_.opened();
+    if (!second) return;
+    second->motor_turns = turns;
+    change_second(
+        second, [] { return tr("change the motor's position"); }, kMotorMergeId);
+  });
+}
+
+void LivePage::set_cameras(const std::vector<FoundCamera>& cameras) {
+  start_->set_cameras(cameras);
+  cameras_.clear();
+  for (const FoundCamera& camera : cameras)
+    if (!camera.problem) cameras_ << QString::fromStdString(camera.identity.stable_name());
+}
+
+void LivePage::open_second(const std::optional<SecondCamera>& second) {
+  change_second(
+      second,
+      [opens = second.has_value()] {
+        return opens ? tr("watch a second finger") : tr("close the second finger");
+      },
+      -1);
+}
+
+void LivePage::change_second(const std::optional<SecondCamera>& second,
+                             const StepWords& what,
+                             int merge_id) {
+  using Second = std::optional<SecondCamera>;
+  if (second == pair_.opened()) return;
+  undo_.push(new ValueChange<Second>(
+      what,
+      pair_.opened(),
+      second,
+      [this](const Second& requested) { set_second(requested); },
+      merge_id));
+}
+
+void LivePage::choose_second() {
+  auto* dialog = new SecondCameraDialog(pair_.opened(), cameras_, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &SecondCameraDialog::chosen, this, [this](const SecondCamera& second) {
+    open_second(second);
+  });
+  dialog->show();
+}
+
+void LivePage::set_second(const std::optional<SecondCamera>& second) {
+  pair_.open(second);
+  if (second && second_panel_ == nullptr) {
+    second_panel_ = new ImagePanel(*pair_.second());
+    second_panel_->set_options(options_);
+    set_layers(*pair_.second());
+    panels_->addWidget(second_panel_, 1);
+  }
+  if (second_panel_ != nullptr) second_panel_->setVisible(second.has_value());
+  show_pair();
+  show_pair_state();
+}
+
+void LivePage::set_layers(LiveSession& session) const {
+  session.set_layers({options_.depth, options_.faults});
+  session.set_depth_top_mm(options_.depth_top_mm);
+}
+
+/// Each panel shows its view of the pair instead of its own newest view.
+void LivePage::show_pair() {
+  const auto& pair = pair_.pair();
+  panel_->show_instead(pair ? pair->views[0] : nullptr);
+  if (second_panel_ != nullptr) second_panel_->show_instead(pair ? pair->views[1] : nullptr);
+}
+
+void LivePage::show_pair_state() {
+  pair_box_->show_pair();
+  const bool is_open = pair_.opened() && pair_.second() != nullptr;
+  panel_->set_title(is_open ? QStringLiteral("1: ") + finger_name(session_.status().finger)
+                            : QString());
+  if (second_panel_ != nullptr)
+    second_panel_->set_title(QStringLiteral("2: ") + finger_name(pair_.second()->status().finger));
+}
+
+// The finger's lamp in the page Live: each change is an undo step and is saved for the next start.
+
+namespace {
+
+constexpr int kLampMergeId = 23000;
+
+QString lamp_key(const char* name) {
+  return QStringLiteral("lamp/") + QLatin1String(name);
+}
+
+std::optional<DimmerSetting> saved_lamp() {
+  const QSettings settings;
+  const QString device = settings.value(lamp_key("device")).toString();
+  const QString control = settings.value(lamp_key("control")).toString();
+  const double level = settings.value(lamp_key("level"), -1).toDouble();
+  if (device.isEmpty() || control.isEmpty() || !(level >= 0 && level <= 1)) return std::nullopt;
+  return DimmerSetting{device.toStdString(), control.toStdString(), level};
+}
+
+void save_lamp(const std::optional<DimmerSetting>& lamp) {
+  QSettings settings;
+  if (!lamp) return settings.remove(QStringLiteral("lamp"));
+  settings.setValue(lamp_key("device"), QString::fromStdString(lamp->device));
+  settings.setValue(lamp_key("control"), QString::fromStdString(lamp->control));
+  settings.setValue(lamp_key("level"), lamp->level);
+}
+
+}  // namespace
+
+void LivePage::connect_lamp() {
+  auto* panel = lamp_group_->findChild<LampPanel*>();
+  connect(panel, &LampPanel::setting_requested, this, &LivePage::change_lamp);
+  // Frames store the setting that the device accepted, not the requested one.
+  connect(&lamp_, &Lamp::changed, this, [this] { session_.set_light(lamp_.setting()); });
+  if (const auto saved = saved_lamp()) lamp_.set(saved);
+}
+
+void LivePage::change_lamp(const std::optional<DimmerSetting>& requested) {
+  const auto& before = lamp_.requested();
+  const auto same = [](const DimmerSetting& a, const DimmerSetting& b) {
+    return a.device == b.device && a.control == b.control;
+  };
+  if (requested == before) return;
+  const bool is_level = requested && before && same(*requested, *before);
+  undo_.push(new ValueChange<std::optional<DimmerSetting>>(
+      [is_level] { return is_level ? tr("dim the lamp") : tr("choose the lamp's dimmer"); },
+      before,
+      requested,
+      [this](const std::optional<DimmerSetting>& lamp) {
+        lamp_.set(lamp);
+        save_lamp(lamp);
+      },
+      is_level ? kLampMergeId : -1));
 }
 
 }  // namespace alltact

@@ -1,16 +1,29 @@
 #include "widgets/pages/record_page.h"
 
-#include "widgets/calibrating/space_key.h"
-#include "widgets/joined_words.h"
-#include "widgets/panels/side_panel.h"
-#include "widgets/tip_of_text.h"
+#include "calibration/reference/motion_coverage.h"
+#include "core/sources/file_source.h"
+#include "widgets/calibrating/step_page.h"
+#include "widgets/image/image_view.h"
+#include "widgets/image/overlays.h"
+#include "widgets/language.h"
+#include "widgets/shell/page.h"
+#include "widgets/theme.h"
+#include "widgets/widget_base.h"
 
 #include <QCheckBox>
 #include <QDateTime>
 #include <QDir>
+#include <QFile>
 #include <QFileDialog>
 #include <QHBoxLayout>
+#include <QPainter>
+#include <QPainterPath>
+#include <QPoint>
+#include <QSignalBlocker>
+#include <QStandardPaths>
 #include <QVBoxLayout>
+#include <cmath>
+#include <set>
 
 namespace alltact {
 namespace {
@@ -347,6 +360,520 @@ void RecordPage::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   record_->setFocus();  // so that keys are not typed into a field
   show_status();
+}
+
+// Installation of a recording in the page Record, and its outcome.
+
+namespace {
+
+/// Reuses the judged result of the same recording.
+Result<ReferenceReport> install_take(const ReferenceInstaller& installer,
+                                     const std::shared_ptr<const JudgedTake>& judged,
+                                     const std::filesystem::path& folder,
+                                     const std::filesystem::path& video,
+                                     const ReferenceChoices& choices,
+                                     const Job& job) {
+  if (judged && judged->finger == folder && judged->video == video) {
+    const auto is_done = judged->install();
+    if (!is_done) return is_done.error();
+    if (*is_done) return judged->report;
+  }
+  return installer(folder, video, choices, job);
+}
+
+}  // namespace
+
+bool RecordPage::is_installing() const {
+  return install_work_.is_running() || install_after_judging_;
+}
+
+void RecordPage::install() {
+  report_.reset();
+  problem_image_ = {};
+  install_after_judging_ = judge_.is_working();
+  if (!install_after_judging_) install_now();
+  show_status();
+}
+
+void RecordPage::follow_judge() {
+  if (install_after_judging_ && !judge_.is_working()) {
+    install_after_judging_ = false;
+    // An error is shown already by the judging.
+    if (judge_.judged() && judge_.judged()->report.ok()) install_now();
+  }
+  if (install_after_judging_) show_installing();
+  show_status();
+}
+
+ReferenceChoices RecordPage::choices() const {
+  ReferenceChoices choices;
+  choices.rest_pose = rest_pose_;
+  choices.keep = contact_free_;
+  choices.skin_was_changed = skin_changed_->isChecked();
+  return choices;
+}
+
+void RecordPage::install_now() {
+  const auto folder = session_.status().finger.folder;
+  const auto video = recorded_;
+  const auto judged = contact_free_.empty() ? judge_.judged() : nullptr;
+  install_work_.start(
+      [this, folder, video, choices = choices(), judged, installer = installer_](const Job& job) {
+        auto report = std::make_shared<Result<ReferenceReport>>(
+            install_take(installer, judged, folder, video, choices, job));
+        const QImage image(QString::fromStdString((folder / kReferenceProblem).string()));
+        // A stop by the user needs no error message.
+        const bool is_stopped = job.stop_requested() && !report->ok();
+        return std::function<void()>([this, report, video, image, is_stopped] {
+          if (is_stopped) return;
+          installed_ = video;
+          report_ = *report;
+          problem_image_ = image;
+          if (report->ok()) judge_.forget();
+          list_rejected();
+        });
+      });
+}
+
+void RecordPage::stop_installing() {
+  install_after_judging_ = false;
+  install_work_.stop();
+  show_status();
+}
+
+void RecordPage::show_installing() {
+  bar_->setValue(static_cast<int>(100 * installing_work().fraction()));
+  outcome_->setText(outcome_text());
+  outcome_->setVisible(true);
+}
+
+const BackgroundWork& RecordPage::installing_work() const {
+  return install_after_judging_ ? judge_.work() : install_work_;
+}
+
+void RecordPage::show_problem_image() {
+  auto* dialog = new ImageDialog(problem_image_, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(tr("What was found in the recording"));
+  dialog->show();
+}
+
+void RecordPage::list_rejected() {
+  const QSignalBlocker no_choice(rejected_);
+  rejected_->clear();
+  if (!report_ || !*report_) return;
+  std::set<std::string> listed;
+  for (const ReferenceStretch& stretch : report_->value().stretches) {
+    auto* item = new QListWidgetItem(in_window_language(stretch.sentence), rejected_);
+    item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
+    item->setCheckState(stretch.is_retained ? Qt::Checked : Qt::Unchecked);
+    item->setData(Qt::UserRole, QPoint(stretch.first, stretch.last));
+    listed.insert(stretch.sentence.english());
+  }
+  for (const Message& reason : report_->value().rejected)
+    if (!listed.contains(reason.english())) rejected_->addItem(in_window_language(reason));
+}
+
+void RecordPage::choose_frames() {
+  contact_free_.clear();
+  for (int row = 0; row < rejected_->count(); ++row) {
+    const QListWidgetItem& item = *rejected_->item(row);
+    const QPoint frames = item.data(Qt::UserRole).toPoint();
+    const bool is_stretch = (item.flags() & Qt::ItemIsUserCheckable) != 0;
+    if (is_stretch && item.checkState() == Qt::Checked)
+      contact_free_.push_back({frames.x(), frames.y()});
+  }
+  installed_.clear();  // the choice differs from what is installed
+  show_status();
+}
+
+// The page Record after a recording: installation, and the ghost outline that shows how to bend the
+// finger.
+
+namespace {
+
+constexpr int kGhostPeriod_ms = 2200;    // one period: motion, a rest, and a restart
+constexpr double kMotionFraction = 0.7;  // fraction of the period
+constexpr int kRigInterval_ms = 300;
+const QColor kGhost(255, 255, 255);
+
+/// Smoothstep from 0 to 1.
+double ease(double part) {
+  const double t = std::clamp(part, 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
+
+TipMotion part_of(const TipMotion& motion, double part) {
+  return {part * motion.bend_mm, part * motion.sway_mm, part * motion.twist_deg};
+}
+
+Overlay ghost_overlay(const BentOutline& outline, const QString& words) {
+  return [outline, words](QPainter& painter, const ImageTransform& transform) {
+    QPolygonF polygon;
+    for (const auto& p : outline.upper) polygon << transform.to_widget({p.x(), p.y()});
+    for (auto p = outline.lower.rbegin(); p != outline.lower.rend(); ++p)
+      polygon << transform.to_widget({p->x(), p->y()});
+    QPainterPath path;
+    path.addPolygon(polygon);
+    path.closeSubpath();
+    QColor inside = kGhost;
+    inside.setAlpha(45);
+    painter.fillPath(path, inside);
+    stroke_over(painter, path, kGhost, 2, Qt::DashLine);
+    const QRectF box = path.boundingRect();
+    write_next_to(painter, QPointF(box.center().x() - 80, box.center().y() - 12), words, kGhost);
+  };
+}
+
+}  // namespace
+
+/// Ghost of the first missing direction; none where there is nothing to follow.
+std::vector<Overlay> RecordPage::ghost(const LiveView& view) const {
+  const BendState& covered = coverage_.state();
+  const auto missing = covered.missing();
+  const bool is_recording = session_.status().recording.state == RecordingState::kRunning;
+  const bool is_offered = !recorded_.empty() && !is_recording;
+  if (missing.empty() || !covered.now || !view.result.shape || is_offered) return {};
+  const double phase = static_cast<double>(ghost_clock_.elapsed() % kGhostPeriod_ms) /
+                       kGhostPeriod_ms / kMotionFraction;
+  const auto outline =
+      bent_outline(*view.result.shape, part_of(motion_left(covered, missing.front()), ease(phase)));
+  if (!outline) return {};
+  return {ghost_overlay(*outline,
+                        tr("Follow the outline: %1").arg(bend_direction_text(missing.front())))};
+}
+
+void RecordPage::offer(const std::filesystem::path& video, std::optional<RestPose> rest_pose) {
+  recorded_ = video;
+  rest_pose_ = std::move(rest_pose);
+  contact_free_.clear();
+  deferred_.clear();
+  skin_changed_->setChecked(false);
+  judge_take();
+}
+
+void RecordPage::judge_take() {
+  const LiveStatus& status = session_.status();
+  if (!recorded_.empty() && install_obstacle(status).isEmpty())
+    judge_.judge(status.finger.folder, recorded_, choices());
+}
+
+void RecordPage::defer_take() {
+  deferred_ = std::exchange(recorded_, {});
+  judge_.forget();
+  report_.reset();
+  show_status();
+}
+
+void RecordPage::record_again() {
+  const auto video = std::exchange(recorded_, {});
+  judge_.forget();
+  // The trash is in this folder; without it, Qt 6.4 creates one in the current folder.
+  QDir().mkpath(QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation));
+  // Only the last recording is removed; an installed video has been copied.
+  if (video == session_.status().recording.file)
+    for (const auto& file : {video, std::filesystem::path(video).replace_extension(".frames.csv")})
+      QFile::moveToTrash(QString::fromStdString(file.string()));
+  begin_recording();
+}
+
+void RecordPage::choose_video() {
+  auto* dialog = new QFileDialog(this,
+                                 tr("Video of the bending finger"),
+                                 QString::fromStdString(session_.status().finger.folder.string()),
+                                 tr("Videos (*.mkv *.avi *.mp4 *.mov)"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
+    report_.reset();
+    problem_image_ = {};
+    offer(file.toStdString(), std::nullopt);
+    show_status();
+  });
+  dialog->show();
+}
+
+QString RecordPage::take_words(const RecordingStatus& recording) const {
+  const QString name = QString::fromStdString(recorded_.filename().string());
+  if (recording.file != recorded_) return name;
+  QStringList lines{
+      tr("%1: %2, %3 min")
+          .arg(name,
+               tr("%n frame(s)", nullptr, static_cast<int>(recording.counts.recorded)),
+               time_text(recording.seconds))};
+  if (const auto dropped = recording.counts.dropped; dropped > 0)
+    lines << tr("%n frame(s) were lost because this computer or its disk was too slow.",
+                nullptr,
+                static_cast<int>(dropped));
+  if (const auto missing = recording.counts.missing; missing > 0)
+    lines << tr("%n frame(s) never came from the source.", nullptr, static_cast<int>(missing));
+  if (recording.counts.dropped + recording.counts.missing == 0) lines << tr("No frame was lost.");
+  if (contact_frames_ > 0)
+    lines << tr(
+        "Touched in %n frame(s), which are left out.", nullptr, static_cast<int>(contact_frames_));
+  return lines.join(QLatin1Char('\n'));
+}
+
+QString RecordPage::judged_words() const {
+  if (judge_.is_working()) {
+    const auto left = judge_.work().seconds_left();
+    return left ? tr("What it would bring is being worked out, about %n second(s).",
+                     nullptr,
+                     static_cast<int>(*left) + 1)
+                : tr("What it would bring is being worked out.");
+  }
+  if (!judge_.judged() || report_) return {};
+  const Result<ReferenceReport>& judged = judge_.judged()->report;
+  if (!judged.ok())
+    return tr("It cannot be installed: %1").arg(window_sentence(judged.error().what));
+  const ReferenceReport& report = judged.value();
+  return tr("It would bring: half of the references off by less than %1 mm, 95 % by less than %2 "
+            "mm, from %n frame(s).",
+            nullptr,
+            report.frames_retained)
+      .arg(QLocale().toString(report.error_median_mm, 'f', 3),
+           QLocale().toString(report.error_p95_mm, 'f', 3));
+}
+
+void RecordPage::show_offer(const LiveStatus& status) {
+  const QString why = install_obstacle(status);
+  const bool is_installed = report_ && report_->ok() && installed_ == recorded_;
+  install_->setEnabled(why.isEmpty() && !is_installing());
+  install_->setVisible(!is_installing() && !is_installed);
+  for (QPushButton* other : {keep_, again_}) {
+    other->setEnabled(!is_installing() && status.recording.state != RecordingState::kFinishing);
+    other->setVisible(!is_installing() && !is_installed);
+  }
+  again_->setEnabled(again_->isEnabled() && record_->isEnabled());
+  onward_->setVisible(is_installed && !is_installing());
+  onward_->setEnabled(status.finger.has_reference);
+  install_reason_->setText(why);
+  install_reason_->setVisible(!why.isEmpty());
+  skin_changed_->setVisible(status.finger.has_reference && !is_installing() && !is_installed);
+  judged_->setText(judged_words());
+  judged_->setVisible(!judged_->text().isEmpty() && !is_installing());
+  bar_->setVisible(is_installing());
+  stop_install_->setVisible(is_installing());
+}
+
+void RecordPage::show_recorded(const LiveStatus& status) {
+  const bool is_deferred = !deferred_.empty();
+  result_group_->setVisible(!recorded_.empty() || is_deferred);
+  if (recorded_.empty() && !is_deferred) return;
+  if (is_deferred) {
+    summary_->setText(tr("Kept: %1").arg(QString::fromStdString(deferred_.filename().string())));
+    summary_->setToolTip(QString::fromStdString(deferred_.string()));
+    for (QWidget* widget : {static_cast<QWidget*>(install_),
+                            static_cast<QWidget*>(keep_),
+                            static_cast<QWidget*>(again_),
+                            static_cast<QWidget*>(onward_),
+                            static_cast<QWidget*>(install_reason_),
+                            static_cast<QWidget*>(judged_),
+                            static_cast<QWidget*>(skin_changed_),
+                            static_cast<QWidget*>(bar_),
+                            static_cast<QWidget*>(stop_install_),
+                            static_cast<QWidget*>(outcome_),
+                            static_cast<QWidget*>(rejected_)})
+      widget->hide();
+    return;
+  }
+  summary_->setText(take_words(status.recording));
+  summary_->setToolTip(QString::fromStdString(recorded_.string()));
+  show_offer(status);
+  outcome_->setText(outcome_text());
+  outcome_->setVisible(!outcome_->text().isEmpty());
+  rejected_->setVisible(report_ && report_->ok() && rejected_->count() > 0 && !is_installing());
+}
+
+/// The checklist before the first recording.
+void RecordPage::show_rig() {
+  const LiveStatus& status = session_.status();
+  const bool is_recording = status.recording.state == RecordingState::kRunning;
+  const auto& finger = status.finger.finger;
+  const bool has_folder = finger && status.finger.state == FingerState::kReady;
+  rig_box_->setVisible(has_folder && session_.view() && !is_recording &&
+                       finger->face.kind == FaceKind::kFinRay);
+  rig_box_->set_needed(has_folder && !status.finger.has_reference && recorded_.empty());
+  if (!has_folder || !isVisible()) return;
+  if (since_rig_.isValid() && since_rig_.elapsed() < kRigInterval_ms) return;
+  since_rig_.start();
+  rig_box_->show_findings(rig_.findings(2 * finger->markers.per_row), status.controller.controls);
+}
+
+// Status texts of the page Record: what is needed, progress and outcome.
+
+namespace {
+
+constexpr double kLittleSpace_gb = 2;
+// Consecutive frames; the first ones of a source are always unknown.
+constexpr int kMaxUnknownFrames = 15;
+
+}  // namespace
+
+QString RecordPage::time_text(double seconds) {
+  const int total_s = static_cast<int>(seconds);
+  return QStringLiteral("%1:%2").arg(total_s / 60).arg(total_s % 60, 2, 10, QLatin1Char('0'));
+}
+
+QString RecordPage::record_obstacle(const LiveStatus& status) const {
+  if (is_installing()) return tr("The recording is being installed.");
+  if (status.recording.state == RecordingState::kFinishing)
+    return tr("The last frames are being written.");
+  if (status.source.state != SourceState::kRunning)
+    return tr("Open a source first: a camera, or the simulated finger.");
+  return {};
+}
+
+void RecordPage::show_button(const LiveStatus& status) {
+  const bool is_recording = status.recording.state == RecordingState::kRunning;
+  const QString why = is_recording ? QString() : record_obstacle(status);
+  record_->setText(is_recording ? tr("Stop &recording") : tr("Start &recording"));
+  // setText() removes the shortcut.
+  record_->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_R));
+  record_->setToolTip(tr("Ctrl+R, or Space"));
+  record_->setIcon(
+      icon(is_recording ? QStringLiteral("stop") : QStringLiteral("record"), palette()));
+  record_->setEnabled(why.isEmpty());
+  reason_->setText(why);
+  reason_->setVisible(!why.isEmpty());
+  for (QWidget* widget : {static_cast<QWidget*>(file_), static_cast<QWidget*>(browse_)})
+    widget->setEnabled(!is_recording);
+}
+
+void RecordPage::show_progress(const RecordingStatus& recording) {
+  const QLocale locale;
+  const bool is_recording = recording.state == RecordingState::kRunning;
+  progress_->setVisible(is_recording);
+  const std::uint64_t lost = recording.counts.dropped + recording.counts.missing;
+  if (is_recording)
+    progress_->setText(
+        tr("<b>Recording</b> %1 min<br>%2, %3, %4 GB")
+            .arg(time_text(recording.seconds),
+                 tr("%n frame(s)", nullptr, static_cast<int>(recording.counts.recorded)),
+                 tr("%n lost", nullptr, static_cast<int>(lost)),
+                 locale.toString(static_cast<double>(recording.counts.bytes) / kGigabyte, 'f', 2)));
+  std::optional<double> free_gb = free_gb_;
+  if (is_recording && recording.counts.free_bytes > 0)
+    free_gb = static_cast<double>(recording.counts.free_bytes) / kGigabyte;
+  QStringList parts;
+  if (free_gb) parts << tr("Space left: %1 GB").arg(locale.toString(*free_gb, 'f', 1));
+  if (free_gb && is_recording && recording.seconds > 2 && recording.counts.bytes > 0) {
+    const double gb_per_s =
+        static_cast<double>(recording.counts.bytes) / kGigabyte / recording.seconds;
+    parts << tr("room for about %n minute(s)",
+                nullptr,
+                static_cast<int>(std::min(*free_gb / gb_per_s / 60, 99999.0)));
+  }
+  space_->setText(joined(parts));
+  space_->setVisible(!parts.isEmpty());
+}
+
+QString RecordPage::install_obstacle(const LiveStatus& status) const {
+  if (status.finger.folder.empty()) return tr("Open the finger that was recorded first.");
+  if (status.finger.finger && status.finger.finger->face.kind == FaceKind::kFlat)
+    return tr("A flat sensor has one untouched picture instead of a recording.");
+  if (is_busy()) return is_installing() ? QString() : tr("A recording is under way.");
+  return {};
+}
+
+void RecordPage::mark_primary() {
+  const bool is_offered = !recorded_.empty() && installed_ != recorded_;
+  const bool is_refused = judge_.judged() && !judge_.judged()->report.ok();
+  const bool installs = is_offered && install_->isEnabled() && !is_refused;
+  const bool is_installed = !recorded_.empty() && report_ && report_->ok();
+  set_primary(*install_, installs);
+  set_primary(*again_, is_offered && is_refused && again_->isEnabled());
+  set_primary(*onward_, is_installed && onward_->isEnabled());
+  set_primary(*record_, !is_offered && !is_installed && !is_installing());
+}
+
+QString RecordPage::outcome_text() const {
+  if (is_installing()) {
+    const auto left = installing_work().seconds_left();
+    if (!left) return tr("Reading the recording…");
+    return tr("About %n second(s) left.", nullptr, static_cast<int>(*left) + 1);
+  }
+  if (!report_ || !report_->ok()) return {};
+  const ReferenceReport& report = report_->value();
+  QStringList lines{
+      tr("Installed: %1 of %n frame(s) are in the reference.", nullptr, report.frames_read)
+          .arg(report.frames_retained),
+      tr("What it leaves open: half of the references made from it are off by less than %1 mm, 95 "
+         "% "
+         "by less than %2 mm.")
+          .arg(QLocale().toString(report.error_median_mm, 'f', 3),
+               QLocale().toString(report.error_p95_mm, 'f', 3))};
+  if (report.repeated > 0)
+    lines << tr("%n frame(s) showed a pose that others show as well.", nullptr, report.repeated);
+  if (!session_.status().finger.has_reference)
+    lines << tr("The finger is being read with its new reference.");
+  if (!report.rejected.empty()) lines << tr("Left out, with the reason:");
+  return lines.join(QLatin1Char('\n'));
+}
+
+void RecordPage::add_problems(std::vector<Problem>& problems) {
+  const LiveStatus& status = session_.status();
+  const FingerStatus& finger = status.finger;
+  if (isVisible()) add_recording_problems(status, problems);
+  if (finger.state != FingerState::kReady || finger.folder.empty()) return;
+  if (finger.finger->face.kind == FaceKind::kFinRay && !finger.has_reference)
+    problems.push_back({Meaning::kDoubtful,
+                        tr("This finger has no reference recording yet."),
+                        tr("Record it bending, with nothing on its contact face."),
+                        {},
+                        {}});
+}
+
+void RecordPage::add_recording_problems(const LiveStatus& status, std::vector<Problem>& problems) {
+  if (status.recording.problem) problems.push_back(Problem::of(*status.recording.problem));
+  if (report_ && !report_->ok()) problems.push_back(Problem::of(report_->error()));
+  const auto note = [&](Meaning meaning, const QString& what, const QString& advice) {
+    problems.push_back({meaning, what, advice, {}, {}});
+  };
+  const bool is_recording = status.recording.state == RecordingState::kRunning;
+  const std::uint64_t lost =
+      is_recording ? status.recording.counts.dropped + status.recording.counts.missing : 0;
+  if (lost > 0)
+    note(Meaning::kBad,
+         tr("%n frame(s) of this recording are lost.", nullptr, static_cast<int>(lost)),
+         tr("Try another disk, or a smaller picture."));
+  add_contact_notes(status, problems);
+  if (free_gb_ && *free_gb_ < kLittleSpace_gb)
+    note(Meaning::kDoubtful,
+         tr("Little space is left on the disk."),
+         tr("Choose a file on another disk, or make room."));
+  if (report_ && report_->ok())
+    for (const Message& warning : report_->value().warnings)
+      problems.push_back(Problem::of(Error{warning, "", ""}, Meaning::kDoubtful));
+  if (!problem_image_.isNull())
+    problems.push_back({Meaning::kDoubtful,
+                        tr("A picture shows what was found in the recording, and what was not."),
+                        {},
+                        tr("Show the picture"),
+                        [this] { show_problem_image(); }});
+}
+
+void RecordPage::add_contact_notes(const LiveStatus& status, std::vector<Problem>& problems) const {
+  if (!session_.view()) return;
+  if (is_in_contact_)
+    problems.push_back({Meaning::kDoubtful,
+                        tr("The contact face is touched; such frames are left out."),
+                        tr("Keep it free: bend the finger at its tip, its sides or its back."),
+                        {},
+                        {}});
+  if (unknown_frames_ >= kMaxUnknownFrames)
+    problems.push_back({Meaning::kDoubtful,
+                        tr("It cannot be seen whether the contact face is touched."),
+                        tr("Open the finger that belongs to this source, and keep both edges of "
+                           "its face in the picture."),
+                        {},
+                        {}});
+  else if (!status.finger.has_reference && touch_ != FaceContact::kUnknown)
+    problems.push_back({Meaning::kDoubtful,
+                        tr("Before there is a reference, touching is told from the frames before."),
+                        tr("Begin with nothing on the contact face."),
+                        {},
+                        {}});
 }
 
 }  // namespace alltact

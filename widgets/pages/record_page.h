@@ -1,15 +1,12 @@
 // The page Record: records a reference video with its coverage, and installs it in the finger.
 #pragma once
 
-#include "calibration/reference/bend_coverage.h"
+#include "calibration/reference/motion_coverage.h"
 #include "calibration/reference/reference_recording.h"
 #include "widgets/background_work.h"
-#include "widgets/pages/page.h"
 #include "widgets/panels/image_panel.h"
-#include "widgets/recording/coverage_view.h"
-#include "widgets/recording/quick_bending.h"
-#include "widgets/recording/rig_check_box.h"
-#include "widgets/recording/take_judge.h"
+#include "widgets/panels/recording_checks.h"
+#include "widgets/shell/page.h"
 
 #include <QCheckBox>
 #include <QGroupBox>

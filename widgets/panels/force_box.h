@@ -1,18 +1,50 @@
 // The force on the finger: as numbers, over time, and its zero.
 #pragma once
 
-#include "widgets/plots/force_plot.h"
-#include "widgets/touch/session_zero.h"
-#include "widgets/translated.h"
+#include "widgets/live/live_session.h"
+#include "widgets/live/touch_history.h"
+#include "widgets/plots/plot.h"
+#include "widgets/widget_base.h"
 
 #include <QGroupBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QTimer>
+#include <QUndoStack>
 #include <functional>
 #include <optional>
+#include <utility>
 
 namespace alltact {
+
+// Forces of the last 30 s with their intervals, above the contacts in the same time.
+
+class ForcePlot : public Plot {
+  Q_OBJECT
+ public:
+  using Plot::Plot;
+  void set_data(const TouchHistory& history, const std::optional<ForceZero>& zero);
+  /// The reason why there is nothing to draw.
+  void set_empty_text(const QString& text);
+  /// Newtons at the lower and the upper end of the drawn axis.
+  [[nodiscard]] std::pair<double, double> span_N() const { return {low_N_, top_N_}; }
+
+ protected:
+  bool draw() override;
+  [[nodiscard]] QString empty_text() const override { return empty_text_; }
+
+ private:
+  void set_span();
+  void draw_contacts();
+  void draw_span(double from_s, double to_s, int alpha, Qt::BrushStyle style);
+  void draw_axis(int axis);
+  [[nodiscard]] QString axis_name(int axis) const;
+
+  TouchHistory history_;
+  std::optional<ForceZero> zero_;
+  QString empty_text_;
+  double low_N_ = 0, top_N_ = 0;
+};
 
 /// The data that the box shows.
 struct ShownForce {
@@ -61,5 +93,13 @@ class ForceBox : public Translated<QGroupBox> {
   QPushButton *take_zero_, *no_zero_;
   std::optional<ForceZero> offered_zero_;  ///< by the button as it is drawn
 };
+
+// Re-zeroing the force, as undo steps.
+
+/// Sets this reading of the live finger as zero force. `zero` is the reading that the user saw,
+/// whatever was measured since. Does nothing without a finger. Session and stack outlive the steps.
+void take_zero(LiveSession& session, QUndoStack& undo, const ForceZero& zero);
+/// Shows forces as measured again.
+void drop_zero(LiveSession& session, QUndoStack& undo);
 
 }  // namespace alltact

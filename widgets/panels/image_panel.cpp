@@ -1,11 +1,20 @@
 #include "widgets/panels/image_panel.h"
 
+#include "widgets/image/image_view.h"
 #include "widgets/image/overlays.h"
-#include "widgets/panels/snapshot.h"
-#include "widgets/shell/icons.h"
+#include "widgets/language.h"
+#include "widgets/theme.h"
 
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QDir>
+#include <QFileDialog>
 #include <QHBoxLayout>
+#include <QMessageBox>
+#include <QPainter>
+#include <QStandardPaths>
 #include <QVBoxLayout>
+#include <cmath>
 
 namespace alltact {
 namespace {
@@ -203,6 +212,124 @@ void ImagePanel::changeEvent(QEvent* event) {
 void ImagePanel::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   show_frame();
+}
+
+namespace {
+
+struct SnapshotWords {
+  Q_DECLARE_TR_FUNCTIONS(alltact::SnapshotWords)
+ public:
+  static QString title() { return tr("Save the picture"); }
+  static QString drawn() { return tr("As it is shown (*.png)"); }
+  static QString bare() { return tr("The camera's picture alone (*.png)"); }
+  static QString failed(const QString& file) {
+    return tr("%1 could not be written. Choose another folder, or make room on the disk.")
+        .arg(QDir::toNativeSeparators(file));
+  }
+};
+
+QString proposed_file() {
+  const QDir images_dir(QStandardPaths::writableLocation(QStandardPaths::PicturesLocation));
+  const QDir where = images_dir.exists() ? images_dir : QDir::home();
+  return where.filePath(
+      QStringLiteral("finger_%1.png")
+          .arg(QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd_HHmmss"))));
+}
+
+}  // namespace
+
+QImage image_with_overlays(const cv::Mat& grey, const std::vector<Overlay>& overlays) {
+  QImage image = grey_image(grey).convertToFormat(QImage::Format_RGB32);
+  QPainter painter(&image);
+  painter.setRenderHint(QPainter::Antialiasing);
+  for (const Overlay& overlay : overlays) {
+    painter.save();
+    overlay(painter, ImageTransform());
+    painter.restore();
+  }
+  return image;
+}
+
+void choose_snapshot(const cv::Mat& grey, const std::vector<Overlay>& overlays, QWidget& parent) {
+  auto* dialog = new QFileDialog(&parent, SnapshotWords::title(), proposed_file());
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix(QStringLiteral("png"));
+  dialog->setNameFilters({SnapshotWords::drawn(), SnapshotWords::bare()});
+  const QImage drawn = image_with_overlays(grey, overlays), bare = grey_image(grey).copy();
+  QObject::connect(dialog,
+                   &QFileDialog::fileSelected,
+                   &parent,
+                   [drawn, bare, dialog, &parent](const QString& file) {
+                     const bool is_bare = dialog->selectedNameFilter() == SnapshotWords::bare();
+                     if ((is_bare ? bare : drawn).save(file, "PNG")) return;
+                     auto* box = new QMessageBox(QMessageBox::Warning,
+                                                 SnapshotWords::title(),
+                                                 SnapshotWords::failed(file),
+                                                 QMessageBox::Ok,
+                                                 &parent);
+                     box->setAttribute(Qt::WA_DeleteOnClose);
+                     box->show();
+                   });
+  dialog->show();
+}
+
+namespace {
+
+struct FrameWords {
+  Q_DECLARE_TR_FUNCTIONS(alltact::FrameWords)
+ public:
+  static QString no_depth(std::uint8_t flag) {
+    switch (flag) {
+      case kTooDark:
+        return tr("no depth: too dark");
+      case kSaturated:
+        return tr("no depth: too bright");
+      default:
+        return tr("no depth: off the face");
+    }
+  }
+
+  static QString readout(const LiveView& view, QPoint pixel) {
+    const FrameResult& result = view.result;
+    const int grey = result.grey.at<std::uint8_t>(pixel.y(), pixel.x());
+    const QString text = tr("u %1 px, v %2 px, grey %3").arg(pixel.x()).arg(pixel.y()).arg(grey);
+    if (!result.depth) return text;
+    const float depth = result.depth->depth_mm.at<float>(pixel.y(), pixel.x());
+    const std::uint8_t flag = result.depth->flags.at<std::uint8_t>(pixel.y(), pixel.x());
+    return joined({text,
+                   std::isfinite(depth) ? tr("depth %1 mm")
+                                              .arg(is_at_limit(flag) ? limit_and_sd(depth, {}, 2)
+                                                                     : plain_number(depth, 2))
+                                        : no_depth(flag)});
+  }
+
+  static QString colour_bar() { return tr("Depth, mm"); }
+};
+
+}  // namespace
+
+std::vector<Overlay> overlays_for(const LiveView& view, const ViewOptions& options) {
+  const FrameResult& result = view.result;
+  std::vector<Overlay> overlays;
+  if (options.depth && view.depth_layer)
+    overlays.push_back(layer_overlay(view.depth_layer->pixels, view.depth_layer->at));
+  if (options.faults && !view.faults_layer.empty())
+    overlays.push_back(layer_overlay(view.faults_layer));
+  if (options.edges && result.edges) overlays.push_back(edges_overlay(*result.edges));
+  if (options.markers && result.markers) overlays.push_back(markers_overlay(*result.markers));
+  if (options.markers && !view.result.dots.empty())
+    overlays.push_back(dots_overlay(view.result.dots));
+  if (options.direction && result.push && result.markers)
+    overlays.push_back(force_overlay(*result.push, *result.markers));
+  if (options.depth && view.depth_layer)
+    overlays.push_back(
+        colour_bar_overlay(depth_scale(view.depth_top_mm), FrameWords::colour_bar()));
+  return overlays;
+}
+
+QString readout_text(const LiveView& view, QPoint pixel) {
+  return FrameWords::readout(view, pixel);
 }
 
 }  // namespace alltact

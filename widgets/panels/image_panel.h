@@ -1,19 +1,34 @@
 // The live image with zoom buttons, the readout of the probe, a freeze button and a save button.
 #pragma once
 
+#include "calibration/live/live_finger.h"
+#include "widgets/image/image_view.h"
 #include "widgets/live/live_session.h"
-#include "widgets/panels/view_options.h"
-#include "widgets/shell/elided_label.h"
-#include "widgets/translated.h"
+#include "widgets/widget_base.h"
 
 #include <QBoxLayout>
 #include <QLabel>
+#include <QString>
 #include <QTimer>
 #include <QToolButton>
 #include <QWidget>
 #include <functional>
+#include <vector>
 
 namespace alltact {
+
+// Overlays of the live image, and the readout of a pixel.
+
+struct ViewOptions {
+  bool edges = true, markers = true, direction = true, depth = true, faults = false;
+  double depth_top_mm = 1.0;  ///< end of the depth colour scale, [0.1, 10]
+  bool operator==(const ViewOptions&) const = default;
+};
+
+[[nodiscard]] std::vector<Overlay> overlays_for(const LiveView& view, const ViewOptions& options);
+
+/// "u 120 px, v 44 px, grey 131, depth 0.42 mm"; the reason where there is no depth.
+[[nodiscard]] QString readout_text(const LiveView& view, QPoint pixel);
 
 class ImagePanel : public Translated<QWidget> {
   Q_OBJECT
@@ -65,5 +80,14 @@ class ImagePanel : public Translated<QWidget> {
   QLabel* zoom_;
   QToolButton *freeze_, *snapshot_, *zoom_in_, *zoom_out_, *fit_, *actual_;
 };
+
+// Saves an image of the current view to a chosen file.
+
+/// `grey` (CV_8UC1) in its own size, with the overlays.
+[[nodiscard]] QImage image_with_overlays(const cv::Mat& grey, const std::vector<Overlay>& overlays);
+
+/// Opens a file dialog without blocking the window, and saves the image of this moment: with the
+/// overlays or, by another filter, as the camera gave it. A dialog reports a failure to write.
+void choose_snapshot(const cv::Mat& grey, const std::vector<Overlay>& overlays, QWidget& parent);
 
 }  // namespace alltact

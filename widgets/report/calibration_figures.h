@@ -2,10 +2,10 @@
 #pragma once
 
 #include "calibration/joint/calibrate.h"
-#include "calibration/report/press_residuals.h"
+#include "calibration/report/press_errors.h"
+#include "widgets/plots/calibration_plots.h"
 #include "widgets/plots/face_map_plot.h"
-#include "widgets/plots/mapping_plot.h"
-#include "widgets/plots/press_error_plot.h"
+#include "widgets/plots/press_plots.h"
 
 #include <string>
 #include <vector>

@@ -1,15 +1,241 @@
 #include "widgets/report/calibration_pages.h"
 
 #include "calibration/checks/check_history.h"
-#include "widgets/joined_words.h"
-#include "widgets/plots/history_plot.h"
-#include "widgets/report/report_pages.h"
+#include "calibration/finger/calibration_report.h"
+#include "calibration/report/calibration_faults.h"
+#include "core/base/atomic_file.h"
+#include "core/base/job.h"
+#include "core/base/result.h"
+#include "core/geometry/ball.h"
+#include "widgets/image/image_view.h"
+#include "widgets/language.h"
+#include "widgets/plots/calibration_plots.h"
+#include "widgets/plots/plot.h"
+#include "widgets/plots/press_plots.h"
+#include "widgets/report/calibration_figures.h"
+#include "widgets/report/document.h"
+#include "widgets/theme.h"
 #include "widgets/verdict_text.h"
 
+#include <QFont>
+#include <QPainter>
+#include <QPainterPath>
+#include <QPalette>
+#include <QTimer>
+#include <algorithm>
+#include <array>
+#include <cassert>
 #include <cmath>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include <opencv2/imgproc.hpp>
 
 namespace alltact {
 namespace {
+
+constexpr int kWidth = 260, kHeight = 126;  // px at 96 to the inch
+constexpr std::uint64_t kSeed = 1;
+
+enum class Shown { kCloud = 1, kLight };
+
+struct Entry {
+  Fault fault;
+  Shown shown;
+  QString name, text;
+};
+
+std::vector<Entry> catalogue() {
+  return {
+      {Fault::kNone,
+       Shown::kCloud,
+       text("No fault"),
+       text("One narrow cloud from zero to the deepest press, on the line.")},
+      {Fault::kOtherLight,
+       Shown::kLight,
+       text("Other light than when the reference was taken"),
+       text(
+           "Here 5 % more: all bars alike and beyond the dashed lines. The program corrects it and "
+           "says so. Left uncorrected, every press would seem less deep.")},
+      {Fault::kAutomaticExposure,
+       Shown::kLight,
+       text("Automatic exposure"),
+       text("Here another gain in every press, within 6 %: bars up and down. The program says so: "
+            "lock "
+            "exposure and gain, shade the finger, press again.")},
+      {Fault::kMovedCamera,
+       Shown::kCloud,
+       text("Finger or camera moved after the reference"),
+       text("Here by 0.45 mm. On a flat sensor in even light it does not show. Of a bending finger "
+            "the "
+            "program says when the reference does not hold the pose of most presses.")},
+      {Fault::kLooseSkin,
+       Shown::kCloud,
+       text("Skin that leaves the ball, light at its edge"),
+       text("Crosses away from the line near zero: towards the rim the skin no longer follows the "
+            "ball, "
+            "and swells brightly beside it. Common, and no fault as long as the dots lie on the "
+            "line: "
+            "only the inner part is used.")},
+      {Fault::kBallRadius,
+       Shown::kCloud,
+       text("Wrong radius of the ball"),
+       text(
+           "Here given 10 % too large: it looks as good as no fault, and every depth is 9 % too "
+           "small. "
+           "No residual shows a wrong radius. Measure the ball with callipers; a check with a ball "
+           "of "
+           "another size shows it (alltact check --presses --ball-radius-mm).")},
+  };
+}
+
+QImage image_of(const Entry& entry,
+                const SimulatedCalibration& made,
+                const QPalette& palette,
+                const QFont& font) {
+  const auto dressed = [&](Plot& plot) {
+    plot.setFont(font);
+    plot.setPalette(palette);
+    return plot.image({kWidth, kHeight}, 2.0);
+  };
+  if (entry.shown == Shown::kLight) {
+    std::vector<PressLight> light;
+    for (const PressSign& sign : made.signs) light.push_back({"", 100 * sign.light_change});
+    PressLightPlot plot;
+    plot.set_data(std::move(light), 100 * kOtherLight);
+    return dressed(plot);
+  }
+  MappingPlotData data = mapping_figure(made.calibration, made.residuals);
+  data.is_small = true;
+  MappingPlot plot;
+  plot.set_data(std::move(data));
+  return dressed(plot);
+}
+
+/// The example calibrations, each simulated at the call with one fault. About a second; any thread.
+/// Error: the job was stopped.
+Result<std::vector<SimulatedCalibration>> simulate_typical_faults(const Job& job) {
+  std::vector<SimulatedCalibration> all;
+  for (const Entry& entry : catalogue()) {
+    auto made = simulate_calibration(entry.fault, kSeed, true, job);
+    if (!made) return made.error();
+    all.push_back(std::move(*made));
+  }
+  return all;
+}
+
+/// Adds the chapter about them.
+void add_typical_faults(Document& document,
+                        const std::vector<SimulatedCalibration>& faults,
+                        const QPalette& palette,
+                        const QFont& font) {
+  document.new_page();
+  document.heading(text("Typical faults, and what they look like"));
+  document.paragraph(text(
+      "Each picture is a calibration with four presses on a small flat sensor that this program "
+      "has just simulated, with this fault and nothing else. Compare them with your own."));
+  std::vector<Document::Row> rows;
+  const std::vector<Entry> entries = catalogue();
+  assert(entries.size() == faults.size());
+  for (std::size_t i = 0; i < entries.size(); ++i)
+    rows.push_back({{QString(), image_of(entries[i], faults[i], palette, font), kWidth},
+                    {entries[i].name + ".\n" + entries[i].text, {}, 0}});
+  document.table({}, rows, {});
+}
+
+/// Writes one report from top to bottom.
+class ReportPages {
+ public:
+  ReportPages(std::shared_ptr<const FingerCalibration> done,
+              std::filesystem::path folder,
+              std::vector<SimulatedCalibration> faults)
+      : shared_(std::move(done)),
+        folder_(std::move(folder)),
+        faults_(std::move(faults)),
+        light_(theme_palette(Theme::kLight)),
+        document_(text("Calibration of finger %1").arg(as_text(shared_->finger.name))) {}
+
+  /// Writes the next part, in a fraction of a second. False: there is none left.
+  bool write_next() {
+    constexpr std::array kParts{&ReportPages::add_verdict,
+                                &ReportPages::add_facts,
+                                &ReportPages::add_presses,
+                                &ReportPages::add_mapping,
+                                &ReportPages::add_errors,
+                                &ReportPages::add_maps,
+                                &ReportPages::add_spread,
+                                &ReportPages::add_methods,
+                                &ReportPages::add_light,
+                                &ReportPages::add_remarks,
+                                &ReportPages::add_history,
+                                &ReportPages::add_repetition,
+                                &ReportPages::add_faults};
+    if (next_ == kParts.size()) return false;
+    (this->*kParts[next_++])();
+    return true;
+  }
+  [[nodiscard]] const Document& document() const { return document_; }
+
+ private:
+  static constexpr int kFigureWidth = 600;   // px at 96 to the inch: the width of a printed page
+  static constexpr double kSharpness = 2.0;  // pixels to each of these, for paper and dense screens
+
+  void add_verdict();
+  void add_causes();
+  void add_zones();
+  void add_facts();
+  [[nodiscard]] QString press_words(const BallFit& ball) const;
+  static QString punch_words(const StepFit& step);
+  void add_presses();
+  void add_left_out();
+  void add_mapping();
+  void add_errors();
+  void add_maps();
+  void add_map(FaceQuantity quantity, const QString& caption);
+  void add_spread();
+  static QString method_words(CalibrationMethod method);
+  void add_methods();
+  void add_light();
+  void add_remarks();
+  void add_history();
+  void add_repetition();
+  void add_faults() { add_typical_faults(document_, faults_, light_, plot_font()); }
+
+  void add_plot(Plot& plot, int height, const QString& caption) {
+    document_.figure(plot.image({kFigureWidth, height}, kSharpness), kFigureWidth, caption);
+  }
+  static QFont plot_font() {
+    QFont font("DejaVu Sans");
+    font.setPixelSize(12);
+    return font;
+  }
+  void apply_style(Plot& plot) const {
+    plot.setFont(plot_font());
+    plot.setPalette(light_);
+  }
+  [[nodiscard]] std::vector<Eigen::Vector2d> contact_pixels_of(const BallFit& ball) const {
+    std::vector<Eigen::Vector2d> pixels;
+    for (const PressResiduals& press : calibration_.residuals)
+      if (press.press == ball.press)
+        for (const ResidualSample& sample : press.samples) pixels.push_back(sample.pixel);
+    return pixels;
+  }
+  [[nodiscard]] QString provenance_text(const char* key) const {
+    const auto found = calibration_.finger.provenance.find(key);
+    return found == calibration_.finger.provenance.end() ? QString() : as_text(found->second);
+  }
+
+  const std::shared_ptr<const FingerCalibration> shared_;
+  const FingerCalibration& calibration_ = *shared_;
+  const std::filesystem::path folder_;
+  const std::vector<SimulatedCalibration> faults_;
+  std::size_t next_ = 0;
+  const QPalette light_;
+  Document document_;
+};
 
 Error stopped() {
   return {en::say("stopped before the report was written"), "", ""};
@@ -253,6 +479,377 @@ Result<std::vector<ReportFile>> make_calibration_pages(const FingerCalibration& 
   while (pages.write_next())
     if (job.stop_requested()) return stopped();
   return files_of(pages.document(), done.inputs.date, job);
+}
+
+namespace {
+
+constexpr double kRoom = 1.45;  // shown region, in sizes of the outline
+
+/// The hull of all pixels.
+QPolygonF border_of(const std::vector<Eigen::Vector2d>& pixels) {
+  std::vector<cv::Point2f> points, hull;
+  for (const Eigen::Vector2d& pixel : pixels)
+    points.emplace_back(static_cast<float>(pixel.x()), static_cast<float>(pixel.y()));
+  QPolygonF border;
+  if (points.size() < 3) return border;
+  cv::convexHull(points, hull);
+  for (const cv::Point2f& point : hull)
+    border << QPointF(static_cast<double>(point.x), static_cast<double>(point.y));
+  return border;
+}
+
+/// Visible on any background: a dark line below a light one.
+void draw_line(QPainter& painter, const QPainterPath& path, Qt::PenStyle style) {
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(QColor(0, 0, 0, 160), 4));
+  painter.drawPath(path);
+  painter.setPen(QPen(QColor(style == Qt::SolidLine ? "#ffb000" : "#ffffff"), 2, style));
+  painter.drawPath(path);
+}
+
+}  // namespace
+
+QImage press_image(const cv::Mat& grey,
+                   const Camera& camera,
+                   const BallFit& ball,
+                   const std::vector<Eigen::Vector2d>& contact_pixels,
+                   const QSize& size) {
+  const auto outline = ball_outline_px(camera, ball.centre_mm, ball.radius_mm, 180);
+  if (outline.size() < 3) return full_image(grey, size);
+  QPolygonF polygon;
+  for (const Eigen::Vector2d& point : outline) polygon << QPointF(point.x(), point.y());
+  const QRectF ball_box = polygon.boundingRect();
+  // The largest scale at which the region fits into `size` with its proportions.
+  const double scale = std::min(size.width() / (kRoom * ball_box.width()),
+                                size.height() / (kRoom * ball_box.height()));
+  QImage image(size, QImage::Format_RGB32);
+  image.fill(QColor("#808080"));
+  QPainter painter(&image);
+  painter.setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
+  // The centre of the top-left pixel is (0, 0); the image's corner is half a pixel before it.
+  QTransform to_image;
+  to_image.translate(0.5 * size.width(), 0.5 * size.height());
+  to_image.scale(scale, scale);
+  to_image.translate(-ball_box.center().x(), -ball_box.center().y());
+  painter.setTransform(to_image);
+  painter.drawImage(QPointF(-0.5, -0.5), grey_image(grey));
+  painter.resetTransform();
+  QPainterPath path;
+  path.addPolygon(to_image.map(polygon));
+  path.closeSubpath();
+  const auto middle = camera.project(ball.centre_mm);
+  if (middle) {
+    const QPointF at = to_image.map(QPointF(middle->x(), middle->y()));
+    path.moveTo(at - QPointF(5, 0));
+    path.lineTo(at + QPointF(5, 0));
+    path.moveTo(at - QPointF(0, 5));
+    path.lineTo(at + QPointF(0, 5));
+  }
+  draw_line(painter, path, Qt::SolidLine);
+  const QPolygonF border = to_image.map(border_of(contact_pixels));
+  QPainterPath contact;
+  contact.addPolygon(border);
+  contact.closeSubpath();
+  if (border.size() > 2) draw_line(painter, contact, Qt::DashLine);
+  return image;
+}
+
+QImage full_image(const cv::Mat& grey, const QSize& size) {
+  QImage image(size, QImage::Format_RGB32);
+  image.fill(QColor("#808080"));
+  const QImage small = grey_image(grey).scaled(size, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+  QPainter painter(&image);
+  painter.drawImage(
+      (size.width() - small.width()) / 2, (size.height() - small.height()) / 2, small);
+  return image;
+}
+
+struct ReportWriter::Pages {
+  std::shared_ptr<const FingerCalibration> done;
+  std::filesystem::path folder;
+  std::optional<ReportPages> pages = {};
+  std::mutex writing = {};
+  bool is_stopped = false;  ///< nothing may be written any more
+};
+
+ReportWriter::ReportWriter(QObject* parent) : QObject(parent) {}
+ReportWriter::~ReportWriter() {
+  stop();
+}
+
+void ReportWriter::start(std::shared_ptr<const FingerCalibration> done,
+                         const std::filesystem::path& folder) {
+  stop();
+  problem_.reset();
+  pages_ = std::make_shared<Pages>();
+  pages_->done = std::move(done);
+  pages_->folder = folder;
+  prepare(pages_);
+}
+
+void ReportWriter::stop() {
+  if (pages_) {
+    const std::lock_guard lock(pages_->writing);
+    pages_->is_stopped = true;
+  }
+  pages_.reset();
+  work_.reset();
+}
+
+void ReportWriter::prepare(const std::shared_ptr<Pages>& pages) {
+  work_ = std::make_unique<BackgroundWork>();  // this requests the replaced one to stop
+  work_->start([this, pages](const Job& job) {
+    using Faults = Result<std::vector<SimulatedCalibration>>;
+    const auto faults = std::make_shared<Faults>(simulate_typical_faults(job));
+    return std::function<void()>([this, pages, faults] {
+      if (pages != pages_) return;
+      if (!*faults) return end(faults->error());
+      pages->pages.emplace(pages->done, pages->folder, std::move(**faults));
+      draw(pages);
+    });
+  });
+}
+
+void ReportWriter::draw(const std::shared_ptr<Pages>& pages) {
+  if (pages != pages_) return;
+  bool is_drawn = false;
+  {
+    const EnglishScope as_for_the_lab_book;
+    is_drawn = !pages->pages->write_next();
+  }
+  QTimer::singleShot(0, this, [this, pages, is_drawn] { is_drawn ? write(pages) : draw(pages); });
+}
+
+void ReportWriter::write(const std::shared_ptr<Pages>& pages) {
+  if (pages != pages_) return;
+  work_ = std::make_unique<BackgroundWork>();
+  work_->start([this, pages](const Job& job) {
+    const auto written = std::make_shared<Status>();
+    const auto files = files_of(pages->pages->document(), pages->done->inputs.date, job);
+    if (!files) *written = files.error();
+    const std::lock_guard lock(pages->writing);
+    for (std::size_t i = 0; files && i < files->size() && *written && !pages->is_stopped; ++i)
+      *written = write_file_atomically(pages->folder / (*files)[i].name, (*files)[i].content);
+    return std::function<void()>([this, pages, written] {
+      if (pages == pages_) end(*written);
+    });
+  });
+}
+
+void ReportWriter::end(const Status& how) {
+  pages_.reset();
+  if (!how) problem_ = how.error();
+  Q_EMIT finished();
+}
+
+// Report pages: image and figures of each press, and its light.
+
+namespace {
+
+constexpr int kImageWidth = 132;  // of a press
+
+}  // namespace
+
+QString ReportPages::press_words(const BallFit& ball) const {
+  QString words = as_text(ball.press);
+  if (calibration_.inputs.press_set.has_other_balls())
+    words += "\n" + text("ball %1 mm").arg(ball.radius_mm);
+  if (ball.cut_by_edge) words += "\n" + text("cut by the edge");
+  if (ball.given_depth)
+    words += "\n" + text("measured %1 ± %2 mm deep, the solution has %3 mm")
+                        .arg(mm(ball.given_depth->mm),
+                             sd_number(ball.given_depth->sd_mm, 3),
+                             mm(ball.indentation_mm));
+  return words;
+}
+
+QString ReportPages::punch_words(const StepFit& step) {
+  return as_text(step.press) + "\n" +
+         text("a punch with a step of %1 mm, which reads %2 ± %3 mm")
+             .arg(mm(step.step_mm), mm(step.estimated_mm), sd_number(step.sd_mm, 3));
+}
+
+void ReportPages::add_presses() {
+  document_.new_page();
+  document_.heading(text("The presses, worst first"));
+  std::map<std::string, const TakenPress*> taken;
+  for (const TakenPress& press : calibration_.presses) taken[press.name] = &press;
+  std::vector<const BallFit*> balls;
+  for (const BallFit& ball : calibration_.calibration.balls) balls.push_back(&ball);
+  const auto worst = [](const BallFit* ball) { return press_error_mm(*ball).value_or(0.0); };
+  std::stable_sort(balls.begin(), balls.end(), [&](const BallFit* a, const BallFit* b) {
+    return worst(a) > worst(b);
+  });
+  const auto camera = Camera::create(calibration_.finger.camera);
+  const QSize size = QSize(kImageWidth, kImageWidth * 3 / 4) * kSharpness;
+  std::vector<Document::Row> rows;
+  for (const BallFit* ball : balls) {
+    const auto press = taken.find(ball->press);
+    const auto error = press_error_mm(*ball);
+    QImage image;
+    if (camera && press != taken.end())
+      image = press_image(press->second->grey, *camera, *ball, contact_pixels_of(*ball), size);
+    rows.push_back(
+        {{QString(), image, kImageWidth},
+         {press_words(*ball), {}, 0},
+         {mm(ball->depth_mm), {}, 0},
+         {mm(ball->residual_mm), {}, 0},
+         {error ? mm(*error) : text("unknown"), {}, 0},
+         {mm(ball->centre_sd_mm.z()), {}, 0},
+         {press == taken.end() ? QString() : percent(press->second->sign.light_change), {}, 0}});
+  }
+  for (const StepFit& step : calibration_.calibration.steps) {
+    const auto press = taken.find(step.press);
+    if (press == taken.end()) continue;
+    rows.push_back({{QString(), full_image(press->second->grey, size), kImageWidth},
+                    {punch_words(step), {}, 0},
+                    {text("none"), {}, 0},
+                    {text("none"), {}, 0},
+                    {text("none"), {}, 0},
+                    {text("none"), {}, 0},
+                    {percent(press->second->sign.light_change), {}, 0}});
+  }
+  document_.image_table({text("Picture"),
+                         text("Press"),
+                         text("Depth (mm)"),
+                         text("With this press (mm)"),
+                         text("Error (mm)"),
+                         text("Ball's distance, sd (mm)"),
+                         text("Light (%)")},
+                        rows,
+                        {false, false, true, true, true, true, true});
+  document_.paragraph(text(
+      "Orange: the outline of the ball as it was found, with its middle. Dashed: what the ball "
+      "touches; the dark contact must lie in there, or something else was taken for the ball. "
+      "Depth: the deepest point. Error: mapping minus ball inside the contact, on average, with a "
+      "mapping made without this press; this is the figure that counts. With this press: the same "
+      "with the final mapping, which this press helped to make. Ball's distance, sd: how well the "
+      "ball's distance from the camera is known. Light: "
+      "how much brighter the untouched face is than in the reference; it should be 0 within 1 %."));
+  add_left_out();
+}
+
+void ReportPages::add_left_out() {
+  std::vector<Document::Row> rows;
+  for (const TakenPress& press : calibration_.presses) {
+    if (press.left_out.empty()) continue;
+    rows.push_back({{QString(),
+                     full_image(press.grey, QSize(kImageWidth, kImageWidth * 9 / 16) * kSharpness),
+                     kImageWidth},
+                    {as_text(press.name), {}, 0},
+                    {sentence(press.left_out), {}, 0}});
+  }
+  QStringList reasons;
+  for (const Message& reason : calibration_.calibration.left_out) {
+    const bool shown =
+        std::any_of(calibration_.presses.begin(), calibration_.presses.end(), [&](const auto& one) {
+          return !one.left_out.empty() && reason.english().rfind(one.name + ": ", 0) == 0;
+        });
+    if (!shown) reasons << sentence(reason);
+  }
+  if (rows.empty() && reasons.isEmpty()) return;
+  document_.new_page();
+  document_.heading(text("Presses that were left out"));
+  if (!rows.empty()) document_.image_table({text("Picture"), text("Press"), text("Why")}, rows, {});
+  if (!reasons.isEmpty()) document_.list(reasons);
+}
+
+void ReportPages::add_light() {
+  std::vector<PressLight> light;
+  for (const TakenPress& press : calibration_.presses)
+    if (press.left_out.empty()) light.push_back({press.name, 100 * press.sign.light_change});
+  document_.heading(text("Light"));
+  PressLightPlot plot;
+  apply_style(plot);
+  plot.set_data(std::move(light), 100 * kOtherLight);
+  add_plot(
+      plot,
+      190,
+      text("How much brighter the untouched face is than in its reference, in the order in which "
+           "the presses were given. Good: all near zero. All alike beyond a dashed line: other "
+           "light than when the reference was taken. Up and down: automatic exposure, or light "
+           "that gets in."));
+}
+
+// Report pages: the mapping, and its errors by press, by position and by size.
+
+void ReportPages::add_mapping() {
+  document_.new_page();
+  document_.heading(text("From brightness to depth"));
+  if (!calibration_.calibration.mapping.variation.is_none())
+    document_.paragraph(
+        text("The mapping varies over the face; shown is the middle of the face, the "
+             "points as they would be there."));
+  MappingPlot plot;
+  apply_style(plot);
+  plot.set_data(mapping_figure(calibration_.calibration, calibration_.residuals));
+  add_plot(
+      plot,
+      340,
+      text("Each point is a block of pixels under a ball: how much darker it became, and how deep "
+           "the ball is there. The line is the mapping, the band two standard deviations of it. "
+           "Good: one narrow cloud around the line, reaching to the deepest presses you will "
+           "measure. Two clouds side by side: presses that do not agree. Crosses far off the line "
+           "belong to the rim, where skin leaves the ball, and are not used."));
+}
+
+void ReportPages::add_errors() {
+  constexpr std::size_t kFewPresses = 8;  // their bars fit below the mapping
+  if (calibration_.calibration.balls.size() > kFewPresses) document_.new_page();
+  document_.heading(text("Errors"));
+  PressErrorPlot bars;
+  apply_style(bars);
+  bars.set_data(press_errors(calibration_.calibration));
+  add_plot(
+      bars,
+      bars.comfortable_height(),
+      text("Good: all bars alike. One bar much longer than the others: look at that press' picture "
+           "above, and leave it out if it shows anything but one clean ball. Much longer without "
+           "the "
+           "press than with it: this press shows something that no other does; press more like "
+           "it."));
+}
+
+void ReportPages::add_map(FaceQuantity quantity, const QString& caption) {
+  FaceMapPlot plot;
+  apply_style(plot);
+  plot.set_data(face_figure(
+      quantity, calibration_.calibration, calibration_.residuals, calibration_.finger.face.kind));
+  const FaceMapData data = face_figure(
+      quantity, calibration_.calibration, calibration_.residuals, calibration_.finger.face.kind);
+  // The face in its proportions, within limits.
+  const double ratio = data.length_mm > 0 ? data.width_mm / data.length_mm : 0.4;
+  add_plot(plot, 62 + static_cast<int>(470 * std::clamp(ratio, 0.2, 0.45)), caption);
+}
+
+void ReportPages::add_maps() {
+  document_.new_page();
+  document_.heading(text("Where on the face"));
+  add_map(FaceQuantity::kResidual,
+          text("Mapping minus ball, mean of each square millimetre. Good: no pattern. Errors that "
+               "grow towards one "
+               "end or one side point to light or shape there."));
+  if (calibration_.calibration.held_out_mm > 0)
+    add_map(FaceQuantity::kHeldOut,
+            text("Error of each press when the mapping was made without it. Hatched: nothing was "
+                 "pressed there, nothing is known."));
+  add_map(
+      FaceQuantity::kCoverage,
+      text("How deep the presses went, and where. Press next where it is hatched, and as deep as "
+           "you will measure."));
+}
+
+void ReportPages::add_spread() {
+  document_.new_page();
+  document_.heading(text("How errors are spread"));
+  HistogramPlot histogram;
+  apply_style(histogram);
+  histogram.set_data(all_errors(calibration_.residuals), text("Mapping minus ball (mm)"));
+  add_plot(
+      histogram,
+      260,
+      text("Errors of all blocks in the inner part of the contacts. Good: one hill around zero. A "
+           "second hill or a hill beside zero: something differs between presses."));
 }
 
 }  // namespace alltact

@@ -1,7 +1,5 @@
 #include "widgets/report/document.h"
 
-#include "widgets/report/pdf_date.h"
-
 #include <QAbstractTextDocumentLayout>
 #include <QBuffer>
 #include <QColor>

@@ -1,9 +1,11 @@
 // A report as text with images, for one HTML file or for PDF, with the same content.
 #pragma once
 
-#include "core/job.h"
-#include "core/result.h"
+#include "core/base/job.h"
+#include "core/base/message.h"
+#include "core/base/result.h"
 
+#include <QByteArray>
 #include <QImage>
 #include <QString>
 #include <string>
@@ -66,5 +68,67 @@ class Document {
   QString title_, body_;
   std::vector<QImage> images_;  // by their number in body_
 };
+
+// Text and number formats of reports.
+
+inline QString as_text(const std::string& text) {
+  return QString::fromStdString(text);
+}
+
+/// Reports are English.
+inline QString text(const char* words) {
+  return QString::fromUtf8(words);
+}
+inline QString as_text(const Message& message) {
+  return as_text(message.english());
+}
+
+/// A message as a sentence: a capital first and a full stop last.
+inline QString sentence(const Message& message) {
+  QString line = as_text(message);
+  if (!line.isEmpty()) line[0] = line[0].toUpper();
+  if (!line.isEmpty() && !line.endsWith('.')) line += '.';
+  return line;
+}
+
+/// The same without a full stop, as a title.
+inline QString phrase(const Message& message) {
+  QString words = as_text(message);
+  if (!words.isEmpty()) words[0] = words[0].toUpper();
+  return words;
+}
+
+/// 2026-01-31 12:00:00 UTC
+inline QString when(QString date) {
+  return date.replace('T', ' ').replace('Z', " UTC");
+}
+
+inline QString mm(double value, int digits = 3) {
+  return QString::number(value, 'f', digits);
+}
+
+inline QString percent(double part) {
+  return (part < 0 ? QString() : QString("+")) + QString::number(100 * part, 'f', 1);
+}
+
+// The creation time in a PDF.
+
+/// Replaces the creation time by `date` (as utc_now() writes it), in as many characters; changes
+/// nothing else.
+inline void set_pdf_time(QByteArray& pdf, const std::string& date) {
+  QByteArray digits;
+  for (const char c : date)
+    if (c >= '0' && c <= '9') digits.append(c);
+  if (digits.size() != 14) return;
+  const qsizetype mark = pdf.indexOf("/CreationDate (D:");
+  if (mark < 0) return;
+  const qsizetype first = mark + 17;
+  const qsizetype end = pdf.indexOf(')', first);
+  QByteArray time = digits + "+00'00'";
+  if (end - first < time.size()) time = digits + 'Z';
+  if (end - first < time.size()) return;
+  pdf.replace(first, time.size(), time);
+  for (qsizetype i = first + time.size(); i < end; ++i) pdf[i] = ' ';
+}
 
 }  // namespace alltact

@@ -2,7 +2,7 @@
 // frame by frame. Inside this folder and its measurements only.
 #pragma once
 
-#include "core/io/colour_map.h"
+#include "core/image/colour_map.h"
 
 #include <opencv2/core.hpp>
 #include <vtkNew.h>

@@ -4,7 +4,7 @@
 
 #include "core/camera/camera.h"
 #include "core/geometry/rigid_transform.h"
-#include "core/geometry/triangle_distance.h"
+#include "core/geometry/surface_distance.h"
 #include "widgets/scene3d/face_surface.h"
 #include "widgets/scene3d/scene_options.h"
 

@@ -1,8 +1,7 @@
 #include "widgets/scene3d/face_surface.h"
 
-#include "widgets/scene3d/face_grid.h"
-
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -190,6 +189,231 @@ std::optional<FaceSurface> uncalibrated_surface(const FrameResult& result,
                                                 int rows) {
   if (!result.shape) return std::nullopt;
   return surface_of(result, {}, face, columns, rows);
+}
+
+namespace {
+
+template <class Vector>
+Vector between(const cv::Mat& grid, cv::Point2d position) {
+  const int i = std::clamp(static_cast<int>(position.x), 0, grid.cols - 2);
+  const int j = std::clamp(static_cast<int>(position.y), 0, grid.rows - 2);
+  const auto x = static_cast<float>(position.x - i), y = static_cast<float>(position.y - j);
+  return (1 - y) * ((1 - x) * grid.at<Vector>(j, i) + x * grid.at<Vector>(j, i + 1)) +
+         y * ((1 - x) * grid.at<Vector>(j + 1, i) + x * grid.at<Vector>(j + 1, i + 1));
+}
+
+Eigen::Vector3d at(const cv::Mat& grid, int i, int j) {
+  const auto& p = grid.at<cv::Vec3f>(j, i);
+  return {p[0], p[1], p[2]};
+}
+
+/// Moeller and Trumbore: distance along the ray, and the weights of the second and third corner.
+struct Hit {
+  double distance, second, third;
+};
+std::optional<Hit> hit(const Eigen::Vector3d& from,
+                       const Eigen::Vector3d& direction,
+                       const std::array<Eigen::Vector3d, 3>& corner) {
+  const Eigen::Vector3d one = corner[1] - corner[0], two = corner[2] - corner[0];
+  const Eigen::Vector3d p = direction.cross(two);
+  const double determinant = one.dot(p);
+  if (determinant == 0) return std::nullopt;
+  const Eigen::Vector3d t = from - corner[0];
+  const double second = t.dot(p) / determinant;
+  if (!(second >= 0 && second <= 1)) return std::nullopt;
+  const Eigen::Vector3d q = t.cross(one);
+  const double third = direction.dot(q) / determinant;
+  if (!(third >= 0 && second + third <= 1)) return std::nullopt;
+  const double distance = two.dot(q) / determinant;
+  if (!(distance > 0)) return std::nullopt;
+  return Hit{distance, second, third};
+}
+
+/// Bounding sphere test: the ray's distance from the middle is at most half the diagonal.
+bool may_meet(const Eigen::AlignedBox3d& box,
+              const Eigen::Vector3d& from,
+              const Eigen::Vector3d& direction) {
+  const Eigen::Vector3d away = box.center() - from;
+  const double along = away.dot(direction) / direction.squaredNorm();
+  constexpr double kRounding = 1.0001;
+  return (away - along * direction).squaredNorm() <=
+         kRounding * 0.25 * box.diagonal().squaredNorm();
+}
+
+}  // namespace
+
+cv::Vec2f pixel_between(const cv::Mat& grid, cv::Point2d position) {
+  return between<cv::Vec2f>(grid, position);
+}
+
+cv::Vec3f point_between(const cv::Mat& grid, cv::Point2d position) {
+  return between<cv::Vec3f>(grid, position);
+}
+
+std::optional<cv::Point2d> grid_position_of(const FaceSurface& surface, cv::Point2d pixel) {
+  const cv::Mat& grid = surface.pixel;
+  const auto u = [&](int i) { return static_cast<double>(grid.at<cv::Vec2f>(0, i)[0]); };
+  if (grid.empty() || !(pixel.x >= u(0) && pixel.x <= u(grid.cols - 1))) return std::nullopt;
+  int low = 0, high = grid.cols - 1;
+  while (high - low > 1) (u((low + high) / 2) <= pixel.x ? low : high) = (low + high) / 2;
+  const double width = u(high) - u(low);
+  const double share = width > 0 ? (pixel.x - u(low)) / width : 0.0;
+  const auto v = [&](int j) {
+    return (1 - share) * grid.at<cv::Vec2f>(j, low)[1] + share * grid.at<cv::Vec2f>(j, high)[1];
+  };
+  const double first = v(0), last = v(grid.rows - 1);
+  // Edges between columns of the grid differ a little from those of the image.
+  constexpr double kSlack_px = 1.5;
+  if (!(pixel.y >= first - kSlack_px && pixel.y <= last + kSlack_px) || first == last)
+    return std::nullopt;
+  const double part = std::clamp((pixel.y - first) / (last - first), 0.0, 1.0);
+  return cv::Point2d(low + share, part * (grid.rows - 1));
+}
+
+GridBoxes::GridBoxes(const cv::Mat& drawn_mm) : drawn_mm_(drawn_mm) {
+  constexpr int kCells = 16;
+  for (int j = 0; j + 1 < drawn_mm.rows; j += kCells)
+    for (int i = 0; i + 1 < drawn_mm.cols; i += kCells) {
+      Box& box = boxes_.emplace_back();
+      box.cells = {
+          i, j, std::min(kCells, drawn_mm.cols - 1 - i), std::min(kCells, drawn_mm.rows - 1 - j)};
+      for (int row = j; row <= j + box.cells.height; ++row)
+        for (int column = i; column <= i + box.cells.width; ++column)
+          box.bounds.extend(at(drawn_mm, column, row));
+    }
+}
+
+std::optional<cv::Point2d> GridBoxes::first_hit(const Eigen::Vector3d& from,
+                                                const Eigen::Vector3d& direction) const {
+  double nearest = std::numeric_limits<double>::infinity();
+  std::optional<cv::Point2d> position;
+  for (const Box& box : boxes_) {
+    if (!may_meet(box.bounds, from, direction)) continue;
+    for (int j = box.cells.y; j < box.cells.y + box.cells.height; ++j) {
+      for (int i = box.cells.x; i < box.cells.x + box.cells.width; ++i) {
+        const Eigen::Vector3d a = at(drawn_mm_, i, j), below = at(drawn_mm_, i, j + 1);
+        const Eigen::Vector3d right = at(drawn_mm_, i + 1, j), over = at(drawn_mm_, i + 1, j + 1);
+        if (const auto found = hit(from, direction, {a, below, right});
+            found && found->distance < nearest) {
+          nearest = found->distance;
+          position = cv::Point2d(i + found->third, j + found->second);
+        }
+        if (const auto found = hit(from, direction, {over, right, below});
+            found && found->distance < nearest) {
+          nearest = found->distance;
+          position = cv::Point2d(i + 1 - found->third, j + 1 - found->second);
+        }
+      }
+    }
+  }
+  return position;
+}
+
+std::optional<cv::Point2d> first_hit(const cv::Mat& drawn_mm,
+                                     const Eigen::Vector3d& from,
+                                     const Eigen::Vector3d& direction) {
+  return GridBoxes(drawn_mm).first_hit(from, direction);
+}
+
+namespace {
+
+constexpr int kSections = 41;
+constexpr double kMinBase = 0.3, kMaxBase = 4, kMinTip = 0.12;  // depth in face widths
+constexpr double kAroundDot_mm = 1.5;  // extent of the side face beyond a dot's centre
+constexpr double kBaseLength_mm = 10, kBaseWider_mm = 3;
+
+Eigen::Vector3d vertex(const cv::Mat& grid, int row, int column) {
+  const auto& p = grid.at<cv::Vec3f>(row, column);
+  return {p[0], p[1], p[2]};
+}
+
+/// From base to tip, evenly over the grid's columns.
+std::vector<int> columns_from_base(const FaceSurface& surface) {
+  const int last = surface.columns() - 1;
+  const int count = std::min(kSections, surface.columns());
+  const bool base_is_first =
+      surface.along_mm.empty() || surface.along_mm.front() <= surface.along_mm.back();
+  std::vector<int> columns;
+  for (int k = 0; k < count; ++k) {
+    const int column = static_cast<int>(std::lround(static_cast<double>(k) * last / (count - 1)));
+    columns.push_back(base_is_first ? column : last - column);
+  }
+  return columns;
+}
+
+/// From the face's outer side to the back, at the base and at the tip.
+struct Depths {
+  double base_mm, tip_mm;
+  [[nodiscard]] double at(double part) const { return base_mm + part * (tip_mm - base_mm); }
+};
+Depths depths_of(const FaceSurface& surface, const std::vector<int>& columns) {
+  const cv::Mat& face = surface.untouched_mm;
+  const int begin = columns.front(), rows = face.rows;
+  const double width_mm = (vertex(face, 0, begin) - vertex(face, rows - 1, begin)).norm();
+  const Eigen::Vector3d middle = 0.5 * (vertex(face, 0, begin) + vertex(face, rows - 1, begin));
+  // The camera is the origin.
+  const double camera_mm = inward_normal(face, begin, rows / 2).dot(-middle);
+  Depths depths{std::clamp(camera_mm, kMinBase * width_mm, kMaxBase * width_mm),
+                kMinTip * width_mm};
+  const double begins = begin, ends = columns.back();
+  for (const SurfaceMarker& marker : surface.markers) {
+    const double part = (marker.column - begins) / (ends - begins);
+    const double needed_mm = marker.behind_mm + kAroundDot_mm;
+    constexpr double kHalf = 0.5;
+    if (part < kHalf)
+      depths.base_mm = std::max(depths.base_mm, needed_mm);
+    else
+      depths.tip_mm = std::max(depths.tip_mm, (needed_mm - (1 - part) * depths.base_mm) / part);
+  }
+  return depths;
+}
+
+/// A section moved `along_mm` away from the base, and widened on all sides.
+FingerBody::Section moved(const FingerBody::Section& section,
+                          const Eigen::Vector3d& along_mm,
+                          double wider_mm) {
+  const Eigen::Vector3d middle = 0.25 * (section[0] + section[1] + section[2] + section[3]);
+  const Eigen::Vector3d across = (section[1] - section[0]).normalized();
+  const Eigen::Vector3d behind = (section[3] - section[0]).normalized();
+  FingerBody::Section other = section;
+  for (Eigen::Vector3d& corner : other) {
+    const Eigen::Vector3d from = corner - middle;
+    corner += along_mm + wider_mm * (std::copysign(1.0, from.dot(across)) * across +
+                                     std::copysign(1.0, from.dot(behind)) * behind);
+  }
+  return other;
+}
+
+}  // namespace
+
+std::vector<Eigen::Vector3d> FingerBody::corners() const {
+  std::vector<Eigen::Vector3d> all;
+  for (const Section& section : sections) all.insert(all.end(), section.begin(), section.end());
+  if (sections.empty()) return all;
+  for (const Section& end : base) all.insert(all.end(), end.begin(), end.end());
+  return all;
+}
+
+FingerBody body_of(const FaceSurface& surface) {
+  FingerBody body;
+  if (!surface.has_body || surface.columns() < 3) return body;
+  const cv::Mat& face = surface.untouched_mm;
+  const std::vector<int> columns = columns_from_base(surface);
+  const Depths depths = depths_of(surface, columns);
+  const int last_row = face.rows - 1;
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    const double part = static_cast<double>(k) / static_cast<double>(columns.size() - 1);
+    const Eigen::Vector3d upper = vertex(face, 0, columns[k]);
+    const Eigen::Vector3d lower = vertex(face, last_row, columns[k]);
+    const Eigen::Vector3d in = depths.at(part) * inward_normal(face, columns[k], face.rows / 2);
+    body.sections.push_back({upper, lower, lower + in, upper + in});
+  }
+  const Eigen::Vector3d along =
+      (body.sections[0][0] - body.sections[1][0] + body.sections[0][1] - body.sections[1][1])
+          .normalized();
+  body.base = {moved(body.sections[0], kBaseLength_mm * along, kBaseWider_mm),
+               moved(body.sections[0], Eigen::Vector3d::Zero(), kBaseWider_mm)};
+  return body;
 }
 
 }  // namespace alltact

@@ -2,18 +2,132 @@
 // and its axes, all at the pose of the finger's camera. Inside this folder only.
 #pragma once
 
-#include "widgets/scene3d/axes.h"
-#include "widgets/scene3d/body_actors.h"
-#include "widgets/scene3d/face_grid.h"
+#include "core/geometry/rigid_transform.h"
 #include "widgets/scene3d/face_mesh.h"
 #include "widgets/scene3d/face_scene.h"
-#include "widgets/scene3d/finger_body.h"
-#include "widgets/scene3d/ruler.h"
+#include "widgets/scene3d/face_surface.h"
 
+#include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include <Eigen/Core>
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+
+class vtkActor;
+class vtkPolyData;
+class vtkRenderer;
+class vtkTextActor;
+class vtkActor;
+class vtkMatrix4x4;
+class vtkPolyData;
+class vtkRenderer;
+class vtkActor;
+class vtkPolyData;
+class vtkRenderer;
+class vtkTextActor;
+class vtkActor;
+class vtkPolyData;
+
 namespace alltact {
+
+// A frame's three axes with their letters. Inside this folder only.
+
+/// x orange, y green, z blue (after Okabe and Ito), each also named.
+class Axes {
+ public:
+  /// The renderer outlives them.
+  Axes(vtkRenderer* renderer, double length_mm);
+  ~Axes();
+  Axes(const Axes&) = delete;
+  Axes& operator=(const Axes&) = delete;
+
+  void set_names(const std::array<std::string, 3>& names);
+  void set_pose(const RigidTransform& scene_from_frame);
+  void show(bool is_shown);
+  /// Widths of lines and letters for a screen with that many pixels a unit.
+  void apply_style(double pixels_per_unit);
+  /// The origin and the three ends, in the scene.
+  [[nodiscard]] std::vector<Eigen::Vector3d> corners() const;
+
+ private:
+  double length_mm_;
+  RigidTransform pose_;
+  std::array<vtkNew<vtkPolyData>, 3> lines_;
+  std::array<vtkSmartPointer<vtkActor>, 3> actors_;
+  std::array<vtkNew<vtkTextActor>, 3> names_;  // flat, in front of everything, to be readable
+};
+
+// The finger's body in the scene: walls, base, edges, dots. Inside this folder only.
+
+/// Opaque, but it never hides the face. From the camera's side only the inner sides of the walls
+/// behind the face are drawn, from outside only the outer ones. No edge of the back crosses the
+/// face; seen from behind the base there is no base.
+class BodyActors {
+ public:
+  /// The renderer outlives them.
+  explicit BodyActors(vtkRenderer* renderer);
+  ~BodyActors();
+  BodyActors(const BodyActors&) = delete;
+  BodyActors& operator=(const BodyActors&) = delete;
+
+  void draw(const FingerBody& body, const std::vector<SurfaceMarker>& markers);
+  void show(bool is_shown);
+  void set_pose(vtkMatrix4x4* scene_from_camera);
+  void apply_style(const SceneColours& colours, double pixels_per_unit);
+  /// The side of the view: from outside the face, and from behind the base.
+  void set_viewpoint(bool is_outside, bool is_behind_base);
+
+ private:
+  void show_parts();
+
+  bool is_shown_ = false, is_outside_ = false, is_behind_base_ = false;
+  [[nodiscard]] std::array<vtkActor*, 6> all() const;
+
+  vtkNew<vtkPolyData> walls_data_, base_data_, edges_data_, back_data_, seen_data_, guessed_data_;
+  vtkSmartPointer<vtkActor> walls_, base_, edges_, back_, seen_, guessed_;
+};
+
+// Scales for length and height along the face. Inside this folder only.
+
+/// Millimetres along the face from its base, ticked along an edge. At its end a stick has the
+/// length at which its labelled height is drawn, so that it shows the exaggeration of heights.
+class Ruler {
+ public:
+  /// The renderer outlives it.
+  explicit Ruler(vtkRenderer* renderer);
+  ~Ruler();
+  Ruler(const Ruler&) = delete;
+  Ruler& operator=(const Ruler&) = delete;
+
+  /// `times`: factor on heights; 0: there are none.
+  void draw(const FaceSurface& surface,
+            double exaggeration,
+            const RigidTransform& scene_from_camera);
+  void hide();
+  void apply_style(const SceneColours& colours, double pixels_per_unit);
+  /// Points that must be visible, in the scene.
+  [[nodiscard]] const std::vector<Eigen::Vector3d>& corners() const { return corners_; }
+
+ private:
+  void draw_stick(const FaceSurface& surface,
+                  double exaggeration,
+                  const RigidTransform& scene_from_camera,
+                  std::vector<std::vector<Eigen::Vector3d>>& lines);
+  void write(const Eigen::Vector3d& at, const std::string& text);
+
+  vtkNew<vtkPolyData> data_;
+  vtkSmartPointer<vtkActor> lines_;
+  std::array<vtkNew<vtkTextActor>, 14> texts_;
+  std::size_t written_ = 0;
+  std::vector<Eigen::Vector3d> corners_;
+};
+
+/// The stick's height: of 1, 2, 5, 10 ... hundredths of a mm the one whose drawn length is nearest
+/// to, but not longer than, `longest_mm`.
+[[nodiscard]] double stick_height_mm(double exaggeration, double longest_mm);
 
 /// Fraction of ambient light; see FaceScene for the rest.
 inline constexpr double kFaceAmbient = 0.3;
@@ -86,5 +200,23 @@ class FingerActors {
   Axes axes_;
   bool is_camera_shown_ = true, has_depth_ = false;
 };
+
+// Lines and points in a 3D scene. Inside this folder only.
+
+constexpr int kLetterPoints = 13;  ///< size of letters; the window knows its dots per inch
+
+using Polyline = std::vector<Eigen::Vector3d>;
+
+/// Replaces the content of the data.
+void set_lines(vtkPolyData* data, const std::vector<Polyline>& lines);
+void set_points(vtkPolyData* data, const std::vector<Eigen::Vector3d>& points);
+
+/// Unlit. `nearer`: depth offset towards the eye, in 1/65000 of the distance between the nearest
+/// and the furthest visible point.
+[[nodiscard]] vtkSmartPointer<vtkActor> line_actor(vtkPolyData* data, double nearer);
+
+/// The camera as a pyramid in its viewing direction.
+///   half: half the size of its foot, mm at the distance `far_mm`
+[[nodiscard]] std::vector<Polyline> camera_lines(double half_x_mm, double half_y_mm, double far_mm);
 
 }  // namespace alltact

@@ -1,30 +1,244 @@
-// After VTK's own adapter for Qt 5, with findings about Qt 6 and VTK 9.1; each step that looks
-// superfluous has a platform that needs it.
 #include "widgets/scene3d/vtk_view.h"
-
-#include "widgets/scene3d/interactor.h"
-#include "widgets/scene3d/render_window.h"
 
 #include <QCoreApplication>
 #include <QCursor>
 #include <QEvent>
+#include <QMouseEvent>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QOpenGLExtraFunctions>
 #include <QOpenGLFunctions>
 #include <QScreen>
 #include <QSurfaceFormat>
+#include <QTimer>
+#include <QWheelEvent>
+#include <QWidget>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <memory>
 
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+#include <opencv2/imgproc.hpp>
+#include <qopengl.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkImageData.h>
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkNew.h>
+#include <vtkObject.h>
+#include <vtkObjectFactory.h>
 #include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLState.h>
+#include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 #include <vtkRendererCollection.h>
+#include <vtkWindowToImageFilter.h>
+
+class QEvent;
+class QWidget;
 
 namespace alltact {
+namespace {
+
+/// Qt owns the loop; timers are Qt's.
+class Interactor : public vtkRenderWindowInteractor {
+ public:
+  static Interactor* New();
+  vtkTypeMacro(Interactor, vtkRenderWindowInteractor)
+  Interactor(const Interactor&) = delete;
+  Interactor& operator=(const Interactor&) = delete;
+
+  void Start() override {}
+  void TerminateApp() override {}
+
+  /// Passes a mouse, wheel, enter, leave or touch event of `widget` on to VTK; false: none of
+  /// these.
+  bool take(const QWidget& widget, QEvent& event);
+
+ protected:
+  Interactor();
+  ~Interactor() override;
+  int InternalCreateTimer(int timer_id, int timer_type, unsigned long duration_ms) override;
+  int InternalDestroyTimer(int platform_timer_id) override;
+
+ private:
+  struct Timers;
+  bool take_mouse(double ratio, QEvent& event);
+  bool take_wheel(double ratio, QEvent& event);
+
+  std::unique_ptr<Timers> timers_;
+  int wheel_ = 0;  // eighths of a degree not yet passed on
+};
+
+constexpr int kWheelStep = 120;  // one click of a mouse's wheel, as Qt counts
+
+unsigned long vtk_event_of(QEvent::Type type, Qt::MouseButton button) {
+  const bool is_release = type == QEvent::MouseButtonRelease;
+  switch (button) {
+    case Qt::LeftButton:
+      return is_release ? vtkCommand::LeftButtonReleaseEvent : vtkCommand::LeftButtonPressEvent;
+    case Qt::MiddleButton:
+      return is_release ? vtkCommand::MiddleButtonReleaseEvent : vtkCommand::MiddleButtonPressEvent;
+    case Qt::RightButton:
+      return is_release ? vtkCommand::RightButtonReleaseEvent : vtkCommand::RightButtonPressEvent;
+    default:
+      return vtkCommand::NoEvent;
+  }
+}
+
+struct Interactor::Timers {
+  std::map<int, std::unique_ptr<QTimer>> running;
+  int last_id = 0;
+};
+
+vtkStandardNewMacro(Interactor);
+
+Interactor::Interactor() : timers_(std::make_unique<Timers>()) {}
+
+Interactor::~Interactor() = default;
+
+int Interactor::InternalCreateTimer(int timer_id, int timer_type, unsigned long duration_ms) {
+  const int id = ++timers_->last_id;
+  auto timer = std::make_unique<QTimer>();
+  timer->setSingleShot(timer_type == OneShotTimer);
+  QObject::connect(timer.get(), &QTimer::timeout, timer.get(), [this, timer_id, timer_type]() {
+    int fired_id = timer_id;
+    if (GetEnabled()) InvokeEvent(vtkCommand::TimerEvent, &fired_id);
+    if (timer_type == OneShotTimer) DestroyTimer(timer_id);
+  });
+  timer->start(static_cast<int>(duration_ms));
+  timers_->running[id] = std::move(timer);
+  return id;
+}
+
+int Interactor::InternalDestroyTimer(int platform_timer_id) {
+  const auto found = timers_->running.find(platform_timer_id);
+  if (found == timers_->running.end()) return 0;
+  // It may be the timer whose event is being handled.
+  found->second->stop();
+  found->second.release()->deleteLater();
+  timers_->running.erase(found);
+  return 1;
+}
+
+bool Interactor::take(const QWidget& widget, QEvent& event) {
+  if (!GetEnabled()) return false;
+  const double ratio = widget.devicePixelRatioF();
+  switch (event.type()) {
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonRelease:
+    case QEvent::MouseButtonDblClick:
+    case QEvent::MouseMove:
+      return take_mouse(ratio, event);
+    case QEvent::Wheel:
+      return take_wheel(ratio, event);
+    case QEvent::Enter:
+      InvokeEvent(vtkCommand::EnterEvent);
+      return true;
+    case QEvent::Leave:
+      InvokeEvent(vtkCommand::LeaveEvent);
+      return true;
+    // Accepted, or their updates never come; Qt makes mouse events of them.
+    case QEvent::TouchBegin:
+    case QEvent::TouchUpdate:
+    case QEvent::TouchEnd:
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool Interactor::take_mouse(double ratio, QEvent& event) {
+  const auto& mouse = static_cast<const QMouseEvent&>(event);
+  const Qt::KeyboardModifiers keys = mouse.modifiers();
+  SetEventInformationFlipY(static_cast<int>(std::lround(mouse.position().x() * ratio)),
+                           static_cast<int>(std::lround(mouse.position().y() * ratio)),
+                           keys.testFlag(Qt::ControlModifier) ? 1 : 0,
+                           keys.testFlag(Qt::ShiftModifier) ? 1 : 0,
+                           0,
+                           event.type() == QEvent::MouseButtonDblClick ? 1 : 0);
+  SetAltKey(keys.testFlag(Qt::AltModifier) ? 1 : 0);
+  if (event.type() == QEvent::MouseMove) {
+    InvokeEvent(vtkCommand::MouseMoveEvent);
+    return true;
+  }
+  const unsigned long vtk_event = vtk_event_of(event.type(), mouse.button());
+  if (vtk_event == vtkCommand::NoEvent) return false;
+  InvokeEvent(vtk_event);
+  return true;
+}
+
+bool Interactor::take_wheel(double ratio, QEvent& event) {
+  const auto& wheel = static_cast<const QWheelEvent&>(event);
+  SetEventInformationFlipY(static_cast<int>(std::lround(wheel.position().x() * ratio)),
+                           static_cast<int>(std::lround(wheel.position().y() * ratio)));
+  wheel_ += wheel.angleDelta().y();
+  for (; wheel_ >= kWheelStep; wheel_ -= kWheelStep)
+    InvokeEvent(vtkCommand::MouseWheelForwardEvent);
+  for (; wheel_ <= -kWheelStep; wheel_ += kWheelStep)
+    InvokeEvent(vtkCommand::MouseWheelBackwardEvent);
+  return true;
+}
+
+/// Debian's VTK 9.1 initialises GLEW for GLX and takes its own context for unusable without one
+/// (Wayland, EGL), although all functions are loaded by then. This class asks the context.
+class RenderWindow : public vtkGenericOpenGLRenderWindow {
+ public:
+  static RenderWindow* New();
+  vtkTypeMacro(RenderWindow, vtkGenericOpenGLRenderWindow)
+  RenderWindow(const RenderWindow&) = delete;
+  RenderWindow& operator=(const RenderWindow&) = delete;
+
+  void OpenGLInitContext() override;
+
+ protected:
+  RenderWindow() = default;
+  ~RenderWindow() override = default;
+};
+
+/// Suppresses VTK's warnings while it lives.
+class NoWarnings {
+ public:
+  NoWarnings() : were_on_(vtkObject::GetGlobalWarningDisplay()) {
+    vtkObject::GlobalWarningDisplayOff();
+  }
+  ~NoWarnings() { vtkObject::SetGlobalWarningDisplay(were_on_); }
+  NoWarnings(const NoWarnings&) = delete;
+  NoWarnings& operator=(const NoWarnings&) = delete;
+
+ private:
+  int were_on_;
+};
+
+/// There is a current context of OpenGL 3.2 or later.
+bool is_usable() {
+  const auto* version = reinterpret_cast<const char*>(glGetString(GL_VERSION));
+  int major = 0, minor = 0;
+  if (version == nullptr || std::sscanf(version, "%d.%d", &major, &minor) != 2) return false;
+  return major > 3 || (major == 3 && minor >= 2);
+}
+
+vtkStandardNewMacro(RenderWindow);
+
+void RenderWindow::OpenGLInitContext() {
+  {
+    const NoWarnings quiet;
+    vtkGenericOpenGLRenderWindow::OpenGLInitContext();
+  }
+  if (!Initialized && is_usable()) {
+    GlewInitValid = true;
+    Initialized = true;
+  }
+}
+
+}  // namespace
+
+// After VTK's own adapter for Qt 5, with findings about Qt 6 and VTK 9.1; each step that looks
+// superfluous has a platform that needs it.
+
 namespace {
 
 Qt::CursorShape shape_of(int vtk_cursor) {
@@ -303,6 +517,138 @@ bool VtkView::event(QEvent* event) {
     return true;
   }
   return QOpenGLWidget::event(event);
+}
+
+namespace {
+
+/// An OpenGL context without a surface; none where there is no EGL for it.
+class SurfacelessContext {
+ public:
+  SurfacelessContext() {
+    const auto get_display = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(
+        eglGetProcAddress("eglGetPlatformDisplayEXT"));
+    if (get_display == nullptr) return;
+    display_ = get_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+    if (display_ == EGL_NO_DISPLAY || eglInitialize(display_, nullptr, nullptr) == EGL_FALSE)
+      return;
+    if (eglBindAPI(EGL_OPENGL_API) == EGL_FALSE) return;
+    constexpr EGLint kConfig[] = {
+        EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
+    EGLConfig config = nullptr;
+    EGLint count = 0;
+    if (eglChooseConfig(display_, kConfig, &config, 1, &count) == EGL_FALSE || count == 0) return;
+    constexpr EGLint kVersion[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                   3,
+                                   EGL_CONTEXT_MINOR_VERSION,
+                                   2,
+                                   EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                   EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                   EGL_NONE};
+    context_ = eglCreateContext(display_, config, EGL_NO_CONTEXT, kVersion);
+  }
+  ~SurfacelessContext() {
+    if (context_ == EGL_NO_CONTEXT) return;
+    if (is_current()) eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    eglDestroyContext(display_, context_);
+    // The display is the process's; others may be using it.
+  }
+  SurfacelessContext(const SurfacelessContext&) = delete;
+  SurfacelessContext& operator=(const SurfacelessContext&) = delete;
+
+  [[nodiscard]] bool make_current() const {
+    return context_ != EGL_NO_CONTEXT && eglBindAPI(EGL_OPENGL_API) == EGL_TRUE &&
+           eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_TRUE;
+  }
+  [[nodiscard]] bool is_current() const {
+    return context_ != EGL_NO_CONTEXT && eglGetCurrentContext() == context_;
+  }
+
+ private:
+  EGLDisplay display_ = EGL_NO_DISPLAY;
+  EGLContext context_ = EGL_NO_CONTEXT;
+};
+
+void observe(RenderWindow* window,
+             unsigned long event,
+             SurfacelessContext& context,
+             void (*act)(vtkObject*, unsigned long, void*, void*)) {
+  const vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&context);
+  command->SetCallback(act);
+  window->AddObserver(event, command);
+}
+
+}  // namespace
+
+struct OffscreenScene::State {
+  SurfacelessContext context;  // outlives the window
+  vtkNew<RenderWindow> window;
+  std::unique_ptr<FaceScene> scene;
+
+  ~State() {
+    scene.reset();
+    if (context.make_current()) window->Finalize();
+  }
+};
+
+Result<OffscreenScene> OffscreenScene::create(cv::Size size_px, double pixels_per_unit) {
+  auto state = std::make_unique<State>();
+  if (!state->context.make_current()) {
+    return Error{en::say("this computer cannot draw in 3D: there is no EGL with OpenGL 3.2"),
+                 "",
+                 en::say("installing libegl1 and libgl1-mesa-dri, which draw in software")};
+  }
+  RenderWindow* window = state->window;
+  observe(window,
+          vtkCommand::WindowMakeCurrentEvent,
+          state->context,
+          [](vtkObject*, unsigned long, void* context, void*) {
+            static_cast<void>(static_cast<SurfacelessContext*>(context)->make_current());
+          });
+  observe(window,
+          vtkCommand::WindowIsCurrentEvent,
+          state->context,
+          [](vtkObject*, unsigned long, void* context, void* answer) {
+            *static_cast<bool*>(answer) = static_cast<SurfacelessContext*>(context)->is_current();
+          });
+  window->SetFrameBlitModeToNoBlit();
+  window->SetForceMaximumHardwareLineWidth(1);
+  window->SetOwnContext(0);
+  window->SetMultiSamples(4);
+  constexpr double kDotsPerInch = 72;  // as on a screen, see VtkView
+  window->SetDPI(static_cast<int>(std::lround(kDotsPerInch * pixels_per_unit)));
+  window->SetSize(size_px.width, size_px.height);
+  window->OpenGLInitContext();
+  state->scene = std::make_unique<FaceScene>(window);
+  state->scene->set_scale(pixels_per_unit);
+  return OffscreenScene(std::move(state));
+}
+
+OffscreenScene::OffscreenScene(std::unique_ptr<State> state) : state_(std::move(state)) {}
+OffscreenScene::OffscreenScene(OffscreenScene&&) noexcept = default;
+OffscreenScene& OffscreenScene::operator=(OffscreenScene&&) noexcept = default;
+OffscreenScene::~OffscreenScene() = default;
+
+FaceScene& OffscreenScene::scene() {
+  return *state_->scene;
+}
+
+cv::Mat OffscreenScene::image() {
+  state_->window->Render();
+  const vtkNew<vtkWindowToImageFilter> reader;
+  reader->SetInput(state_->window);
+  reader->ReadFrontBufferOff();
+  reader->ShouldRerenderOff();
+  reader->SetInputBufferTypeToRGB();
+  reader->Update();
+  vtkImageData* pixels = reader->GetOutput();
+  int size[3];
+  pixels->GetDimensions(size);
+  const cv::Mat rows(size[1], size[0], CV_8UC3, pixels->GetScalarPointer());
+  cv::Mat flipped;
+  cv::flip(rows, flipped, 0);
+  cv::cvtColor(flipped, flipped, cv::COLOR_RGB2BGR);
+  return flipped;
 }
 
 }  // namespace alltact

@@ -1,12 +1,11 @@
 #include "widgets/shell/export_dialog.h"
 
+#include "core/base/utc_time.h"
 #include "core/finger/finger.h"
-#include "core/utc_time.h"
-#include "widgets/joined_words.h"
 #include "widgets/language.h"
-#include "widgets/shell/finger_card_words.h"
-#include "widgets/shell/icons.h"
-#include "widgets/tip_of_text.h"
+#include "widgets/shell/finger_card.h"
+#include "widgets/theme.h"
+#include "widgets/widget_base.h"
 
 #include <QClipboard>
 #include <QDesktopServices>

@@ -4,8 +4,8 @@
 #include "calibration/export/export_finger.h"
 #include "widgets/background_work.h"
 #include "widgets/shell/finger_card.h"
-#include "widgets/shell/fitted_dialog.h"
 #include "widgets/shell/problem_list.h"
+#include "widgets/widget_base.h"
 
 #include <QCheckBox>
 #include <QDialog>

@@ -1,9 +1,22 @@
 #include "widgets/shell/finger_card.h"
 
-#include "calibration/checks/finger_worth.h"
+#include "calibration/checks/finger_check.h"
 #include "calibration/finger/calibration_inputs.h"
+#include "core/base/utc_time.h"
 #include "core/finger/finger_store.h"
+#include "widgets/language.h"
+#include "widgets/theme.h"
 #include "widgets/verdict_text.h"
+
+#include <QDateTime>
+#include <QEvent>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLocale>
+#include <QPainter>
+#include <QVBoxLayout>
+#include <algorithm>
 
 namespace alltact {
 namespace {
@@ -62,6 +75,442 @@ std::optional<FingerCard> read_finger_card(const fs::path& folder, const std::st
       card.image = full_image.scaledToHeight(kImageHeight, Qt::SmoothTransformation)
                        .convertToFormat(QImage::Format_RGB32);
   return card;
+}
+
+namespace {
+
+QDateTime local_time(const std::string& utc) {
+  return QDateTime::fromString(QString::fromStdString(utc), Qt::ISODate).toLocalTime();
+}
+
+/// The action that brings the missing evidence of a calibration.
+QString evidence_due_text(const FingerCard& card) {
+  const auto lacks = [&card](std::initializer_list<std::string_view> names) {
+    return std::find(names.begin(), names.end(), card.lacks) != names.end();
+  };
+  if (!card.grade || lacks({"basis_stored", "complete"}))
+    return FingerCards::tr("Due: calibrate it again");
+  if (lacks({"fresh"})) return FingerCards::tr("Due: a check");
+  if (lacks({"held_out", "presses", "positions", "thirds", "depths", "scale_known"}))
+    return FingerCards::tr("Due: more presses");
+  return FingerCards::tr("Due: read its verdict");
+}
+
+QString in_mm(double value) {
+  return FingerCards::tr("%1 mm").arg(local_mm(value, 3));
+}
+
+}  // namespace
+
+Headline headline_of(const FingerCard& card) {
+  if (card.grade) {
+    Headline headline = headline_of(*card.grade, card.error_mm, card.must_repeat, card.reference);
+    if (card.due == FingerDue::kCalibrateAgain) headline.meaning = Meaning::kBad;
+    if (card.due != FingerDue::kNothing && headline.meaning == Meaning::kGood)
+      headline.meaning = Meaning::kDoubtful;
+    return headline;
+  }
+  if (card.due == FingerDue::kRepair)
+    return headline_of(Grade::kUnfit, 0, card.must_repeat, card.reference);
+  const bool is_new = card.due == FingerDue::kRecording || card.due == FingerDue::kCalibration;
+  return {is_new ? FingerCards::tr("Not calibrated yet")
+                 : FingerCards::tr("Calibrated; how well is not kept"),
+          Meaning::kDoubtful};
+}
+
+QString local_day(const std::string& utc) {
+  const QDateTime time = local_time(utc);
+  return time.isValid() ? QLocale().toString(time.date(), QLocale::ShortFormat) : QString();
+}
+
+QString age_in_days(const std::string& utc, const std::string& now) {
+  const QDateTime then = local_time(utc), today = local_time(now);
+  if (!then.isValid() || !today.isValid()) return {};
+  const auto days = static_cast<int>(then.date().daysTo(today.date()));
+  if (days <= 0) return FingerCards::tr("today");
+  if (days == 1) return FingerCards::tr("yesterday");
+  return FingerCards::tr("%n days ago", nullptr, days);
+}
+
+QString dates_of(const FingerCard& card) {
+  const QString made = local_day(card.calibrated_on), checked = local_day(card.checked_on);
+  if (made.isEmpty()) return {};
+  return checked.isEmpty() ? FingerCards::tr("Calibrated %1").arg(made)
+                           : FingerCards::tr("Calibrated %1, checked %2").arg(made, checked);
+}
+
+QString due_text(const FingerCard& card) {
+  switch (card.due) {
+    case FingerDue::kRecording:
+      return FingerCards::tr("Due: record it bending");
+    case FingerDue::kCalibration:
+      return FingerCards::tr("Due: calibrate it");
+    case FingerDue::kRepair:
+      return card.reference == ReferenceState::kMissing
+                 ? FingerCards::tr("Due: restore its reference")
+                 : FingerCards::tr("Due: record its reference again");
+    case FingerDue::kEvidence:
+      return evidence_due_text(card);
+    case FingerDue::kFirstCheck:
+    case FingerDue::kCheck:
+    case FingerDue::kMorePresses:
+      return FingerCards::tr("Due: a check");
+    case FingerDue::kInspect:
+      return FingerCards::tr("Drifting: look at the last check");
+    case FingerDue::kCalibrateAgain:
+    case FingerDue::kRepeat:
+      return FingerCards::tr("Due: calibrate it again");
+    case FingerDue::kNothing:
+      break;
+  }
+  return FingerCards::tr("Nothing is due");
+}
+
+QString findings_text(const FingerCard& card) {
+  QStringList lines;
+  for (const Message& finding : card.findings) lines << window_sentence(finding);
+  return lines.join(QLatin1Char('\n'));
+}
+
+QString summary_of(const FingerCard& card, const std::string& now) {
+  QStringList parts{headline_of(card).text};
+  const QString made = age_in_days(card.calibrated_on, now);
+  if (!made.isEmpty()) parts << FingerCards::tr("calibrated %1").arg(made);
+  const QString checked = age_in_days(card.checked_on, now);
+  if (!checked.isEmpty())
+    parts << FingerCards::tr("checked %1, %2 off").arg(checked, in_mm(card.checked_mm));
+  parts << due_text(card);
+  return parts.join(QString::fromUtf8(" \u00b7 "));
+}
+
+namespace {
+
+constexpr int kCardColumns = 2;
+constexpr QSize kCardImage(128, 72);
+constexpr int kCardWidth = 290, kCardSymbol = 22;
+constexpr int kCardTextMargin = kCardImage.width() + 30;  // px of a card
+
+/// The image with the verdict's symbol in its corner.
+QIcon icon_of(const FingerCard& card, const QPalette& palette, double ratio) {
+  QPixmap image(kCardImage * ratio);
+  image.setDevicePixelRatio(ratio);
+  image.fill(palette.color(QPalette::Dark));
+  QPainter painter(&image);
+  painter.setRenderHint(QPainter::SmoothPixmapTransform);
+  const QRect card_box(QPoint(0, 0), kCardImage);
+  if (card.image.isNull()) {
+    icon(QStringLiteral("finger"), palette).paint(&painter, card_box.adjusted(40, 14, -40, -14));
+  } else {
+    QRect image_box(QPoint(0, 0),
+                    card.image.size().scaled(kCardImage, Qt::KeepAspectRatioByExpanding));
+    image_box.moveCenter(card_box.center());
+    painter.setClipRect(card_box);
+    painter.drawImage(image_box, card.image);
+  }
+  const Meaning meaning = headline_of(card).meaning;
+  const QRect corner(card_box.right() - kCardSymbol - 3, 4, kCardSymbol, kCardSymbol);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(palette.color(QPalette::Base));
+  painter.drawEllipse(corner.adjusted(-2, -2, 2, 2));
+  painter.drawPixmap(
+      corner,
+      symbol(meaning_symbol(meaning), meaning_colour(meaning, palette), kCardSymbol, ratio));
+  return QIcon(image);
+}
+
+QStringList lines_of(const FingerCard& card) {
+  QStringList lines;
+  for (const QString& line :
+       {QString::fromStdString(card.name), headline_of(card).text, dates_of(card), due_text(card)})
+    if (!line.isEmpty()) lines << line;
+  return lines;
+}
+
+}  // namespace
+
+FingerCards::FingerCards(QWidget* parent) : Translated(parent), grid_(new QGridLayout(this)) {
+  grid_->setContentsMargins(0, 0, 0, 0);
+  hide();
+  say([this] { rebuild(); });
+}
+
+void FingerCards::set_fingers(const std::vector<std::filesystem::path>& folders) {
+  folders_ = folders;
+  read();
+}
+
+void FingerCards::read() {
+  reading_.restart([this, folders = folders_](const Job& job) {
+    std::vector<FingerCard> cards;
+    std::vector<std::filesystem::path> there;
+    for (const auto& folder : folders) {
+      if (job.stop_requested()) break;
+      auto card = read_finger_card(folder, utc_now());
+      if (!card) continue;
+      there.push_back(folder);
+      if (cards.size() < kMaxCards) cards.push_back(std::move(*card));
+    }
+    return std::function<void()>([this, cards, there] {
+      Q_EMIT found(there);
+      if (cards == cards_) return;
+      cards_ = cards;
+      rebuild();
+    });
+  });
+}
+
+void FingerCards::rebuild() {
+  while (QLayoutItem* item = grid_->takeAt(0)) {
+    item->widget()->hide();
+    item->widget()->deleteLater();
+    delete item;
+  }
+  for (std::size_t i = 0; i < cards_.size(); ++i)
+    grid_->addWidget(make_button(cards_[i]),
+                     static_cast<int>(i) / kCardColumns,
+                     static_cast<int>(i) % kCardColumns);
+  fit();
+  setVisible(!cards_.empty());
+  Q_EMIT filled();
+}
+
+QToolButton* FingerCards::make_button(const FingerCard& card) {
+  auto* button = new QToolButton;
+  button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  button->setIconSize(kCardImage);
+  button->setIcon(icon_of(card, palette(), devicePixelRatioF()));
+  button->setMinimumWidth(kCardWidth);
+  button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  button->setAccessibleName(tr("Open the finger %1").arg(QString::fromStdString(card.name)));
+  QStringList lines = lines_of(card);
+  if (const QString findings = findings_text(card); !findings.isEmpty()) lines << findings;
+  button->setAccessibleDescription(lines.mid(1).join(QLatin1String(". ")));
+  lines << QString::fromStdString(card.folder.string());
+  button->setToolTip(lines.join(QLatin1Char('\n')));
+  connect(button, &QToolButton::clicked, this, [this, folder = card.folder] {
+    Q_EMIT finger_chosen(QString::fromStdString(folder.string()));
+  });
+  return button;
+}
+
+/// The tool tip holds text that does not fit into its card.
+void FingerCards::fit() {
+  for (std::size_t i = 0; i < cards_.size(); ++i) {
+    auto* button = static_cast<QToolButton*>(grid_->itemAt(static_cast<int>(i))->widget());
+    const int room =
+        std::max(kCardWidth, (width() - grid_->spacing()) / kCardColumns) - kCardTextMargin;
+    QStringList lines;
+    for (const QString& line : lines_of(cards_[i]))
+      lines << fontMetrics().elidedText(line, Qt::ElideRight, room);
+    button->setText(lines.join(QLatin1Char('\n')).replace(QLatin1Char('&'), QLatin1String("&&")));
+  }
+}
+
+void FingerCards::resizeEvent(QResizeEvent* event) {
+  Translated::resizeEvent(event);
+  fit();
+}
+
+void FingerCards::changeEvent(QEvent* event) {
+  Translated::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) rebuild();
+}
+
+/// Reads again, so that the cards show what happened in between.
+void FingerCards::showEvent(QShowEvent* event) {
+  Translated::showEvent(event);
+  read();
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kListSymbol = 16;
+constexpr std::size_t kMaxFingers = 500;  // of a folder that holds something else
+
+enum ListColumn {
+  kListName,
+  kListWorth,
+  kListError,
+  kListCalibrated,
+  kListChecked,
+  kListDue,
+  kListFolder,
+  kListColumns
+};
+
+/// Sorts the most urgent action to the top.
+int urgency(const FingerCard& card) {
+  switch (card.due) {
+    case FingerDue::kRepair:
+    case FingerDue::kCalibrateAgain:
+    case FingerDue::kRepeat:
+      return 0;
+    case FingerDue::kInspect:
+      return 1;
+    case FingerDue::kEvidence:
+    case FingerDue::kCheck:
+    case FingerDue::kMorePresses:
+      return 2;
+    case FingerDue::kFirstCheck:
+      return 3;
+    case FingerDue::kCalibration:
+      return 4;
+    case FingerDue::kRecording:
+      return 5;
+    case FingerDue::kNothing:
+      break;
+  }
+  return 6;
+}
+
+/// Without the error, which has a column of its own.
+QString worth_text(const FingerCard& card, const Headline& headline) {
+  return card.error_mm > 0 && card.grade ? grade_text(*card.grade) : headline.text;
+}
+
+}  // namespace
+
+std::vector<FingerCard> read_all_fingers(const std::set<fs::path>& folders,
+                                         const std::vector<fs::path>& known,
+                                         const std::string& now,
+                                         const Job& job) {
+  std::set<fs::path> all(known.begin(), known.end());
+  for (const fs::path& folder : folders) {
+    std::error_code failed;
+    for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end;
+         entry.increment(failed)) {
+      std::error_code ignored;
+      if (all.size() < kMaxFingers && fs::exists(entry->path() / "finger.yaml", ignored))
+        all.insert(entry->path());
+    }
+  }
+  std::vector<FingerCard> cards;
+  for (const fs::path& folder : all) {
+    if (job.stop_requested()) break;
+    if (auto card = read_finger_card(folder, now)) cards.push_back(std::move(*card));
+  }
+  std::stable_sort(cards.begin(), cards.end(), [](const FingerCard& a, const FingerCard& b) {
+    return urgency(a) < urgency(b);
+  });
+  return cards;
+}
+
+FingerListDialog::FingerListDialog(std::vector<fs::path> known, QWidget* parent)
+    : FittedDialog(parent),
+      known_(std::move(known)),
+      list_(new QTreeWidget),
+      count_(new QLabel),
+      open_(new QPushButton),
+      folder_(new QPushButton),
+      buttons_(new QDialogButtonBox(QDialogButtonBox::Close)) {
+  for (const fs::path& folder : known_) folders_.insert(folder.parent_path());
+  auto* column = new QVBoxLayout(this);
+  list_->setRootIsDecorated(false);
+  list_->setAllColumnsShowFocus(true);
+  list_->setUniformRowHeights(true);
+  list_->setTextElideMode(Qt::ElideRight);
+  column->addWidget(count_);
+  column->addWidget(list_, 1);
+  auto* row = new QHBoxLayout;
+  row->addWidget(open_);
+  row->addWidget(folder_);
+  row->addStretch();
+  row->addWidget(buttons_);
+  column->addLayout(row);
+  set_primary(*open_);
+  connect(&reading_, &BackgroundWork::finished, this, &FingerListDialog::fill);
+  connect(list_, &QTreeWidget::itemActivated, this, &FingerListDialog::open_chosen);
+  connect(list_, &QTreeWidget::currentItemChanged, this, &FingerListDialog::follow_choice);
+  connect(open_, &QPushButton::clicked, this, &FingerListDialog::open_chosen);
+  connect(folder_, &QPushButton::clicked, this, &FingerListDialog::choose_folder);
+  connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  resize(920, 460);
+  say([this] {
+    setWindowTitle(tr("All fingers"));
+    list_->setAccessibleName(tr("Fingers"));
+    list_->setHeaderLabels({tr("Finger"),
+                            tr("Worth"),
+                            tr("Error, mm"),
+                            tr("Calibrated"),
+                            tr("Checked"),
+                            tr("Due"),
+                            tr("Folder")});
+    open_->setText(tr("&Open"));
+    folder_->setText(tr("&Look into another folder…"));
+    buttons_->button(QDialogButtonBox::Close)->setText(tr("&Close"));
+    fill();
+  });
+  read();
+}
+
+void FingerListDialog::read() {
+  reading_.restart([this, folders = folders_, known = known_](const Job& job) {
+    auto cards = read_all_fingers(folders, known, utc_now(), job);
+    return std::function<void()>([this, cards = std::move(cards)] { cards_ = cards; });
+  });
+  fill();
+}
+
+void FingerListDialog::fill() {
+  list_->clear();
+  const std::string now = utc_now();
+  for (const FingerCard& card : cards_) {
+    auto* row = new QTreeWidgetItem(list_);
+    const Headline headline = headline_of(card);
+    const Meaning meaning = headline.meaning;
+    row->setIcon(kListName,
+                 QIcon(symbol(meaning_symbol(meaning),
+                              meaning_colour(meaning, palette()),
+                              kListSymbol,
+                              devicePixelRatioF())));
+    row->setText(kListName, QString::fromStdString(card.name));
+    row->setText(kListWorth, worth_text(card, headline));
+    row->setText(kListError, card.error_mm > 0 ? local_mm(card.error_mm, 3) : QString());
+    row->setText(kListCalibrated, age_in_days(card.calibrated_on, now));
+    row->setText(kListChecked, age_in_days(card.checked_on, now));
+    row->setText(kListDue, due_text(card));
+    row->setText(kListFolder, QString::fromStdString(card.folder.string()));
+    const QString findings = findings_text(card);
+    for (int i = 0; i < kListColumns; ++i)
+      row->setToolTip(
+          i, findings.isEmpty() ? row->text(i) : row->text(i) + QLatin1Char('\n') + findings);
+    row->setTextAlignment(kListError, Qt::AlignRight | Qt::AlignVCenter);
+  }
+  for (int i = 0; i < kListFolder; ++i) list_->resizeColumnToContents(i);
+  const auto due = std::count_if(cards_.begin(), cards_.end(), [](const FingerCard& card) {
+    return card.due != FingerDue::kNothing;
+  });
+  count_->setText(reading_.is_running()
+                      ? tr("Looking at the fingers' folders…")
+                      : tr("%n finger(s), ", nullptr, static_cast<int>(cards_.size())) +
+                            tr("something is due with %n", nullptr, static_cast<int>(due)));
+  if (!cards_.empty()) list_->setCurrentItem(list_->topLevelItem(0));
+  follow_choice();
+}
+
+void FingerListDialog::follow_choice() {
+  open_->setEnabled(list_->currentItem() != nullptr);
+}
+
+void FingerListDialog::choose_folder() {
+  auto* dialog = new QFileDialog(this, tr("Folder with fingers in it"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::Directory);
+  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& folder) {
+    folders_.insert(folder.toStdString());
+    read();
+  });
+  dialog->show();
+}
+
+void FingerListDialog::open_chosen() {
+  const QTreeWidgetItem* chosen = list_->currentItem();
+  if (chosen == nullptr) return;
+  Q_EMIT finger_chosen(chosen->text(kListFolder));
+  accept();
 }
 
 }  // namespace alltact

@@ -2,10 +2,22 @@
 #pragma once
 
 #include "calibration/verdict/verdict.h"
+#include "widgets/background_work.h"
+#include "widgets/verdict_text.h"
+#include "widgets/widget_base.h"
 
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QGridLayout>
 #include <QImage>
+#include <QLabel>
+#include <QPushButton>
+#include <QString>
+#include <QToolButton>
+#include <QTreeWidget>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -38,5 +50,95 @@ struct FingerCard {
 ///   now: UTC, as utc_now() writes it
 [[nodiscard]] std::optional<FingerCard> read_finger_card(const std::filesystem::path& folder,
                                                          const std::string& now);
+
+// The summary of a finger as text in the window's language.
+
+/// "Good, ±0.035 mm", "Broken", "Not calibrated yet"; kGood only where nothing is due.
+[[nodiscard]] Headline headline_of(const FingerCard& card);
+/// The date in the local time zone and format; empty for no date.
+[[nodiscard]] QString local_day(const std::string& utc);
+/// "today", "yesterday", "3 days ago", by local days; empty for no date.
+[[nodiscard]] QString age_in_days(const std::string& utc, const std::string& now);
+/// Dates of calibration and check; empty for never.
+[[nodiscard]] QString dates_of(const FingerCard& card);
+[[nodiscard]] QString due_text(const FingerCard& card);
+/// Contradictions and missing requirements of the calibration, one sentence a line; empty: none.
+[[nodiscard]] QString findings_text(const FingerCard& card);
+/// One line: grade, expected error, ages of calibration and check, error in the check, what is due.
+[[nodiscard]] QString summary_of(const FingerCard& card, const std::string& now);
+
+// Recently used fingers, a card each: image, name, grade of the calibration, dates of calibration
+// and check, and what is due.
+
+class FingerCards : public Translated<QWidget> {
+  Q_OBJECT
+ public:
+  static constexpr std::size_t kMaxCards = 6;
+
+  explicit FingerCards(QWidget* parent = nullptr);
+  /// Latest first; read on a background thread. Missing or unreadable folders, and all after
+  /// kMaxCards, are left out; hidden where none is left.
+  void set_fingers(const std::vector<std::filesystem::path>& folders);
+  [[nodiscard]] const std::vector<FingerCard>& cards() const { return cards_; }
+
+ Q_SIGNALS:
+  void finger_chosen(const QString& folder);
+  /// The folders, also after kMaxCards, with a finger that can be opened.
+  void found(const std::vector<std::filesystem::path>& folders);
+  /// cards() are shown.
+  void filled();
+
+ protected:
+  void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  void read();
+  void rebuild();
+  void fit();
+  [[nodiscard]] QToolButton* make_button(const FingerCard& card);
+
+  std::vector<std::filesystem::path> folders_;
+  std::vector<FingerCard> cards_;
+  QGridLayout* grid_;
+  BackgroundWork reading_;
+};
+
+// All fingers of the lab in one list: grade, dates of calibration and check, and what is due.
+
+/// The fingers in `known` and all others in the same parent folders.
+[[nodiscard]] std::vector<FingerCard> read_all_fingers(
+    const std::set<std::filesystem::path>& folders,
+    const std::vector<std::filesystem::path>& known,
+    const std::string& now,
+    const Job& job);
+
+class FingerListDialog : public FittedDialog {
+  Q_OBJECT
+ public:
+  /// known: fingers' folders; read on a background thread.
+  explicit FingerListDialog(std::vector<std::filesystem::path> known, QWidget* parent = nullptr);
+  [[nodiscard]] const std::vector<FingerCard>& cards() const { return cards_; }
+
+ Q_SIGNALS:
+  void finger_chosen(const QString& folder);
+
+ private:
+  void read();
+  void fill();
+  void choose_folder();
+  void open_chosen();
+  void follow_choice();
+
+  std::vector<std::filesystem::path> known_;
+  std::set<std::filesystem::path> folders_;  // to search
+  std::vector<FingerCard> cards_;            // most urgent first
+  QTreeWidget* list_;
+  QLabel* count_;
+  QPushButton *open_, *folder_;
+  QDialogButtonBox* buttons_;
+  BackgroundWork reading_;
+};
 
 }  // namespace alltact

@@ -11,7 +11,7 @@ namespace {
 // The finger in 640 x 320: its base at the left, its tip at the right, the sensing face above.
 const QSizeF kDrawingRoom(640, 320);
 const QPointF kBaseTop(130, 96), kTip(602, 188), kBaseBottom(130, 262);
-constexpr double kLayer = 13, kBallRadius = 40, kBallAlong = 0.52, kPressed = 17;
+constexpr double kLayer = 13, kDrawnBallRadius = 40, kBallAlong = 0.52, kPressed = 17;
 
 const QColor kLampLight("#f2c14e");  // on light and on dark backgrounds
 
@@ -52,9 +52,11 @@ QPointF on_face(double part, double below = 0) {
 double indentation_px(double part) {
   const double away =
       (part - kBallAlong) * std::hypot(kTip.x() - kBaseTop.x(), kTip.y() - kBaseTop.y());
-  const double reach = std::sqrt(kBallRadius * kBallRadius - std::pow(kBallRadius - kPressed, 2));
+  const double reach =
+      std::sqrt(kDrawnBallRadius * kDrawnBallRadius - std::pow(kDrawnBallRadius - kPressed, 2));
   if (std::abs(away) < reach)
-    return kPressed - kBallRadius + std::sqrt(kBallRadius * kBallRadius - away * away);
+    return kPressed - kDrawnBallRadius +
+           std::sqrt(kDrawnBallRadius * kDrawnBallRadius - away * away);
   return 0;
 }
 
@@ -141,7 +143,7 @@ void draw_layer(QPainter& painter, const Inks& inks) {
 }
 
 QPointF ball_centre() {
-  return on_face(kBallAlong, kPressed - kBallRadius);
+  return on_face(kBallAlong, kPressed - kDrawnBallRadius);
 }
 
 void draw_finger(QPainter& painter, const Inks& inks, bool has_numbers) {
@@ -151,7 +153,7 @@ void draw_finger(QPainter& painter, const Inks& inks, bool has_numbers) {
   draw_camera(painter, inks);
   painter.setPen(QPen(inks.mark, 2.5));
   painter.setBrush(inks.ball);
-  painter.drawEllipse(ball_centre(), kBallRadius, kBallRadius);
+  painter.drawEllipse(ball_centre(), kDrawnBallRadius, kDrawnBallRadius);
   if (!has_numbers) return;
   draw_number(painter, inks, 1, {56, 290}, {56, 248});
   draw_number(painter, inks, 2, {112, 84}, {112, 130});

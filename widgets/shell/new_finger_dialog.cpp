@@ -1,6 +1,6 @@
 #include "widgets/shell/new_finger_dialog.h"
 
-#include "widgets/tip_of_text.h"
+#include "widgets/widget_base.h"
 
 #include <QFileDialog>
 #include <QHBoxLayout>

@@ -2,11 +2,11 @@
 // field.
 #pragma once
 
-#include "core/finger/new_finger.h"
+#include "core/finger/finger_store.h"
 #include "widgets/background_work.h"
 #include "widgets/controls/number_field.h"
-#include "widgets/shell/fitted_dialog.h"
 #include "widgets/shell/problem_list.h"
+#include "widgets/widget_base.h"
 
 #include <QComboBox>
 #include <QDialog>

@@ -1,10 +1,9 @@
 #include "widgets/shell/problem_list.h"
 
 #include "core/live/source_runner.h"
-#include "widgets/accessible.h"
-#include "widgets/joined_words.h"
 #include "widgets/language.h"
-#include "widgets/shell/icons.h"
+#include "widgets/theme.h"
+#include "widgets/widget_base.h"
 
 #include <QLabel>
 #include <QPushButton>

@@ -1,10 +1,9 @@
 // Current problems as text, with advice; hidden without problems.
 #pragma once
 
-#include "core/result.h"
-#include "widgets/shell/elided_label.h"
+#include "core/base/result.h"
 #include "widgets/theme.h"
-#include "widgets/translated.h"
+#include "widgets/widget_base.h"
 
 #include <QFrame>
 #include <QHBoxLayout>

@@ -1,9 +1,9 @@
 // Theme and language of the program; every choice takes effect at once.
 #pragma once
 
-#include "widgets/live/pedal.h"
-#include "widgets/shell/fitted_dialog.h"
+#include "widgets/controls/devices.h"
 #include "widgets/theme.h"
+#include "widgets/widget_base.h"
 
 #include <QComboBox>
 #include <QDialog>

@@ -1,9 +1,6 @@
 #include "core/sensing/contact/contact_regions.h"
 
-#include "core/sensing/contact/contact_geometry.h"
-#include "core/sensing/contact/principal_axis.h"
-#include "core/sensing/contact/untouched_cells.h"
-#include "core/sensing/depth/depth_cells.h"
+#include "core/sensing/depth/depth_map.h"
 
 #include <algorithm>
 #include <array>
@@ -13,10 +10,157 @@
 #include <utility>
 #include <vector>
 
+#include <Eigen/Core>
+#include <Eigen/Dense>
+#include <Eigen/Geometry>
+#include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
 namespace alltact {
 namespace {
+
+/// Volume that some adjacent pixels displace. Positions in mm, camera frame, from one origin.
+struct ContactColumn {
+  Eigen::Vector3d middle_mm;   ///< of the volume between the threshold and the depth
+  Eigen::Vector3d pressed_mm;  ///< the pressed point
+  double volume_mm3 = 0;       ///< above the threshold
+  double height_mm = 0;        ///< the same by the area
+  double skin_sd_mm = 0;       ///< of a depth there before contact; 0: unknown
+  double noise_mm6 = 0;        ///< variance of the volume, for independent pixels
+};
+
+struct PrincipalAxis {
+  double angle_rad = 0;  ///< in (-pi/2, pi/2], in the plane from its first axis to its second
+  double sd_rad = 0;     ///< from noise, including its correlation
+  double greater_mm2 = 0, smaller_mm2 = 0;  ///< variances along and across
+};
+
+constexpr double kMaxLogWeight = 0.6931471805599453;  // ln 2, from end to end
+
+struct Flat {
+  Eigen::Vector2d mean;
+  Eigen::Matrix2d covariance;
+  double weight = 0;
+};
+
+/// Two passes about the mean, to avoid cancellation.
+Flat moments_of(const std::vector<ContactColumn>& columns,
+                const ContactPlane& plane,
+                const std::vector<double>& certainty) {
+  Flat flat{Eigen::Vector2d::Zero(), Eigen::Matrix2d::Zero()};
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const double weight = certainty[i] * columns[i].volume_mm3;
+    flat.weight += weight;
+    flat.mean += weight * (plane.transpose() * columns[i].middle_mm);
+  }
+  if (!(flat.weight > 0)) return flat;
+  flat.mean /= flat.weight;
+  const Eigen::Vector2d upright = plane.row(2).transpose();  // projection of a column of volume
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const ContactColumn& column = columns[i];
+    const Eigen::Vector2d off = plane.transpose() * column.middle_mm - flat.mean;
+    flat.covariance += certainty[i] * column.volume_mm3 / flat.weight *
+                       (off * off.transpose() +
+                        column.height_mm * column.height_mm / 12.0 * upright * upright.transpose());
+  }
+  return flat;
+}
+
+/// The slope of log(1 / variance) over the contact, by least squares.
+Eigen::Vector2d log_slope(const std::vector<ContactColumn>& columns,
+                          const ContactPlane& plane,
+                          const Flat& flat) {
+  double mean_log = 0, weights = 0;
+  for (const ContactColumn& column : columns)
+    if (column.skin_sd_mm > 0) {
+      mean_log -= 2.0 * column.volume_mm3 * std::log(column.skin_sd_mm);
+      weights += column.volume_mm3;
+    }
+  if (!(weights > 0)) return Eigen::Vector2d::Zero();
+  mean_log /= weights;
+  Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
+  Eigen::Vector2d right = Eigen::Vector2d::Zero();
+  for (const ContactColumn& column : columns) {
+    if (!(column.skin_sd_mm > 0)) continue;
+    const Eigen::Vector2d off = plane.transpose() * column.middle_mm - flat.mean;
+    normal += column.volume_mm3 * off * off.transpose();
+    right += column.volume_mm3 * off * (-2.0 * std::log(column.skin_sd_mm) - mean_log);
+  }
+  if (!(normal.determinant() > 1e-9 * normal.trace() * normal.trace()))
+    return Eigen::Vector2d::Zero();
+  return normal.inverse() * right;
+}
+
+std::vector<double> certainty_of(const std::vector<ContactColumn>& columns,
+                                 const ContactPlane& plane,
+                                 const Flat& flat) {
+  const Eigen::Vector2d slope = log_slope(columns, plane, flat);
+  std::vector<double> logs;
+  for (const ContactColumn& column : columns)
+    logs.push_back(slope.dot(plane.transpose() * column.middle_mm - flat.mean));
+  const auto [lowest, highest] = std::minmax_element(logs.begin(), logs.end());
+  const double part = std::min(1.0, kMaxLogWeight / std::max(*highest - *lowest, kMaxLogWeight));
+  for (double& value : logs) value = std::exp(part * value);
+  return logs;
+}
+
+/// correlated_px2: area of pixels with common noise. nullopt: exactly round, or no volume.
+std::optional<PrincipalAxis> principal_axis(const std::vector<ContactColumn>& columns,
+                                            const ContactPlane& plane,
+                                            double correlated_px2) {
+  const Flat alike = moments_of(columns, plane, std::vector<double>(columns.size(), 1.0));
+  if (!(alike.weight > 0)) return std::nullopt;
+  const std::vector<double> certainty = certainty_of(columns, plane, alike);
+  const Flat flat = moments_of(columns, plane, certainty);
+  const double xx = flat.covariance(0, 0), xy = flat.covariance(0, 1), yy = flat.covariance(1, 1);
+  const double difference = std::hypot(xx - yy, 2.0 * xy);
+  if (!(difference > 0.0)) return std::nullopt;
+  PrincipalAxis axis;
+  axis.angle_rad = 0.5 * std::atan2(2.0 * xy, xx - yy);
+  if (axis.angle_rad <= -M_PI / 2) axis.angle_rad += M_PI;
+  axis.greater_mm2 = 0.5 * (xx + yy + difference);
+  axis.smaller_mm2 = std::max(0.0, xx * yy - xy * xy) / axis.greater_mm2;
+  const double c = std::cos(axis.angle_rad), s = std::sin(axis.angle_rad);
+  double squares = 0;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const Eigen::Vector2d off = plane.transpose() * columns[i].pressed_mm - flat.mean;
+    const double x = c * off.x() + s * off.y(), y = c * off.y() - s * off.x();
+    squares += columns[i].noise_mm6 * std::pow(certainty[i] * x * y, 2);
+  }
+  axis.sd_rad = std::sqrt(correlated_px2 * squares) / (flat.weight * difference);
+  return axis;
+}
+
+/// Errors of the depth in the middles of a box of cells without contact. Each is computed once, on
+/// request.
+class UntouchedCells {
+ public:
+  UntouchedCells(const RegionOptions& options, const cv::Size& image_size, const cv::Rect& box)
+      : options_(options),
+        image_size_(image_size),
+        box_(box),
+        sd_(static_cast<std::size_t>(box.area())) {}
+
+  [[nodiscard]] const UntouchedSd& at(const cv::Point& cell) {
+    std::optional<UntouchedSd>& sd =
+        sd_[static_cast<std::size_t>((cell.y - box_.y) * box_.width + cell.x - box_.x)];
+    if (!sd) sd = estimate(cell);
+    return *sd;
+  }
+
+ private:
+  [[nodiscard]] UntouchedSd estimate(const cv::Point& cell) const {
+    if (!options_.untouched) return {options_.noise_mm, 0.0};
+    return options_.untouched(
+        std::min(image_size_.width - 1, cell.x * kDepthCellPx + kDepthCellPx / 2),
+        std::min(image_size_.height - 1, cell.y * kDepthCellPx + kDepthCellPx / 2));
+  }
+
+  const RegionOptions& options_;
+  cv::Size image_size_;
+  cv::Rect box_;
+  std::vector<std::optional<UntouchedSd>> sd_;
+};
 
 constexpr int kCell = kDepthCellPx;  // regions are connected in cells
 constexpr double kLargestAngleSdDeg = 15.0;
@@ -421,6 +565,59 @@ std::vector<ContactRegion> contact_regions(const DepthMap& depth,
       found.push_back({region, sds_deep});
   }
   return by_certainty_and_volume(found);
+}
+
+std::optional<ContactPlane> contact_plane(const FaceShape& shape, const Eigen::Vector2d& pixel) {
+  const auto local = shape.at(pixel.x(), pixel.y());
+  if (!local) return std::nullopt;
+  // The face is nearly straight along y: its length is across y.
+  const double to_tip = shape.base_at_low_u() ? 1.0 : -1.0;
+  ContactPlane plane;
+  plane.col(0) = to_tip * Eigen::Vector3d::UnitY().cross(local->normal).normalized();
+  plane.col(1) = to_tip * local->normal.cross(plane.col(0));
+  return plane;
+}
+
+std::optional<Eigen::Vector3d> contact_axis(const FaceShape& shape,
+                                            const Eigen::Vector2d& pixel,
+                                            double angle_deg) {
+  const auto plane = contact_plane(shape, pixel);
+  if (!plane) return std::nullopt;
+  const double angle = angle_deg * M_PI / 180.0;
+  return (*plane * Eigen::Vector2d(std::cos(angle), std::sin(angle))).normalized();
+}
+
+std::optional<Eigen::Matrix3d> contact_covariance_mm2(const FaceShape& shape,
+                                                      const Eigen::Vector2d& pixel,
+                                                      double depth_sd_mm) {
+  const auto& columns = shape.columns();
+  const auto ray = shape.camera().unproject(pixel);
+  const auto u = std::lround(pixel.x());
+  if (!ray || u < 0 || u >= static_cast<long>(columns.size())) return std::nullopt;
+  const FaceColumn& column = columns[static_cast<std::size_t>(u)];
+  if (!column.valid || !std::isfinite(depth_sd_mm)) return std::nullopt;
+  const Eigen::Vector3d sight = column.z_sd_mm * ray->direction;
+  Eigen::Matrix3d covariance = sight * sight.transpose();
+  covariance(2, 2) += depth_sd_mm * depth_sd_mm;
+  return covariance;
+}
+
+std::vector<Eigen::Vector2d> convex_polygon(const std::vector<Eigen::Vector2d>& points_mm,
+                                            double tolerance_mm) {
+  if (points_mm.empty()) return {};
+  // Relative to one of them, so that single precision is enough.
+  const Eigen::Vector2d& origin = points_mm.front();
+  std::vector<cv::Point2f> points, hull, corners;
+  for (const Eigen::Vector2d& point : points_mm) {
+    const Eigen::Vector2f off = (point - origin).cast<float>();
+    points.emplace_back(off.x(), off.y());
+  }
+  cv::convexHull(points, hull);
+  cv::approxPolyDP(hull, corners, tolerance_mm, true);
+  std::vector<Eigen::Vector2d> polygon;
+  for (const cv::Point2f& corner : corners)
+    polygon.push_back(origin + Eigen::Vector2f(corner.x, corner.y).cast<double>());
+  return polygon;
 }
 
 }  // namespace alltact

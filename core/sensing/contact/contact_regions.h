@@ -25,7 +25,7 @@
 //                                       reference
 //   BallGuess (press.h)                 brightness: a disc 1.2 % darker and 5 times the scatter, to
 //                                       40 % of its darkest; initial position of a press's ball
-//   certain zone (sample_misfit.h)      geometry: within 0.65 of the rim of the ball's cap; where
+//   certain zone (contact_model.h)      geometry: within 0.65 of the rim of the ball's cap; where
 //                                       skin and ball touch on any material, for calibration
 //   punched area (step_press.cpp)       brightness: 15 % of the greatest difference and 6 sd; the
 //                                       area under a punch with a step
@@ -36,9 +36,9 @@
 // Elsewhere "untouched" means the skin as the reference shows it, whatever presses now.
 #pragma once
 
-#include "core/sensing/depth/depth_limits.h"
+#include "core/sensing/depth/depth_map.h"
 #include "core/sensing/depth/depth_sd.h"
-#include "core/sensing/depth/local_depth.h"
+#include "core/sensing/face/face_shape.h"
 
 #include <functional>
 #include <optional>
@@ -119,5 +119,29 @@ struct RegionOptions {
                                                          const FaceShape& shape,
                                                          const Face& face,
                                                          const RegionOptions& options);
+
+// Geometry of a contact in 3D: its axis, the covariance of its position, its outline.
+
+/// Unit vectors tangential to the face at a pixel, camera frame: along the finger's length (base to
+/// tip), and across it towards +y. nullopt off the face.
+using ContactPlane = Eigen::Matrix<double, 3, 2>;
+[[nodiscard]] std::optional<ContactPlane> contact_plane(const FaceShape& shape,
+                                                        const Eigen::Vector2d& pixel);
+
+/// The direction on the face at a pixel, rotated by `angle_deg` from the finger's length (base to
+/// tip) towards +y: a unit vector in the camera frame. nullopt off the face.
+[[nodiscard]] std::optional<Eigen::Vector3d> contact_axis(const FaceShape& shape,
+                                                          const Eigen::Vector2d& pixel,
+                                                          double angle_deg);
+
+/// Covariance in mm^2 of a point of the contact face, camera frame: the face's z errs along the
+/// line of sight, the depth along z. nullopt off the face.
+[[nodiscard]] std::optional<Eigen::Matrix3d> contact_covariance_mm2(const FaceShape& shape,
+                                                                    const Eigen::Vector2d& pixel,
+                                                                    double depth_sd_mm);
+
+/// Convex hull, corners in order, without corners within `tolerance_mm` of the line between others.
+[[nodiscard]] std::vector<Eigen::Vector2d> convex_polygon(
+    const std::vector<Eigen::Vector2d>& points_mm, double tolerance_mm);
 
 }  // namespace alltact

@@ -1,10 +1,10 @@
 #include "core/sensing/depth/depth_rows.h"
 
-#include "core/grey_range.h"
-#include "core/numerics/blocks.h"
+#include "core/image/grey_range.h"
 #include "core/numerics/dispatch.h"
-#include "core/sensing/depth/pixel_flags.h"
-#include "core/sensing/reference/grey_steps.h"
+#include "core/numerics/vector_loops.h"
+#include "core/sensing/depth/depth_map.h"
+#include "core/sensing/reference/image_warp.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,11 +1,10 @@
 // The untouched face in 3D, from its two edges (Fin Ray) or as the known plane (flat sensor).
 #pragma once
 
+#include "core/base/result.h"
 #include "core/camera/camera.h"
 #include "core/finger/finger.h"
-#include "core/result.h"
 #include "core/sensing/face/face_edges.h"
-#include "core/sensing/face/face_twist.h"
 
 #include <optional>
 #include <vector>
@@ -13,6 +12,26 @@
 #include <Eigen/Core>
 
 namespace alltact {
+
+// Twist: rotation of a face's cross-sections about the finger's length, from base to tip.
+
+/// Tangent of the twist over the face's length, t from -1 to 1: c0 + c1 t + c2 (2 t^2 - 1).
+/// Positive: the side at large v is turned away from the camera.
+struct FaceTwist {
+  static constexpr int kTerms = 3;
+
+  Eigen::Vector3d coefficients = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  /// Yaw of the cross-sections per slope dy/ds of a swaying middle line: 1 as in a beam, 0 where
+  /// they slide past each other.
+  double yaw_per_slope = 0;
+
+  [[nodiscard]] static Eigen::RowVector3d terms_at(double t) { return {1.0, t, 2.0 * t * t - 1.0}; }
+  [[nodiscard]] double at(double t) const { return terms_at(t) * coefficients; }
+  [[nodiscard]] double variance_at(double t) const {
+    return terms_at(t) * covariance * terms_at(t).transpose();
+  }
+};
 
 struct RobustPolynomial;
 
@@ -193,5 +212,18 @@ class FaceShape {
 [[nodiscard]] Eigen::Vector3d untouched_point_mm(const FaceShape::Local& local,
                                                  double layer_mm,
                                                  MappingAlong along);
+
+// Default degree of the face's edges along the finger.
+
+/// Degree of the Chebyshev polynomials of FaceShape::fit; default of --profile-degree. A static
+/// assertion in pipeline_settings.cpp holds both equal.
+inline constexpr int kDefaultProfileDegree = 7;
+
+// Inverse projection of the face: from a position on it to its pixel.
+
+/// The pixel whose FaceShape::position_mm is `position_mm`, in valid columns. nullopt: no valid
+/// column shows that length.
+[[nodiscard]] std::optional<Eigen::Vector2d> pixel_of_position(const FaceShape& shape,
+                                                               const Eigen::Vector2d& position_mm);
 
 }  // namespace alltact

@@ -1,9 +1,11 @@
 #include "core/sensing/markers/dot_measure.h"
 
 #include "core/numerics/dispatch.h"
-#include "core/sensing/markers/dot_background.h"
-#include "core/sensing/markers/dot_region.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
 #include <numbers>
 
 #include <Eigen/Dense>
@@ -11,7 +13,437 @@
 namespace alltact {
 namespace {
 
-using namespace dots;
+constexpr int kMaxSide = 128;        // of a window, px
+constexpr float kMaxLevel = 255.0F;  // values are between this and its negative
+
+/// Image window around a seed, with the polarity inverted so that the dot is bright.
+struct Window {
+  int u0 = 0, v0 = 0, width = 0, height = 0;
+  bool all_usable = true;  // every pixel is usable
+  std::array<float, kMaxSide * kMaxSide> value;
+  std::array<std::uint8_t, kMaxSide * kMaxSide> usable;
+
+  [[nodiscard]] std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y * width + x);
+  }
+};
+
+struct Ellipse {
+  double x = 0, y = 0;            // centre in the window
+  double xx = 1, xy = 0, yy = 1;  // inverse of the covariance of a uniform ellipse, times 1/4
+
+  double half_x = 1, half_y = 1;  // of the box around it
+
+  // The columns [first, last] of row y with centres inside the ellipse grown in x and y.
+  struct Columns {
+    int first = 0, last = -1;
+  };
+  [[nodiscard]] Columns columns(int row, double grow_x, double grow_y) const {
+    const double dy = (row - y) / grow_y;
+    const double half = xy * dy / xx;
+    const double square = half * half - (yy * dy * dy - 1.0) / xx;
+    if (!(square >= 0)) return {};
+    const double reach = std::sqrt(square);
+    return {static_cast<int>(std::ceil(x + grow_x * (-half - reach))),
+            static_cast<int>(std::floor(x + grow_x * (-half + reach)))};
+  }
+};
+/// Calls visit(row, first, last) for the columns of each of the window's rows inside the ellipse.
+template <class Visit>
+void for_rows_inside(const Window& w, const Ellipse& e, double grow, Visit visit) {
+  const int y0 = std::max(0, static_cast<int>(e.y - grow * e.half_y));
+  const int y1 = std::min(w.height - 1, static_cast<int>(e.y + grow * e.half_y) + 1);
+  for (int y = y0; y <= y1; ++y) {
+    const auto [first, last] = e.columns(y, grow, grow);
+    visit(y, std::max(0, first), std::min(w.width - 1, last));
+  }
+}
+
+constexpr double kSpreadPx = 7.0;    // distance from the edge that its light reaches
+constexpr double kOwnEdgePx = 0.25;  // pixels nearer to the edge are never usable
+constexpr double kBinPx = 0.5;
+constexpr int kBins = 1 + static_cast<int>(kSpreadPx / kBinPx);
+
+/// Brightness of the side face as a function of the distance from the view face's edge.
+class EdgeLight {
+ public:
+  void add(double off_px, float value) {
+    const auto bin = static_cast<std::size_t>(off_px / kBinPx);
+    off_[bin] += off_px;
+    value_[bin] += static_cast<double>(value);
+    ++count_[bin];
+  }
+  /// Returns false where a distance has too few samples.
+  bool finish() {
+    for (int bin = 0; bin < kBins; ++bin) {
+      const auto i = static_cast<std::size_t>(bin);
+      if (count_[i] < kMinCount) continue;
+      off_[filled_] = off_[i] / count_[i];
+      value_[filled_++] = value_[i] / count_[i];
+    }
+    return filled_ >= 4 && off_[0] < 1.0 && off_[filled_ - 1] > kSpreadPx - 1.0;
+  }
+  /// Brightness above the level beyond the edge's reach.
+  [[nodiscard]] double at(double off_px) const {
+    std::size_t k = 1;
+    while (k + 1 < filled_ && off_[k] < off_px) ++k;
+    const double t = std::clamp((off_px - off_[k - 1]) / (off_[k] - off_[k - 1]), -0.5, 1.0);
+    return value_[k - 1] + t * (value_[k] - value_[k - 1]) - value_[filled_ - 1];
+  }
+  [[nodiscard]] double level() const { return value_[filled_ - 1]; }
+
+ private:
+  static constexpr int kMinCount = 3;
+  std::array<double, kBins> off_{}, value_{};
+  std::array<int, kBins> count_{};
+  std::size_t filled_ = 0;
+};
+
+/// Estimated in the columns next to the seed, the same number on either side.
+std::optional<EdgeLight> edge_light(const cv::Mat& grey,
+                                    const SideEdges& edges,
+                                    const DotSeed& seed) {
+  const int from = static_cast<int>(std::ceil(1.35 * seed.half_u + 2.0));
+  const int to = from + std::max(6, static_cast<int>(seed.half_u));
+  const int middle = static_cast<int>(std::lround(seed.u));
+  if (middle - from - 2 < 0 || middle + from + 2 >= grey.cols) return std::nullopt;
+  EdgeLight light;
+  for (int away = from; away <= to; ++away) {
+    if (middle - away < 0 || middle + away >= grey.cols) break;
+    for (const int u : {middle - away, middle + away}) {
+      const auto rows = edges.rows(u, seed.upper, 0.0, grey.rows);
+      for (int step = 0; step <= static_cast<int>(kSpreadPx); ++step) {
+        const int v = seed.upper ? rows.last - step : rows.first + step;
+        if (v < 0 || v >= grey.rows) break;
+        const double off = edges.off_px(u, v, seed.upper);
+        if (off < kSpreadPx)
+          light.add(
+              off, static_cast<float>(seed.sign) * static_cast<float>(grey.at<std::uint8_t>(v, u)));
+      }
+    }
+  }
+  if (!light.finish()) return std::nullopt;
+  return light;
+}
+
+/// Subtracts the edge's light from the window. The values remain integer grey levels.
+void subtract_light(const EdgeLight& light, const SideEdges& edges, bool upper, Window& w) {
+  for (int x = 0; x < w.width; ++x)
+    for (int y = 0; y < w.height; ++y) {
+      const double off = edges.off_px(w.u0 + x, w.v0 + y, upper);
+      if (off >= kSpreadPx) continue;
+      float& value = w.value[w.index(x, y)];
+      if (off < kOwnEdgePx)
+        value = static_cast<float>(std::round(light.level()));
+      else
+        value = std::clamp(
+            std::round(value - static_cast<float>(light.at(off))), -kMaxLevel, kMaxLevel);
+    }
+}
+
+bool is_near_face(const SideEdges& edges, const DotSeed& seed, const cv::Mat& grey) {
+  const int u = std::clamp(static_cast<int>(std::lround(seed.u)), 0, grey.cols - 1);
+  return edges.off_px(u, seed.v, seed.upper) < seed.half_v + kSpreadPx;
+}
+
+/// Fills the window around a seed, `scale` times the seed's size to each side. Near the view face
+/// the light that its edge spreads is subtracted, so that a dot near the edge is isolated. It is
+/// estimated in the columns on both sides of the seed at the same distance from the edge.
+void load(
+    const cv::Mat& grey, const SideEdges& edges, const DotSeed& seed, double scale, Window& w) {
+  const int half_u =
+      std::min(kMaxSide / 2 - 1, static_cast<int>(std::ceil(scale * seed.half_u + 3)));
+  const int half_v =
+      std::min(kMaxSide / 2 - 1, static_cast<int>(std::ceil(scale * seed.half_v + 3)));
+  const int cu = static_cast<int>(std::lround(seed.u)), cv = static_cast<int>(std::lround(seed.v));
+  w.u0 = std::max(0, cu - half_u);
+  w.v0 = std::max(0, cv - half_v);
+  w.width = std::min(grey.cols - 1, cu + half_u) - w.u0 + 1;
+  w.height = std::min(grey.rows - 1, cv + half_v) - w.v0 + 1;
+  if (w.width <= 0 || w.height <= 0) {
+    w.width = w.height = 0;
+    return;
+  }
+  const auto sign = static_cast<float>(seed.sign);
+  for (int y = 0; y < w.height; ++y) {
+    const std::uint8_t* row = grey.ptr<std::uint8_t>(w.v0 + y) + w.u0;
+    float* out = &w.value[w.index(0, y)];
+    for (int x = 0; x < w.width; ++x) out[x] = sign * static_cast<float>(row[x]);
+  }
+  double margin_px = kFaceMarginPx;
+  if (is_near_face(edges, seed, grey))
+    if (const auto light = edge_light(grey, edges, seed)) {
+      subtract_light(*light, edges, seed.upper, w);
+      margin_px = kOwnEdgePx;
+    }
+  std::array<int, kMaxSide> first, last;
+  w.all_usable = true;
+  for (int x = 0; x < w.width; ++x) {
+    const auto rows = edges.rows(w.u0 + x, seed.upper, margin_px, grey.rows);
+    first[static_cast<std::size_t>(x)] = rows.first - w.v0;
+    last[static_cast<std::size_t>(x)] = rows.last - w.v0;
+    w.all_usable = w.all_usable && rows.first <= w.v0 && rows.last >= w.v0 + w.height - 1;
+  }
+  for (int y = 0; y < w.height; ++y) {
+    std::uint8_t* usable = &w.usable[w.index(0, y)];
+    for (int x = 0; x < w.width; ++x) {
+      const auto column = static_cast<std::size_t>(x);
+      usable[x] = static_cast<std::uint8_t>((y >= first[column]) & (y <= last[column]));
+    }
+  }
+}
+
+/// Centre and second moments in the window's pixels, and the type of its boundary.
+struct Region {
+  int area = 0;
+  double x = 0, y = 0, xx = 0, xy = 0, yy = 0;
+  double sum = 0;  // of heights above the level
+  bool at_window_edge = false, at_border = false, at_face = false;
+};
+
+constexpr double kMaxAspect = 20.0;  // side faces are imaged at a grazing angle
+constexpr double kMinArea = 4.0;     // pixels at half height
+
+// Fills a region run by run: each run adds the adjacent runs above and below.
+class RegionFill {
+ public:
+  RegionFill(const Window& w, float threshold, int x, int y, const cv::Size& image_size)
+      : w_(w), threshold_(threshold), x_(x), y_(y), image_size_(image_size) {
+    std::fill_n(seen_.begin(), w.width * w.height, std::uint8_t{0});
+  }
+
+  Region operator()() {
+    begin(x_, y_);
+    while (count_ > 0) {
+      const std::uint16_t i = starts_[static_cast<std::size_t>(--count_)];
+      if (!seen_[i]) add_run(i % w_.width, i / w_.width);
+    }
+    return region_;
+  }
+
+ private:
+  [[nodiscard]] bool stands_out(std::size_t i) const {
+    return w_.usable[i] && w_.value[i] > threshold_;
+  }
+  void begin(int x, int y) {
+    const std::size_t i = w_.index(x, y);
+    if (!seen_[i] && stands_out(i))
+      starts_[static_cast<std::size_t>(count_++)] = static_cast<std::uint16_t>(i);
+  }
+
+  void add_run(int x, int y) {
+    int first = x, last = x;
+    while (first > 0 && stands_out(w_.index(first - 1, y))) --first;
+    while (last + 1 < w_.width && stands_out(w_.index(last + 1, y))) ++last;
+    mark_boundary(first - 1, y);
+    mark_boundary(last + 1, y);
+    const double dy = y - y_;
+    double sum_x = 0, sum_xx = 0;
+    for (int column = first; column <= last; ++column) {
+      const std::size_t i = w_.index(column, y);
+      seen_[i] = 1;
+      const double dx = column - x_;
+      sum_x += dx;
+      sum_xx += dx * dx;
+      region_.sum += static_cast<double>(w_.value[i]);
+    }
+    const int n = last - first + 1;
+    region_.area += n;
+    region_.x += sum_x;
+    region_.y += n * dy;
+    region_.xx += sum_xx;
+    region_.xy += sum_x * dy;
+    region_.yy += n * dy * dy;
+    for (const int neighbour : {y - 1, y + 1}) {
+      if (neighbour < 0 || neighbour >= w_.height) {
+        mark_boundary(first, neighbour);
+        continue;
+      }
+      bool before = false;
+      for (int column = first; column <= last; ++column) {
+        const std::size_t i = w_.index(column, neighbour);
+        region_.at_face = region_.at_face || !w_.usable[i];
+        const bool here = stands_out(i);
+        if (here && !before) begin(column, neighbour);
+        before = here;
+      }
+    }
+  }
+
+  // Records what bounds the region at (x, y).
+  void mark_boundary(int x, int y) {
+    if (x >= 0 && y >= 0 && x < w_.width && y < w_.height) {
+      region_.at_face = region_.at_face || !w_.usable[w_.index(x, y)];
+      return;
+    }
+    const int u = w_.u0 + x, v = w_.v0 + y;
+    const bool outside = u < 0 || v < 0 || u >= image_size_.width || v >= image_size_.height;
+    (outside ? region_.at_border : region_.at_window_edge) = true;
+  }
+
+  const Window& w_;
+  float threshold_;
+  int x_, y_;
+  cv::Size image_size_;
+  Region region_;  // moments about (x_, y_), not yet divided by the area
+  std::array<std::uint8_t, kMaxSide * kMaxSide> seen_;
+  std::array<std::uint16_t, kMaxSide * kMaxSide> starts_;
+  int count_ = 0;
+};
+
+/// The pixels connected to (x, y) that are higher than `height` above the surrounding level.
+Region grow(
+    const Window& w, double level, int x, int y, double height, const cv::Size& image_size) {
+  Region region = RegionFill(w, static_cast<float>(level + height), x, y, image_size)();
+  if (region.area == 0) return region;
+  const double n = region.area;
+  region.sum -= n * level;
+  region.x /= n;
+  region.y /= n;
+  // 1/12: variance of a pixel's extent.
+  region.xx = region.xx / n - region.x * region.x + 1.0 / 12;
+  region.xy = region.xy / n - region.x * region.y;
+  region.yy = region.yy / n - region.y * region.y + 1.0 / 12;
+  region.x += x;
+  region.y += y;
+  return region;
+}
+/// True for the area of a uniform ellipse, 4 pi sqrt(det covariance); ragged regions have less.
+bool is_compact(const Region& region) {
+  if (region.area < kMinArea) return false;
+  const double det = region.xx * region.yy - region.xy * region.xy;
+  const double trace = region.xx + region.yy;
+  if (!(det > 0)) return false;
+  const double gap = std::sqrt(std::max(0.0, 0.25 * trace * trace - det));
+  const double aspect = std::sqrt((0.5 * trace + gap) / std::max(1e-9, 0.5 * trace - gap));
+  const double fill = region.area / (4 * std::numbers::pi * std::sqrt(det));
+  return aspect <= kMaxAspect && fill > 0.78;
+}
+/// The uniform ellipse with the region's moments.
+Ellipse ellipse_of(const Region& region) {
+  Ellipse e;
+  e.x = region.x;
+  e.y = region.y;
+  const double det = region.xx * region.yy - region.xy * region.xy;
+  e.half_x = 2 * std::sqrt(region.xx);
+  e.half_y = 2 * std::sqrt(region.yy);
+  e.xx = 0.25 * region.yy / det;
+  e.yy = 0.25 * region.xx / det;
+  e.xy = -0.25 * region.xy / det;
+  return e;
+}
+
+struct Background {
+  double level = 0, slope_x = 0, slope_y = 0;  // at the origin of the window's coordinates (x, y)
+  double noise = 0;
+
+  [[nodiscard]] double at(double x, double y) const { return level + slope_x * x + slope_y * y; }
+};
+
+// Pixels of the window outside the grown ellipse and within a slightly larger box.
+class Ring {
+ public:
+  Ring(const Window& w, const Ellipse& inner, double grow_x, double grow_y, int stride) {
+    const double reach_x = 1.4 * grow_x * inner.half_x + 3,
+                 reach_y = 1.4 * grow_y * inner.half_y + 3;
+    const int x0 = std::max(0, static_cast<int>(inner.x - reach_x));
+    const int x1 = std::min(w.width - 1, static_cast<int>(inner.x + reach_x) + 1);
+    const int y0 = std::max(0, static_cast<int>(inner.y - reach_y));
+    const int y1 = std::min(w.height - 1, static_cast<int>(inner.y + reach_y) + 1);
+    for (int y = y0; y <= y1; y += stride) {
+      const auto [first, last] = inner.columns(y, grow_x, grow_y);
+      for (int x = x0; x <= x1; x += stride) {
+        const std::size_t i = w.index(x, y);
+        value[static_cast<std::size_t>(count)] = w.value[i];
+        x_of[static_cast<std::size_t>(count)] = static_cast<std::uint8_t>(x);
+        y_of[static_cast<std::size_t>(count)] = static_cast<std::uint8_t>(y);
+        count += (x < first) | (x > last) ? w.usable[i] : 0;
+      }
+    }
+  }
+
+  // The values are integer grey levels of either sign.
+  [[nodiscard]] float median() const {
+    constexpr int kMaxGrey = static_cast<int>(kMaxLevel);
+    std::array<std::int32_t, 2 * kMaxGrey + 1> histogram{};
+    for (int k = 0; k < count; ++k)
+      ++histogram[static_cast<std::size_t>(kMaxGrey +
+                                           static_cast<int>(value[static_cast<std::size_t>(k)]))];
+    int level = 0;
+    for (int below = 0; below <= count / 2; ++level)
+      below += histogram[static_cast<std::size_t>(level)];
+    return static_cast<float>(level - 1 - kMaxGrey);
+  }
+
+  std::array<float, kMaxSide * kMaxSide> value;
+  std::array<std::uint8_t, kMaxSide * kMaxSide> x_of, y_of;
+  int count = 0;
+};
+
+/// Coarse level and noise around an ellipse grown in x and y: enough to detect a dot. nullopt: too
+/// few pixels are usable.
+std::optional<Background> level_around(const Window& w,
+                                       const Ellipse& inner,
+                                       double grow_x,
+                                       double grow_y) {
+  const int stride = 1 + std::max(w.width, w.height) / 24;
+  Ring ring(w, inner, grow_x, grow_y, stride);
+  if (ring.count < 8) return std::nullopt;
+  Background result;
+  const float level = ring.median();
+  for (int k = 0; k < ring.count; ++k) {
+    float& value = ring.value[static_cast<std::size_t>(k)];
+    value = std::abs(value - level);
+  }
+  result.level = level;
+  result.noise = 1.4826 * static_cast<double>(ring.median());
+  return result;
+}
+
+/// Plane through the pixels around the ellipse that are within `spread` of their median. Only
+/// pixels of the ring count, so that a second dot or the side face's far edge has no influence
+/// unless it fills half of it. nullopt: too few pixels are usable.
+std::optional<Background> plane_around(const Window& w,
+                                       const Ellipse& inner,
+                                       double grow,
+                                       double spread) {
+  // Large dots have more surroundings than the plane needs.
+  const int stride = 1 + std::max(w.width, w.height) / 48;
+  const Ring ring(w, inner, grow, grow, stride);
+  if (ring.count < 8) return std::nullopt;
+  const double median = ring.median();
+  double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0, syy = 0, s = 0, sxv = 0, syv = 0, square = 0;
+  for (int k = 0; k < ring.count; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const double value = static_cast<double>(ring.value[i]) - median;
+    if (std::abs(value) > spread) continue;
+    const double x = ring.x_of[i] - inner.x, y = ring.y_of[i] - inner.y;
+    n += 1;
+    sx += x;
+    sy += y;
+    sxx += x * x;
+    sxy += x * y;
+    syy += y * y;
+    s += value;
+    sxv += x * value;
+    syv += y * value;
+    square += value * value;
+  }
+  if (n < 8) return std::nullopt;
+  // A small ridge on the slopes: the view face may cut the ring down to a line, which has no second
+  // slope.
+  Eigen::Matrix3d a;
+  a << n, sx, sy, sx, 1.001 * sxx + 1.0, sxy, sy, sxy, 1.001 * syy + 1.0;
+  const Eigen::Vector3d b(s, sxv, syv);
+  const Eigen::Vector3d p = a.ldlt().solve(b);
+  if (!p.allFinite()) return std::nullopt;
+  Background result;
+  result.slope_x = p[1];
+  result.slope_y = p[2];
+  result.level = median + p[0] - p[1] * inner.x - p[2] * inner.y;
+  result.noise = std::sqrt(std::max(0.0, square - b.dot(p)) / std::max(1.0, n - 3));
+  return result;
+}
 
 struct Centroid {
   double x = 0, y = 0, flux = 0, spread = 0;  // spread: sum of squared distances along one axis

@@ -1,7 +1,7 @@
 // Measures one dot at full resolution: position, size, contrast and standard deviation.
 #pragma once
 
-#include "core/sensing/face/side_edges.h"
+#include "core/sensing/face/face_pixels.h"
 #include "core/sensing/markers/markers.h"
 
 #include <optional>

@@ -1,15 +1,139 @@
-#include "core/numerics/farthest_points.h"
-#include "core/numerics/symmetric_eigen.h"
-#include "core/sensing/markers/layout_gaps.h"
-#include "core/sensing/markers/local_layout.h"
-#include "core/sensing/markers/markers.h"
+#include "core/sensing/markers/marker_model.h"
 
+#include "core/numerics/linear_algebra.h"
+
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numeric>
+#include <vector>
 
+#include <Eigen/Core>
 #include <Eigen/Dense>
 
 namespace alltact {
 namespace {
+
+constexpr int kMaxGapModes = 6;
+constexpr int kPasses = 12;
+constexpr int kLocalPasses = 4;
+constexpr std::size_t kEnoughRows = 40;
+constexpr double kNoisePx = 0.1;
+
+std::vector<Eigen::Index> seen_coordinates(const Eigen::MatrixXd& layouts, Eigen::Index row) {
+  std::vector<Eigen::Index> seen;
+  for (Eigen::Index k = 0; k < layouts.cols(); ++k)
+    if (std::isfinite(layouts(row, k))) seen.push_back(k);
+  return seen;
+}
+
+Eigen::MatrixXd rows_of(const Eigen::MatrixXd& layouts, const std::vector<Eigen::Index>& rows) {
+  Eigen::MatrixXd selected(static_cast<Eigen::Index>(rows.size()), layouts.cols());
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    selected.row(static_cast<Eigen::Index>(i)) = layouts.row(rows[i]);
+  return selected;
+}
+
+/// Initial value: the mean position of the marker, shifted like the row's seen markers.
+void fill_by_shift(const std::vector<std::vector<Eigen::Index>>& seen, Eigen::MatrixXd& filled) {
+  Eigen::VectorXd mean = Eigen::VectorXd::Zero(filled.cols()), count = mean;
+  for (std::size_t i = 0; i < seen.size(); ++i)
+    for (const Eigen::Index k : seen[i])
+      mean[k] += filled(static_cast<Eigen::Index>(i), k), ++count[k];
+  mean = mean.cwiseQuotient(count.cwiseMax(1.0));
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    Eigen::Vector2d shift = Eigen::Vector2d::Zero();
+    const auto row = static_cast<Eigen::Index>(i);
+    for (const Eigen::Index k : seen[i]) shift[k % 2] += filled(row, k) - mean[k];
+    shift /= 0.5 * static_cast<double>(seen[i].size());
+    for (Eigen::Index k = 0; k < filled.cols(); ++k)
+      if (!std::isfinite(filled(row, k))) filled(row, k) = mean[k] + shift[k % 2];
+  }
+}
+
+/// One pass: the modes of all rows, then each row's gaps from its seen coordinates.
+void refine(const std::vector<std::vector<Eigen::Index>>& seen, Eigen::MatrixXd& filled) {
+  const Eigen::Index n = filled.rows(), size = filled.cols();
+  const Eigen::VectorXd mean = filled.colwise().mean().transpose();
+  const Eigen::MatrixXd centred = filled.rowwise() - mean.transpose();
+  const auto eigen = symmetric_eigen(centred.transpose() * centred / static_cast<double>(n - 1));
+  const Eigen::Index modes = std::min<Eigen::Index>({kMaxGapModes, n - 1, size});
+  const Eigen::VectorXd values = eigen.eigenvalues().tail(modes).cwiseMax(1e-6);
+  const Eigen::MatrixXd basis = eigen.eigenvectors().rightCols(modes);
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    if (static_cast<Eigen::Index>(seen[i].size()) == size) continue;
+    Eigen::MatrixXd a = (kNoisePx * kNoisePx / values.array()).matrix().asDiagonal();
+    Eigen::VectorXd b = Eigen::VectorXd::Zero(modes);
+    for (const Eigen::Index k : seen[i]) {
+      a.noalias() += basis.row(k).transpose() * basis.row(k);
+      b.noalias() += basis.row(k).transpose() * centred(row, k);
+    }
+    const Eigen::VectorXd layout = mean + basis * a.ldlt().solve(b);
+    std::size_t next = 0;
+    for (Eigen::Index k = 0; k < size; ++k) {
+      if (next < seen[i].size() && seen[i][next] == k)
+        ++next;
+      else
+        filled(row, k) = layout[k];
+    }
+  }
+}
+
+/// Fills gaps from the nearest rows, which follow the bending where one set of modes cannot
+/// (local_layout.h).
+void refine_locally(const std::vector<std::vector<Eigen::Index>>& seen, Eigen::MatrixXd& filled) {
+  const Eigen::MatrixXd before = filled;
+  std::vector<char> without(seen.size(), 0);
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    if (static_cast<Eigen::Index>(seen[i].size()) == filled.cols()) continue;
+    without[i] = 1;
+    const auto neighbours =
+        nearest_rows(before, before.row(row).transpose(), kLocalNeighbours, without);
+    without[i] = 0;
+    if (neighbours.size() < 2) continue;
+    Markers markers(static_cast<std::size_t>(filled.cols() / 2));
+    for (const Eigen::Index k : seen[i])
+      markers[static_cast<std::size_t>(k / 2)] = {
+          before(row, k / 2 * 2), before(row, k / 2 * 2 + 1), true, 0};
+    const LocalLayout local(before, neighbours, markers, kNoisePx);
+    for (std::size_t m = 0; m < markers.size(); ++m)
+      if (!markers[m].seen)
+        filled.row(row).segment<2>(static_cast<Eigen::Index>(2 * m)) =
+            local.position(static_cast<int>(m)).transpose();
+  }
+}
+
+/// layouts: one row a frame, (u0, v0, u1, ...), px; NaN where not seen. Returns the complete rows
+/// where these suffice: 40, and two thirds of the rows that show at least half of the markers, or
+/// all rows. Otherwise returns all rows that show at least half, with filled gaps. Expectation
+/// maximisation fills them: principal modes of all rows and their fit to each row's seen markers
+/// alternate. Then the rows nearest to each refine them (local_layout.h). Returns no rows when
+/// fewer than 2 are usable, or when a marker is in none of them.
+Eigen::MatrixXd without_gaps(const Eigen::MatrixXd& layouts) {
+  std::vector<Eigen::Index> complete, usable;
+  std::vector<std::vector<Eigen::Index>> seen;
+  Eigen::VectorXi count = Eigen::VectorXi::Zero(layouts.cols());
+  for (Eigen::Index i = 0; i < layouts.rows(); ++i) {
+    auto coordinates = seen_coordinates(layouts, i);
+    const auto known = static_cast<Eigen::Index>(coordinates.size());
+    if (known == layouts.cols()) complete.push_back(i);
+    if (known < 4 || 2 * known < layouts.cols()) continue;
+    usable.push_back(i);
+    for (const Eigen::Index k : coordinates) ++count[k];
+    seen.push_back(std::move(coordinates));
+  }
+  const bool is_plenty = complete.size() >= kEnoughRows && 3 * complete.size() >= 2 * usable.size();
+  if (complete.size() >= 2 && (is_plenty || complete.size() == usable.size()))
+    return rows_of(layouts, complete);
+  if (usable.size() < 2 || count.minCoeff() == 0) return rows_of(layouts, {});
+  Eigen::MatrixXd filled = rows_of(layouts, usable);
+  fill_by_shift(seen, filled);
+  for (int pass = 0; pass < kPasses; ++pass) refine(seen, filled);
+  for (int pass = 0; pass < kLocalPasses; ++pass) refine_locally(seen, filled);
+  return filled;
+}
 
 // A Fin Ray bends, sways and twists; further modes are noise
 constexpr int kMaxModes = 8;
@@ -343,6 +467,107 @@ double MarkerModel::residual_px(const Markers& markers) const {
     ++count;
   }
   return count > 0 ? std::sqrt(square / count) : 0.0;
+}
+
+std::vector<int> nearest_rows(const Eigen::MatrixXd& points,
+                              const Eigen::VectorXd& query,
+                              int count,
+                              const std::vector<char>& without) {
+  Eigen::VectorXd square = Eigen::VectorXd::Zero(points.rows());
+  for (Eigen::Index k = 0; k < points.cols(); ++k)
+    square.array() += (points.col(k).array() - query[k]).square();
+  std::vector<int> rows(static_cast<std::size_t>(points.rows()));
+  std::iota(rows.begin(), rows.end(), 0);
+  if (!without.empty())
+    std::erase_if(rows, [&](int row) { return without[static_cast<std::size_t>(row)] != 0; });
+  const auto selected = std::min(rows.size(), static_cast<std::size_t>(std::max(0, count)));
+  const auto nearer = [&](int a, int b) {
+    return square[a] < square[b] || (square[a] == square[b] && a < b);
+  };
+  std::partial_sort(
+      rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(selected), rows.end(), nearer);
+  rows.resize(selected);
+  return rows;
+}
+
+LocalLayout::LocalLayout(const Eigen::MatrixXd& layouts,
+                         const std::vector<int>& neighbours,
+                         const Markers& markers,
+                         double noise_px)
+    : noise_px_(noise_px) {
+  const Eigen::Index size = layouts.cols(), count = static_cast<Eigen::Index>(neighbours.size());
+  deviations_.resize(size, count);
+  for (Eigen::Index k = 0; k < count; ++k)
+    deviations_.col(k) = layouts.row(neighbours[static_cast<std::size_t>(k)]).transpose();
+  const Eigen::VectorXd mean = deviations_.rowwise().mean();
+  deviations_.colwise() -= mean;
+
+  const double noise = noise_px * noise_px;
+  // Coefficients of sd 2 / sqrt(count) give the neighbours' own covariance, twice as wide.
+  Eigen::MatrixXd information =
+      Eigen::MatrixXd::Identity(count, count) * (0.25 * static_cast<double>(count));
+  Eigen::VectorXd pull = Eigen::VectorXd::Zero(count);
+  double square = 0;
+  for (std::size_t m = 0; m < markers.size(); ++m) {
+    if (!markers[m].seen) continue;
+    const auto i = static_cast<Eigen::Index>(2 * m);
+    const auto rows = deviations_.middleRows(i, 2);
+    information.noalias() += rows.transpose() * rows / noise;
+    const Eigen::Vector2d off = Eigen::Vector2d(markers[m].u, markers[m].v) - mean.segment<2>(i);
+    pull.noalias() += rows.transpose() * off / noise;
+    square += off.squaredNorm() / noise;
+  }
+  covariance_ = information.llt().solve(Eigen::MatrixXd::Identity(count, count));
+  const Eigen::VectorXd coefficients = covariance_ * pull;
+  position_ = mean + deviations_ * coefficients;
+  misfit_ = std::max(0.0, square - pull.dot(coefficients));
+}
+
+double LocalLayout::sd_px(int marker) const {
+  const auto rows = deviations_.middleRows(2 * marker, 2);
+  const Eigen::Matrix2d spread = rows * covariance_ * rows.transpose();
+  return std::sqrt(std::max({0.0, spread(0, 0), spread(1, 1)}));
+}
+
+LocalLayout::Discrepancy LocalLayout::discrepancy(int marker, const Eigen::Vector2d& seen) const {
+  const auto rows = deviations_.middleRows(2 * marker, 2);
+  const double noise = noise_px_ * noise_px_;
+  // Leaving one observation out of a linear fit divides its residual by (1 - its leverage).
+  const Eigen::Matrix2d left =
+      Eigen::Matrix2d::Identity() - rows * covariance_ * rows.transpose() / noise;
+  const Eigen::Vector2d residual = seen - position(marker);
+  const Eigen::Vector2d left_out = left.inverse() * residual;
+  return {left_out.norm(), std::sqrt(std::max(0.0, residual.dot(left_out)) / noise)};
+}
+
+Eigen::MatrixXd LocalLayout::covariance_px2(const Markers& markers) const {
+  const Eigen::Index size = deviations_.rows(), count = deviations_.cols();
+  std::vector<Eigen::Index> seen, hidden;  // indices of coordinates
+  Eigen::VectorXd own = Eigen::VectorXd::Zero(size);
+  for (Eigen::Index k = 0; k < size; ++k) {
+    const Marker& marker = markers[static_cast<std::size_t>(k / 2)];
+    (marker.seen ? seen : hidden).push_back(k);
+    if (marker.seen) own[k] = marker.sd_px * marker.sd_px;
+  }
+  Eigen::MatrixXd result = own.asDiagonal();
+  if (hidden.empty()) return result;
+  const double noise = noise_px_ * noise_px_;
+  const double seen_variance = seen.empty() ? 0.0 : own.sum() / static_cast<double>(seen.size());
+  const double off_mixture = std::max(0.0, noise - seen_variance);
+  const Eigen::MatrixXd hidden_rows = deviations_(hidden, Eigen::all);
+  const Eigen::MatrixXd gain =  // response of hidden coordinates to seen ones
+      hidden_rows * covariance_ * deviations_(seen, Eigen::all).transpose() / noise;
+  const Eigen::VectorXd seen_own = own(seen);
+  // The ridge prior is twice as wide as the neighbours' spread.
+  const Eigen::MatrixXd pulled = hidden_rows * covariance_ * (0.25 * std::sqrt(count));
+  const Eigen::MatrixXd shared = gain * seen_own.asDiagonal();
+  result(hidden, seen) = shared;
+  result(seen, hidden) = shared.transpose();
+  Eigen::MatrixXd among = shared * gain.transpose() + off_mixture * gain * gain.transpose() +
+                          pulled * pulled.transpose();
+  among.diagonal().array() += off_mixture;
+  result(hidden, hidden) = among;
+  return result;
 }
 
 }  // namespace alltact

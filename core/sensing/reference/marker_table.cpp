@@ -1,8 +1,8 @@
 #include "core/sensing/reference/marker_table.h"
 
-#include "core/camera/reduced_image.h"
-#include "core/io/atomic_file.h"
-#include "core/printable.h"
+#include "core/base/atomic_file.h"
+#include "core/base/message.h"
+#include "core/camera/camera.h"
 
 #include <charconv>
 

@@ -1,7 +1,7 @@
 // Marker positions in the frames of a recording, stored in a file next to its video.
 #pragma once
 
-#include "core/result.h"
+#include "core/base/result.h"
 #include "core/sensing/markers/markers.h"
 
 #include <filesystem>

@@ -2,16 +2,45 @@
 // is warped to the skin's current position.
 #pragma once
 
-#include "core/sensing/reference/face_image.h"
+#include "core/sensing/face/face_pixels.h"
+#include "core/sensing/reference/face_chart.h"
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include <Eigen/Core>
 #include <opencv2/core.hpp>
 
 namespace alltact {
+
+// The skin of one recorded frame, warped to the common grid of all frames.
+
+/// The common image grid to which all frames of a recording are warped: the face of the rest frame,
+/// extended a little at both ends. Its pixel (0, 0) is the rest frame's `origin`.
+struct FaceGrid {
+  FaceChart chart;  ///< in the rest frame's pixels
+  cv::Point origin;
+  cv::Size size;
+  FaceRuns runs;  ///< of this grid, 2 px wider than the face on both sides
+};
+
+/// `part`: fraction of the rest frame's face by which the grid extends beyond each end.
+[[nodiscard]] FaceGrid face_grid(const FaceChart& rest, double part);
+
+struct FaceImage {
+  int first = 0, end = 0;          ///< columns of the grid that the frame shows
+  std::vector<std::uint8_t> grey;  ///< the grid's runs one after the other; 0 off those columns
+
+  [[nodiscard]] std::size_t bytes() const { return grey.size(); }
+};
+
+/// Samples a frame (CV_8UC1) at the skin of each of the grid's pixels (CubicSampler).
+[[nodiscard]] FaceImage warp_face(const cv::Mat& grey,
+                                  const FaceChart& chart,
+                                  const FaceGrid& grid);
 
 /// Recorded faces and their weights.
 struct FaceMix {
@@ -85,5 +114,80 @@ class ReferenceImage {
   ChartWarp warp_;
   cv::Size size_;
 };
+
+/// How the reference of a frame is computed from the recording.
+enum class ReferenceMethod {
+  /// The recording's rest frame for all poses, pixel by pixel, as sensors on a rigid base do it
+  /// (DTact): for comparison.
+  kSingle = 1,
+  kNearest,  ///< the one frame with the nearest markers, warped to the skin's current position
+  kLocal,    ///< local linear regression over the nearest frames: several times closer
+};
+
+/// The reference image of a frame.
+struct Reference {
+  ReferenceImage image;    ///< grey levels; NaN where a frame used shows no face
+  int frame = -1;          ///< number of the nearest frame in the recording
+  double distance_px = 0;  ///< mean distance of the seen markers to that frame's
+  bool known_pose = true;  ///< false: further away than the recording's own frames are apart
+  bool by_shape = false;  ///< no marker was seen: the pose is estimated from the face's shape alone
+  double noise_gain = 1;  ///< standard deviation of the reference's noise / that of one frame
+  /// Relative error of references by the recording (reference_error.h), over cells of its grid;
+  /// empty for a single image.
+  cv::Mat relative_sd;
+  double error_factor = 1;  ///< factor of relative_sd in this pose
+  /// The same where not all of the nearest frames show the skin, and others replace them.
+  double outer_error_factor = 1;
+  std::vector<HiddenColumn> hidden;  ///< columns of the face that the frame does not show
+
+  /// Few recorded frames are near this pose.
+  [[nodiscard]] bool is_sparse() const {
+    constexpr double kFarBeyond = 3.0;  // times what is typical of the recording
+    return error_factor > kFarBeyond;
+  }
+};
+
+// Drift of a recording's light, and the error of references that are computed from the recording.
+
+constexpr int kErrorCellPx = 4;  ///< a side, in pixels of the grid
+
+/// Error of references, estimated by leave-one-out: recorded frames are computed from their
+/// neighbours.
+struct ReferenceError {
+  /// CV_32FC1 over cells of the grid: sd of the reference's brightness relative to it. Excludes
+  /// noise and what the correction of the light removes. Applies to a pose at the typical distance
+  /// of a recorded frame from its neighbours.
+  cv::Mat relative_sd;
+  double typical_reach_px2 = 0;  ///< median of reach_px2() over the recorded frames
+
+  /// Factor of relative_sd for a frame of another reach. Half of it (in squares) remains however
+  /// near the neighbours are, because the skin is never registered perfectly.
+  [[nodiscard]] double factor(double reach_px2) const;
+};
+
+/// Distance of a pose from the neighbours it is computed from, px^2: sum |w_i| |p_i - pose|^2, with
+/// which the error of a local linear regression grows. To it comes the residual of the pose times
+/// the neighbours' distance.
+[[nodiscard]] double reach_px2(const Eigen::MatrixXd& points,
+                               const Eigen::VectorXd& pose,
+                               const Eigen::VectorXd& weights);
+
+/// Removes the drift of lamps: the light of every recorded face is corrected to a smooth function
+/// of the pose (`modes`, a row per frame, largest variance first). Requires 12 frames; with fewer
+/// nothing changes.
+void remove_drift(const FaceGrid& grid,
+                  const Eigen::MatrixXd& modes,
+                  std::vector<FaceImage>& faces);
+
+/// Rows and weights from which a frame is computed, itself left out.
+struct Neighbours {
+  std::vector<int> rows;
+  Eigen::VectorXd weights;
+  double reach_px2 = 0;
+};
+/// `neighbours_of` frame i must be thread safe.
+[[nodiscard]] ReferenceError reference_error(const FaceGrid& grid,
+                                             const std::vector<FaceImage>& faces,
+                                             const std::function<Neighbours(int)>& neighbours_of);
 
 }  // namespace alltact

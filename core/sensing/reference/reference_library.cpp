@@ -1,14 +1,12 @@
 #include "core/sensing/reference/reference_library.h"
 
-#include "core/finger/reduced_finger.h"
-#include "core/io/cache_folder.h"
+#include "core/base/cache.h"
+#include "core/finger/finger_store.h"
+#include "core/image/image_file.h"
 #include "core/recording/video_file.h"
-#include "core/sensing/markers/layout_search.h"
-#include "core/sensing/reference/face_cache.h"
-#include "core/sensing/reference/flat_reference.h"
-#include "core/sensing/reference/reference_error.h"
-#include "core/sensing/reference/reference_weights.h"
-#include "core/shared_values.h"
+#include "core/sensing/reference/recorded_faces.h"
+#include "core/sensing/reference/recorded_poses.h"
+#include "core/sensing/reference/reference_image.h"
 
 #include <limits>
 
@@ -486,6 +484,22 @@ Reference ReferenceLibrary::reference_for(const Markers& markers,
   reference.noise_gain = std::sqrt(square);
   reference.image = ReferenceImage(content.grid, mixes, std::move(warp), content.size);
   return reference;
+}
+
+Result<cv::Mat> flat_reference(const FingerSnapshot& snapshot) {
+  const Finger& finger = snapshot.finger;
+  if (!finger.reference || finger.reference->image.empty())
+    return Error{en::say("the sensor has no untouched picture"),
+                 (snapshot.folder / Finger::kFileName).string(),
+                 en::say("give one with the calibration")};
+  const auto file = snapshot.folder / finger.reference->image;
+  const auto raw = read_grey_image(file);
+  if (!raw) return raw.error();
+  return image_for(snapshot,
+                   *raw,
+                   en::say("the untouched picture"),
+                   file.string(),
+                   en::say("give the untouched picture anew"));
 }
 
 }  // namespace alltact

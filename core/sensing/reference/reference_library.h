@@ -1,18 +1,18 @@
 // Reference images of the finger in all its poses, and the reference for the current pose.
 #pragma once
 
+#include "core/base/job.h"
+#include "core/base/result.h"
 #include "core/finger/finger_store.h"
-#include "core/job.h"
-#include "core/result.h"
 #include "core/sensing/face/face_shape.h"
+#include "core/sensing/markers/marker_model.h"
 #include "core/sensing/markers/markers.h"
 #include "core/sensing/markers/twist_model.h"
-#include "core/sensing/reference/hidden_ends.h"
+#include "core/sensing/reference/face_chart.h"
 #include "core/sensing/reference/marker_table.h"
 #include "core/sensing/reference/recorded_faces.h"
+#include "core/sensing/reference/recorded_poses.h"
 #include "core/sensing/reference/reference_image.h"
-#include "core/sensing/reference/reference_weights.h"
-#include "core/sensing/reference/shape_poses.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -25,38 +25,6 @@
 #include <opencv2/core.hpp>
 
 namespace alltact {
-
-/// How the reference of a frame is computed from the recording.
-enum class ReferenceMethod {
-  /// The recording's rest frame for all poses, pixel by pixel, as sensors on a rigid base do it
-  /// (DTact): for comparison.
-  kSingle = 1,
-  kNearest,  ///< the one frame with the nearest markers, warped to the skin's current position
-  kLocal,    ///< local linear regression over the nearest frames: several times closer
-};
-
-/// The reference image of a frame.
-struct Reference {
-  ReferenceImage image;    ///< grey levels; NaN where a frame used shows no face
-  int frame = -1;          ///< number of the nearest frame in the recording
-  double distance_px = 0;  ///< mean distance of the seen markers to that frame's
-  bool known_pose = true;  ///< false: further away than the recording's own frames are apart
-  bool by_shape = false;  ///< no marker was seen: the pose is estimated from the face's shape alone
-  double noise_gain = 1;  ///< standard deviation of the reference's noise / that of one frame
-  /// Relative error of references by the recording (reference_error.h), over cells of its grid;
-  /// empty for a single image.
-  cv::Mat relative_sd;
-  double error_factor = 1;  ///< factor of relative_sd in this pose
-  /// The same where not all of the nearest frames show the skin, and others replace them.
-  double outer_error_factor = 1;
-  std::vector<HiddenColumn> hidden;  ///< columns of the face that the frame does not show
-
-  /// Few recorded frames are near this pose.
-  [[nodiscard]] bool is_sparse() const {
-    constexpr double kFarBeyond = 3.0;  // times what is typical of the recording
-    return error_factor > kFarBeyond;
-  }
-};
 
 class ReferenceLibrary {
  public:
@@ -141,5 +109,11 @@ class ReferenceLibrary {
                                                      std::size_t memory_limit_bytes);
   std::shared_ptr<const Content> content_;
 };
+
+// The reference image of a flat sensor.
+
+/// The reference image that the finger names, converted like frames of this snapshot. Errors: it
+/// names none; the file cannot be read; its size is not the camera's.
+[[nodiscard]] Result<cv::Mat> flat_reference(const FingerSnapshot& snapshot);
 
 }  // namespace alltact

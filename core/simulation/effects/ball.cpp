@@ -1,6 +1,6 @@
 // A ball presses into the face until its deepest point lies `depth_mm` along z.
 #include "core/simulation/effect.h"
-#include "core/simulation/tip_deflection.h"
+#include "core/simulation/rigid_press.h"
 
 namespace alltact {
 

@@ -5,7 +5,7 @@
 // give_mm) is its rest shape. Pushes beyond the model's limits (PushedFinger) are reduced to what
 // the body carries; the truth holds the reduced force.
 #include "core/simulation/effect.h"
-#include "core/simulation/mechanics/shore.h"
+#include "core/simulation/mechanics/rubber.h"
 #include "core/simulation/scene_time.h"
 
 #include <Eigen/Cholesky>

@@ -6,7 +6,7 @@
 //   decays exponentially (K. L. Johnson, Contact Mechanics, 5.8). Real sensors do so, with a halo
 //   of four widths and more; the larger the steepness, the narrower the ring.
 #include "core/simulation/effect.h"
-#include "core/simulation/press_sampling.h"
+#include "core/simulation/frame_geometry.h"
 
 #include <opencv2/imgproc.hpp>
 

@@ -1,6 +1,6 @@
 // A cylinder lies on the face, its axis along the finger's length unless rotated: gap(y) = R -
 // sqrt(R^2 - y^2) for |x| <= length / 2.
-#include "core/simulation/bodies/height_field.h"
+#include "core/simulation/press.h"
 #include "core/simulation/rigid_press.h"
 
 namespace alltact {

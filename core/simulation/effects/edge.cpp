@@ -2,7 +2,7 @@
 // line lies along the finger's length unless rotated:
 //   gap(y) = r - sqrt(r^2 - y^2)                 for |y| <= r cos(a), a half of the angle,
 //   gap(y) = r (1 - 1 / sin a) + |y| / tan a     beyond, for |x| <= length / 2.
-#include "core/simulation/bodies/height_field.h"
+#include "core/simulation/press.h"
 #include "core/simulation/rigid_press.h"
 
 #include <numbers>

@@ -1,7 +1,7 @@
 // The camera's tone curve: I = 255 (I / 255)^(1 / gamma), 0 below 0.
 #include "core/numerics/dispatch.h"
+#include "core/numerics/vector_loops.h"
 #include "core/simulation/effect.h"
-#include "core/simulation/vector_math.h"
 
 namespace alltact {
 

@@ -2,8 +2,8 @@
 // halfway between the directions to the lamp and to the camera, n the face's normal (J. Blinn,
 // SIGGRAPH 1977).
 #include "core/numerics/dispatch.h"
+#include "core/numerics/vector_loops.h"
 #include "core/simulation/effect.h"
-#include "core/simulation/vector_math.h"
 
 namespace alltact {
 

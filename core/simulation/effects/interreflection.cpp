@@ -10,7 +10,7 @@
 // light that a pixel reflects but not the light that its patch sends to others. A side face does
 // not light itself.
 #include "core/simulation/effect.h"
-#include "core/simulation/form_factor.h"
+#include "core/simulation/illumination.h"
 
 #include <numbers>
 

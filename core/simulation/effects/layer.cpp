@@ -6,7 +6,7 @@
 // without absorption ((1 - G) St + G) / ((1 - G) St + 1).
 #include "core/numerics/dispatch.h"
 #include "core/simulation/effect.h"
-#include "core/simulation/layer_reflectance.h"
+#include "core/simulation/illumination.h"
 
 namespace alltact {
 

@@ -3,8 +3,8 @@
 // by cos^lobe of the angle to it. The frame's Illumination holds what other effects do to lamps and
 // light.
 #include "core/numerics/dispatch.h"
+#include "core/numerics/vector_loops.h"
 #include "core/simulation/effect.h"
-#include "core/simulation/vector_math.h"
 
 namespace alltact {
 

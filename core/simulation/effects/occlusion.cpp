@@ -2,7 +2,6 @@
 // drawn anew for each frame.
 #include "core/numerics/philox.h"
 #include "core/simulation/effect.h"
-#include "core/simulation/marker_numbers.h"
 
 #include <numeric>
 

@@ -1,5 +1,5 @@
 // A flat punch: a round plate with upright walls.
-#include "core/simulation/bodies/height_field.h"
+#include "core/simulation/press.h"
 #include "core/simulation/rigid_press.h"
 
 namespace alltact {

@@ -8,9 +8,8 @@
 // `body` all faces deflect, and the dots of the side faces near the ball move with the surface
 // (HalfSpaceContact).
 #include "core/simulation/effect.h"
-#include "core/simulation/mechanics/bonded_layer.h"
-#include "core/simulation/mechanics/indented_surface.h"
-#include "core/simulation/mechanics/shore.h"
+#include "core/simulation/mechanics/ball_contact.h"
+#include "core/simulation/mechanics/rubber.h"
 #include "core/simulation/scene_time.h"
 
 #include <Eigen/LU>

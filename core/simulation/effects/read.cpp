@@ -1,6 +1,6 @@
 // Read noise: normal, `sd` grey levels, the same in every pixel.
 #include "core/numerics/dispatch.h"
-#include "core/simulation/noise_effect.h"
+#include "core/simulation/noise.h"
 
 namespace alltact {
 

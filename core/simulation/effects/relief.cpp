@@ -1,7 +1,7 @@
 // A rigid object with a relief presses into the face: a T of two bars, an M8 thread lying on its
 // side, or any height map. Its highest point indents by `depth_mm` along z.
-#include "core/io/image_file.h"
-#include "core/simulation/bodies/height_field.h"
+#include "core/image/image_file.h"
+#include "core/simulation/press.h"
 #include "core/simulation/rigid_press.h"
 
 #include <filesystem>

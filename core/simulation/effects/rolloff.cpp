@@ -5,8 +5,8 @@
 //           does.
 //   smooth: the press is blurred with a Gaussian of standard deviation `length_mm`.
 #include "core/simulation/effect.h"
-#include "core/simulation/mechanics/hertz.h"
-#include "core/simulation/press_sampling.h"
+#include "core/simulation/frame_geometry.h"
+#include "core/simulation/mechanics/ball_contact.h"
 
 namespace alltact {
 

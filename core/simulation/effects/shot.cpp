@@ -1,6 +1,6 @@
 // Shot noise: variance gain * (grey level), normal.
 #include "core/numerics/dispatch.h"
-#include "core/simulation/noise_effect.h"
+#include "core/simulation/noise.h"
 
 namespace alltact {
 

@@ -4,8 +4,8 @@
 // carries the waves; a press cuts it where it lies.
 #include "core/numerics/dispatch.h"
 #include "core/numerics/philox.h"
+#include "core/numerics/vector_loops.h"
 #include "core/simulation/effect.h"
-#include "core/simulation/vector_math.h"
 
 #include <numbers>
 

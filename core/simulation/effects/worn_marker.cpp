@@ -1,7 +1,6 @@
 // Dots that have lost paint or depth: side + (1 - fraction lost) (dot - side) remains visible. At a
 // loss of 1 nothing remains. In the truth they stay visible, unlike dots under an occlusion.
 #include "core/simulation/effect.h"
-#include "core/simulation/marker_numbers.h"
 
 namespace alltact {
 

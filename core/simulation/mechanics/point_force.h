@@ -1,7 +1,10 @@
 // A force at a position on the finger's surface.
 #pragma once
 
-#include "core/finger/pushed_face.h"
+#include "core/finger/finger.h"
+
+#include <functional>
+#include <optional>
 
 #include <Eigen/Core>
 
@@ -36,6 +39,23 @@ struct SurfaceFrame {
   [[nodiscard]] Eigen::Vector3d vector_N(const PointForce& force) const {
     return force.normal_N * into + force.along_N * along + force.across_N * across;
   }
+};
+
+// A load on the finger, from the pushing effect to the body that carries it.
+
+/// The pushing effect adds it to the face before the body (EffectKind::rank) responds. Without a
+/// body there is no response: the finger is rigid.
+struct FaceLoad {
+  /// The force `frame_offset` frames after frame `frame`; zero before the push begins.
+  std::function<PointForce(int frame, double frame_offset)> at;
+  const void* source = nullptr;  ///< identifies the effect
+
+  struct Response {
+    PointForce force;      ///< the force that the finger carries
+    SurfaceFrame surface;  ///< where the force acts after deflection
+    double modulus_MPa;    ///< of the body
+  };
+  std::optional<Response> response;
 };
 
 }  // namespace alltact

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "packaging/python/src/failure.h"
+#include "packaging/python/src/module.h"
 
 namespace alltact::python {
 namespace {

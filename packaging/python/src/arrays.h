@@ -1,7 +1,7 @@
 // Images as NumPy arrays and back, in the same memory.
 #pragma once
 
-#include "core/frame.h"
+#include "core/image/frame.h"
 
 #include <memory>
 

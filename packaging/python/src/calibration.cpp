@@ -2,14 +2,12 @@
 #include "calibration/finger/calibrate_finger.h"
 #include "calibration/finger/measuring_presets.h"
 #include "calibration/presses/press_note_kinds.h"
-#include "core/program.h"
+#include "core/base/program.h"
 
 #include <map>
 
 #include "packaging/python/src/arrays.h"
-#include "packaging/python/src/documented.h"
-#include "packaging/python/src/failure.h"
-#include "packaging/python/src/settings.h"
+#include "packaging/python/src/module.h"
 #include "packaging/python/src/sources.h"
 #include <pybind11/functional.h>
 #include <pybind11/stl.h>

@@ -1,13 +1,25 @@
-// The module _alltact: core and calibration for Python. Its documentation is in
-// alltact/_alltact.pyi.
-#include "core/program.h"
+#include "packaging/python/src/module.h"
 
-#include "packaging/python/src/documented.h"
-#include "packaging/python/src/failure.h"
+#include "core/base/program.h"
+
+#include <map>
+#include <string_view>
+
 #include <opencv2/core/utils/logger.hpp>
 #include <pybind11/pybind11.h>
 
 namespace alltact::python {
+
+const char* doc_of(const std::string& name) {
+  static const std::map<std::string_view, const char*> docstrings = {
+#include "docstrings.inc"
+  };
+  const auto found = docstrings.find(name);
+  return found == docstrings.end() ? "" : found->second;
+}
+
+// The module _alltact: core and calibration for Python. Its documentation is in
+// alltact/_alltact.pyi.
 
 void bind_failure(py::module_& module) {
   static const py::handle error =

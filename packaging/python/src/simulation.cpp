@@ -1,12 +1,11 @@
 // Scenes: images of a simulated finger, and the truth.
-#include "calibration/export/description_json.h"
+#include "calibration/export/export_texts.h"
 #include "core/simulation/plan.h"
 
 #include <filesystem>
 
 #include "packaging/python/src/arrays.h"
-#include "packaging/python/src/documented.h"
-#include "packaging/python/src/failure.h"
+#include "packaging/python/src/module.h"
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 

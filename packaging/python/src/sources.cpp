@@ -1,12 +1,11 @@
 #include "packaging/python/src/sources.h"
 
-#include "core/io/depth_file.h"
-#include "core/sources/files/recorded_frames.h"
-#include "core/sources/open/open_source.h"
+#include "core/image/image_file.h"
+#include "core/open/open_source.h"
+#include "core/sources/file_source.h"
 
 #include "packaging/python/src/arrays.h"
-#include "packaging/python/src/documented.h"
-#include "packaging/python/src/failure.h"
+#include "packaging/python/src/module.h"
 #include <pybind11/stl.h>
 
 namespace alltact::python {

@@ -1,8 +1,8 @@
 // Frames and their sources, as Python holds them.
 #pragma once
 
-#include "core/frame.h"
-#include "core/job.h"
+#include "core/base/job.h"
+#include "core/image/frame.h"
 #include "core/sources/source.h"
 
 #include <memory>

@@ -1,7 +1,7 @@
 // The light of a flat sensor changed by known amounts.
 #include "calibration/checks/contact_free_check.h"
 
-#include "core/io/image_file.h"
+#include "core/image/image_file.h"
 #include "tests/support/flat_sensor.h"
 #include "tests/support/temporary_folder.h"
 

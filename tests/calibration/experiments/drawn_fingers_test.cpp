@@ -1,7 +1,7 @@
 // What is asked for of one finger holds for fingers that others might have cast.
-#include "calibration/experiments/experiment_runs.h"
-#include "calibration/experiments/push_experiments.h"
-#include "core/io/atomic_file.h"
+#include "calibration/experiments/experiments.h"
+#include "calibration/experiments/force_experiments.h"
+#include "core/base/atomic_file.h"
 #include "tests/support/slow_run.h"
 #include "tests/support/temporary_folder.h"
 

@@ -1,5 +1,6 @@
 // The source paper's experiments: what the table says of them, and one from end to end.
-#include "calibration/experiments/experiment_runs.h"
+#include "calibration/experiments/experiments.h"
+
 #include "core/simulation/scene.h"
 #include "tests/support/slow_run.h"
 #include "tests/support/temporary_folder.h"

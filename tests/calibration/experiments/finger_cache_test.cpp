@@ -1,8 +1,7 @@
 // Fingers that are kept between runs.
-#include "calibration/experiments/finger_cache.h"
-
+#include "calibration/experiments/experiment_bench.h"
 #include "calibration/experiments/experiments.h"
-#include "core/io/atomic_file.h"
+#include "core/base/atomic_file.h"
 #include "tests/support/temporary_folder.h"
 
 #include <cstdlib>

@@ -1,7 +1,6 @@
 // Scenes on other fingers than the one they were written for.
-#include "calibration/experiments/finger_variant.h"
-
-#include "core/io/atomic_file.h"
+#include "calibration/experiments/experiment_bench.h"
+#include "core/base/atomic_file.h"
 #include "core/simulation/plan.h"
 
 #include <string>

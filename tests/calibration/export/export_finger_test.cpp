@@ -1,7 +1,7 @@
 #include "calibration/export/export_finger.h"
 
 #include "calibration/export/export_texts.h"
-#include "core/io/atomic_file.h"
+#include "core/base/atomic_file.h"
 #include "core/recording/journal.h"
 #include "tests/support/cameras.h"
 #include "tests/support/program.h"

@@ -1,7 +1,7 @@
 #include "calibration/finger/calibration_inputs.h"
 
 #include "calibration/finger/calibration_report.h"
-#include "core/io/atomic_file.h"
+#include "core/base/atomic_file.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 

@@ -1,6 +1,5 @@
 // Numbers that the presses contradict, against presses whose geometry is known.
-#include "calibration/finger/find_contradictions.h"
-
+#include "calibration/finger/calibrate_presses.h"
 #include "tests/support/made_press.h"
 
 #include <cmath>

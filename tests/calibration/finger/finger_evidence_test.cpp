@@ -1,7 +1,6 @@
 // A finger whose reference is gone, cut off or of another camera is never called good.
-#include "calibration/finger/finger_evidence.h"
-
-#include "core/recording/video_writer.h"
+#include "calibration/finger/calibration_report.h"
+#include "core/recording/video_file.h"
 #include "core/sensing/reference/marker_table.h"
 #include "tests/support/good_evidence.h"
 #include "tests/support/program.h"

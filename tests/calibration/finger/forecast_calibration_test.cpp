@@ -1,6 +1,5 @@
 // What is forecast of presses is what calibrating with them gives.
-#include "calibration/finger/forecast_calibration.h"
-
+#include "calibration/finger/calibrate_presses.h"
 #include "tests/support/made_press.h"
 
 #include <fmt/format.h>

@@ -2,9 +2,8 @@
 #include "calibration/finger/measuring_presets.h"
 
 #include "calibration/finger/calibration_inputs.h"
-#include "calibration/finger/measuring_settings.h"
-#include "calibration/study/study_presets.h"
-#include "core/io/atomic_file.h"
+#include "calibration/study/recommended_settings.h"
+#include "core/base/atomic_file.h"
 #include "tests/support/flat_sensor.h"
 #include "tests/support/temporary_folder.h"
 

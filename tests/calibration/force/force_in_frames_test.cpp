@@ -1,10 +1,10 @@
 // A drawn finger learns forces and tells them of every frame; what goes wrong with its model spoils
 // nothing else.
 #include "calibration/force/collect_force.h"
-#include "calibration/force/finger_force_model.h"
+#include "calibration/force/train_force.h"
 #include "calibration/reference/reference_recording.h"
+#include "core/base/atomic_file.h"
 #include "core/finger/force_model.h"
-#include "core/io/atomic_file.h"
 #include "core/sensing/pipeline.h"
 #include "core/sensing/result_json.h"
 #include "tests/support/marked_recording.h"

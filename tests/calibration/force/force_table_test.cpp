@@ -2,7 +2,7 @@
 #include "calibration/force/force_table.h"
 
 #include "calibration/force/collect_force.h"
-#include "core/io/atomic_file.h"
+#include "core/base/atomic_file.h"
 #include "tests/calibration/force/force_worlds.h"
 #include "tests/support/temporary_folder.h"
 

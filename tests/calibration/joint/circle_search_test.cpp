@@ -1,9 +1,7 @@
 // The source paper's circle on presses whose ball is known.
-#include "calibration/joint/circle_search.h"
-
 #include "calibration/finger/paper_pipeline.h"
-#include "calibration/joint/ball_clouds.h"
 #include "calibration/joint/calibrate.h"
+#include "calibration/joint/outline_methods.h"
 #include "tests/support/made_press.h"
 
 #include <random>

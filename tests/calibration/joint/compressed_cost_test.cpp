@@ -1,4 +1,4 @@
-#include "calibration/joint/compressed_cost.h"
+#include "calibration/joint/ceres_solver.h"
 
 #include <array>
 #include <random>

@@ -1,5 +1,4 @@
-#include "calibration/joint/lift_off.h"
-
+#include "calibration/joint/contact_model.h"
 #include "calibration/joint/model_choice.h"
 #include "core/numerics/median.h"
 

@@ -2,7 +2,7 @@
 // layers, balls and skins drawn at random, six presses each, noise of a grey level.
 #include "calibration/joint/calibrate.h"
 #include "calibration/joint/joint_fit.h"
-#include "calibration/presses/press_samples.h"
+#include "calibration/presses/press.h"
 #include "tests/support/made_press.h"
 
 #include <algorithm>

@@ -1,9 +1,8 @@
 // Balls pressed into an inclined face, traced ray by ray: where part of the ball hides another, and
 // what that tells.
-#include "calibration/joint/tangent_arc.h"
-
 #include "calibration/joint/calibrate.h"
 #include "calibration/joint/joint_costs.h"
+#include "calibration/joint/outline_methods.h"
 #include "core/geometry/ball.h"
 #include "core/numerics/median.h"
 #include "tests/support/made_press.h"

@@ -1,7 +1,6 @@
 // Boards of a live picture: which frames are worth keeping, on painted boards whose poses are
 // known.
-#include "calibration/lens/board_collector.h"
-
+#include "calibration/lens/board_views.h"
 #include "tests/support/boards.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 #include "calibration/lens/calibrate_lens.h"
 
+#include "calibration/lens/board_views.h"
 #include "calibration/lens/lens_verdict.h"
-#include "calibration/lens/lens_views.h"
-#include "core/sources/open/open_source.h"
+#include "core/open/open_source.h"
 #include "tests/support/boards.h"
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 #include "calibration/lens/lens_fit.h"
 
 #include "calibration/lens/calibrate_lens.h"
-#include "calibration/lens/lens_start.h"
 #include "tests/support/boards.h"
 
 #include <random>

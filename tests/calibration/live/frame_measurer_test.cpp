@@ -1,7 +1,7 @@
 // Frames of a recording measured in any order: a flat sensor's, pressed by a ball of known place.
 #include "calibration/live/frame_measurer.h"
 
-#include "core/io/image_file.h"
+#include "core/image/image_file.h"
 #include "tests/support/flat_sensor.h"
 #include "tests/support/temporary_folder.h"
 

@@ -1,9 +1,12 @@
 // What is laid over the live picture: the colours of the depth, and stripes where the measurement
 // says that it cannot measure.
-#include "calibration/live/layers.h"
-
-#include "core/grey_range.h"
-#include "core/io/colour_map.h"
+#include "calibration/live/live_finger.h"
+#include "core/finger/finger_store.h"
+#include "core/image/colour_map.h"
+#include "core/image/grey_range.h"
+#include "core/sensing/pipeline.h"
+#include "core/sensing/pipeline_settings.h"
+#include "core/sensing/reference/reference_library.h"
 #include "tests/support/flat_sensor.h"
 
 #include <limits>

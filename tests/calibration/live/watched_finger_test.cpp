@@ -1,8 +1,8 @@
 // A finger that is calibrated anew while it is measured.
 #include "calibration/live/watched_finger.h"
 
-#include "core/io/atomic_file.h"
-#include "core/io/image_file.h"
+#include "core/base/atomic_file.h"
+#include "core/image/image_file.h"
 #include "tests/support/flat_sensor.h"
 #include "tests/support/temporary_folder.h"
 

@@ -1,7 +1,5 @@
-#include "calibration/presses/held_frames.h"
-
 #include "calibration/presses/press_input.h"
-#include "core/io/image_file.h"
+#include "core/image/image_file.h"
 #include "tests/support/temporary_folder.h"
 
 #include <random>

@@ -1,7 +1,6 @@
 // A ball that somebody put by hand: where the fit begins, never where it ends.
-#include "calibration/presses/manual_ball.h"
-
 #include "calibration/joint/calibrate.h"
+#include "calibration/presses/press.h"
 #include "core/geometry/ball.h"
 #include "tests/support/made_press.h"
 

@@ -1,7 +1,6 @@
 // Where to press next, on a face whose points are known from drawing it.
-#include "calibration/presses/press_plan.h"
-
-#include "core/geometry/disc_depth.h"
+#include "calibration/presses/guided_presses.h"
+#include "core/geometry/ball.h"
 #include "tests/support/made_press.h"
 
 #include <gtest/gtest.h>

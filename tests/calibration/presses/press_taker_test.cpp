@@ -1,4 +1,4 @@
-#include "calibration/presses/press_taker.h"
+#include "calibration/presses/guided_presses.h"
 
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>

@@ -1,5 +1,5 @@
 // Motions that are put in by hand: what is told of them follows from the definition.
-#include "calibration/reference/bend_coverage.h"
+#include "calibration/reference/motion_coverage.h"
 
 #include <cmath>
 #include <numeric>

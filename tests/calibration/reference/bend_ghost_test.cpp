@@ -1,7 +1,6 @@
 // The ghost of a finger moved further: held against what the definition of each motion says of the
 // tip of a face that is known from drawing it.
-#include "calibration/reference/bend_ghost.h"
-
+#include "calibration/reference/motion_coverage.h"
 #include "tests/support/made_press.h"
 
 #include <gtest/gtest.h>

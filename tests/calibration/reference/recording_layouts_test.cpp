@@ -1,9 +1,8 @@
 // Rows of markers of any design, whole and damaged, in recordings made of places alone.
-#include "calibration/reference/recording_layouts.h"
-
+#include "calibration/reference/marker_numbering.h"
 #include "core/numerics/median.h"
-#include "core/sensing/face/side_edges.h"
-#include "core/sensing/markers/marker_rows.h"
+#include "core/sensing/face/face_pixels.h"
+#include "core/sensing/markers/marker_detector.h"
 #include "tests/support/marked_recording.h"
 
 #include <cstdio>

@@ -1,8 +1,8 @@
 // A finger with its recording, measured with fewer pixels, other numbers of neighbours and what was
 // kept of the recording: the demonstration's, simulated, a ball pressed into it.
 #include "calibration/reference/reference_recording.h"
-#include "core/finger/reduced_finger.h"
-#include "core/io/atomic_file.h"
+#include "core/base/atomic_file.h"
+#include "core/finger/finger_store.h"
 #include "core/numerics/median.h"
 #include "core/sensing/pipeline.h"
 #include "core/simulation/plan.h"

@@ -1,4 +1,4 @@
-#include "calibration/reference/row_law.h"
+#include "calibration/reference/marker_numbering.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,7 @@
 // Light that scatters sideways is seen beside the contacts, and usual skin is not taken for it:
 // presses painted with and without a skirt around every dark place. Skin that leaves the ball at
 // three quarters of its rim looks like light, and is not among them.
-#include "calibration/report/halo.h"
-
+#include "calibration/report/press_errors.h"
 #include "tests/support/made_press.h"
 
 #include <cstdio>

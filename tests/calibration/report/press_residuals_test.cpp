@@ -1,4 +1,4 @@
-#include "calibration/report/press_residuals.h"
+#include "calibration/report/press_errors.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // A study's truth against closed formulas, and what it says against what it must.
 #include "calibration/study/accuracy_study.h"
 
-#include "calibration/study/study_figure.h"
+#include "calibration/study/recommended_settings.h"
 #include "calibration/study/study_file.h"
-#include "calibration/study/study_front.h"
+#include "calibration/study/study_plot.h"
 #include "tests/support/flat_sensor.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/temporary_folder.h"

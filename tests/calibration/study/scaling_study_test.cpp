@@ -1,6 +1,5 @@
 #include "calibration/study/scaling_study.h"
 
-#include "calibration/study/calibrating_bench.h"
 #include "calibration/study/calibrating_study.h"
 
 #include <cmath>

@@ -1,10 +1,8 @@
 // The one answer against all rows of random studies, and what a finger keeps of its study.
-#include "calibration/study/study_answer.h"
-
 #include "calibration/finger/measuring_presets.h"
-#include "calibration/study/finger_study.h"
-#include "calibration/study/study_front.h"
-#include "core/io/atomic_file.h"
+#include "calibration/study/recommended_settings.h"
+#include "calibration/study/study_file.h"
+#include "core/base/atomic_file.h"
 #include "tests/support/flat_sensor.h"
 #include "tests/support/temporary_folder.h"
 

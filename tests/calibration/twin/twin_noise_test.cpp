@@ -1,4 +1,4 @@
-#include "calibration/twin/twin_noise.h"
+#include "calibration/twin/twin.h"
 
 #include <cmath>
 #include <random>

@@ -1,10 +1,10 @@
 // Twins of fingers whose every number is known: what can be seen in their pictures comes out.
 #include "calibration/twin/twin.h"
 
-#include "calibration/twin/twin_image.h"
 #include "calibration/twin/twin_inputs.h"
+#include "calibration/twin/twin_scene.h"
 #include "core/finger/finger_store.h"
-#include "core/io/image_file.h"
+#include "core/image/image_file.h"
 #include "core/simulation/plan.h"
 #include "core/simulation/scene.h"
 #include "tests/support/temporary_folder.h"

@@ -1,5 +1,5 @@
 // Repeats count once, whatever their order; far from the presses a line along the face says little.
-#include "calibration/verdict/press_coverage.h"
+#include "calibration/verdict/verdict.h"
 
 #include <algorithm>
 #include <random>

@@ -1,4 +1,4 @@
-#include "core/camera/flat_port.h"
+#include "core/camera/camera.h"
 
 #include <cmath>
 #include <random>

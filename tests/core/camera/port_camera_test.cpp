@@ -1,6 +1,6 @@
 // A lens behind a flat window as one camera, held against light followed surface by surface.
 #include "core/camera/camera.h"
-#include "core/finger/camera_yaml.h"
+#include "core/finger/finger_yaml.h"
 #include "core/sensing/face/face_shape.h"
 #include "tests/support/cameras.h"
 #include "tests/support/temporary_folder.h"

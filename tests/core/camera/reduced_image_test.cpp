@@ -1,5 +1,5 @@
 // Pictures of fewer pixels against means by hand, and their camera against the rays of the whole.
-#include "core/camera/reduced_image.h"
+#include "core/camera/camera.h"
 
 #include <cmath>
 #include <random>

@@ -2,7 +2,7 @@
 // killed when.
 #include "core/finger/finger_store.h"
 
-#include "core/io/atomic_file.h"
+#include "core/base/atomic_file.h"
 #include "tests/core/finger/finger_files.h"
 #include "tests/support/temporary_folder.h"
 

@@ -1,8 +1,8 @@
 // What a finger file says, and that it stays when it is written.
 #include "core/finger/finger.h"
 
-#include "core/finger/quantity.h"
-#include "core/io/atomic_file.h"
+#include "core/base/atomic_file.h"
+#include "core/base/typed_number.h"
 #include "tests/core/finger/finger_files.h"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 // Every number of a finger's file replaced by one that a slip, a crash or an attacker leaves there:
 // it is refused by its key, or harmless.
-#include "core/camera/camera_range.h"
+#include "core/camera/camera.h"
 #include "core/finger/finger.h"
 
 #include <cmath>

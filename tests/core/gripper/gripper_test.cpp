@@ -1,7 +1,7 @@
 #include "core/gripper/gripper.h"
 
+#include "core/base/atomic_file.h"
 #include "core/finger/finger.h"
-#include "core/io/atomic_file.h"
 #include "tests/core/finger/finger_files.h"
 #include "tests/core/gripper/gripper_files.h"
 #include "tests/support/temporary_folder.h"

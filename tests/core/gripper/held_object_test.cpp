@@ -2,7 +2,6 @@
 #include "core/gripper/held_object.h"
 
 #include "core/geometry/surface_distance.h"
-#include "core/gripper/face_gap.h"
 #include "tests/core/gripper/gripper_files.h"
 
 #include <cmath>

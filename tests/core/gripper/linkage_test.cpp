@@ -1,4 +1,4 @@
-#include "core/gripper/linkage.h"
+#include "core/gripper/gripper.h"
 
 #include <algorithm>
 #include <cmath>

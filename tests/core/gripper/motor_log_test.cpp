@@ -1,4 +1,4 @@
-#include "core/gripper/motor_log.h"
+#include "core/gripper/gripper_recording.h"
 
 #include <limits>
 #include <random>

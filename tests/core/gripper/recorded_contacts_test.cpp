@@ -1,5 +1,4 @@
-#include "core/gripper/recorded_contacts.h"
-
+#include "core/gripper/gripper_recording.h"
 #include "core/sensing/result_json.h"
 #include "tests/support/written_region.h"
 

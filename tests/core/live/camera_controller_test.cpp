@@ -1,7 +1,7 @@
 // A camera's controls set from a thread that must not wait for it.
 #include "core/live/camera_controller.h"
 
-#include "tests/core/sources/v4l2/fake_camera_use.h"
+#include "tests/core/devices/fake_camera_use.h"
 
 #include <gtest/gtest.h>
 

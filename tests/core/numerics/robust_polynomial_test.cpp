@@ -1,4 +1,4 @@
-#include "core/numerics/robust_polynomial.h"
+#include "core/numerics/chebyshev.h"
 
 #include <random>
 

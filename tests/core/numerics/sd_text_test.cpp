@@ -1,4 +1,4 @@
-#include "core/numerics/sd_text.h"
+#include "core/numerics/readable_numbers.h"
 
 #include <limits>
 #include <random>

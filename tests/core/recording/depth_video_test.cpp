@@ -1,8 +1,8 @@
 // Depth of a recording in one file, held against what ffmpeg reads there.
 #include "core/recording/depth_video.h"
 
-#include "core/io/atomic_file.h"
-#include "core/io/depth_file.h"
+#include "core/base/atomic_file.h"
+#include "core/image/image_file.h"
 #include "tests/support/program.h"
 
 #include <cmath>

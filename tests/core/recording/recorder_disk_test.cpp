@@ -1,6 +1,6 @@
 // A recording whose disk is full or read-only, or whose folder is removed or moved.
 #include "core/recording/journal.h"
-#include "core/recording/repair.h"
+#include "core/recording/video_file.h"
 #include "tests/core/recording/recorder_use.h"
 #include "tests/support/small_disk.h"
 #include "tests/support/temporary_folder.h"

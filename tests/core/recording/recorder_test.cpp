@@ -1,5 +1,5 @@
 // A recording under way.
-#include "core/recording/repair.h"
+#include "core/recording/video_file.h"
 #include "tests/core/recording/recorder_use.h"
 #include "tests/support/program.h"
 #include "tests/support/sanitized.h"

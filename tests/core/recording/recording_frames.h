@@ -1,7 +1,7 @@
 // Frames whose every byte a test can name again, and what other programs read of a file.
 #pragma once
 
-#include "core/frame.h"
+#include "core/image/frame.h"
 #include "core/numerics/philox.h"
 
 #include <cstdio>

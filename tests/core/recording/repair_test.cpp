@@ -1,7 +1,6 @@
 // Recordings that were cut off: by a kill, anywhere, or on a disk without space to mend them.
-#include "core/recording/repair.h"
-
 #include "core/recording/journal.h"
+#include "core/recording/video_file.h"
 #include "tests/core/recording/recorder_use.h"
 #include "tests/support/program.h"
 #include "tests/support/small_disk.h"

@@ -1,9 +1,7 @@
 // What goes into a video comes out of it, by our own reader and by others'.
-#include "core/io/atomic_file.h"
+#include "core/base/atomic_file.h"
 #include "core/recording/journal.h"
-#include "core/recording/matroska_index.h"
 #include "core/recording/video_file.h"
-#include "core/recording/video_writer.h"
 #include "tests/core/recording/recording_frames.h"
 #include "tests/support/temporary_folder.h"
 

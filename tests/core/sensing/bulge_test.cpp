@@ -1,5 +1,5 @@
 // Skin that bulges, and depths at a limit: against painted and against rendered truth.
-#include "core/sensing/depth/depth_limits.h"
+#include "core/sensing/depth/depth_sd.h"
 #include "core/sensing/pipeline.h"
 #include "core/sensing/result_json.h"
 #include "tests/core/simulation/scene_text.h"

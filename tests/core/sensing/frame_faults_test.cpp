@@ -1,4 +1,4 @@
-#include "core/sensing/frame_faults.h"
+#include "core/sensing/frame_result.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,10 @@
 // Pictures that are reduced, averaged or measured in part: a flat sensor with balls of closed
 // formulas.
-#include "core/camera/reduced_image.h"
-#include "core/finger/reduced_finger.h"
+#include "core/camera/camera.h"
+#include "core/finger/finger_store.h"
 #include "core/numerics/median.h"
 #include "core/sensing/pipeline.h"
 #include "core/sensing/result_json.h"
-#include "core/sensing/running_mean.h"
 #include "tests/support/flat_sensor.h"
 
 #include <algorithm>

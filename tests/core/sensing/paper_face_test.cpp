@@ -1,6 +1,5 @@
 // The source paper's edges and face, on pictures whose face is known by analytic geometry.
-#include "core/sensing/paper_face.h"
-
+#include "core/sensing/paper_method.h"
 #include "tests/support/cameras.h"
 #include "tests/support/synthetic_face.h"
 

@@ -1,5 +1,5 @@
 // Rigid bodies that are pressed in, against closed forms and against one another.
-#include "core/io/mesh_file.h"
+#include "core/mesh/mesh_file.h"
 #include "tests/core/simulation/scene_text.h"
 #include "tests/support/temporary_folder.h"
 

@@ -1,6 +1,5 @@
 // Every kind of effect by its own example: what it costs, and what must hold of all of them.
-#include "core/simulation/effect_costs.h"
-
+#include "core/simulation/effect_catalogue.h"
 #include "tests/core/simulation/scene_text.h"
 
 #include <cstring>

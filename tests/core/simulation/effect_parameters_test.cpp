@@ -1,7 +1,5 @@
 // What an effect takes, as it is told to people, and the tables of the help pages against that.
-#include "core/simulation/effect_parameters.h"
-
-#include "core/simulation/effect_costs.h"
+#include "core/simulation/effect_catalogue.h"
 
 #include <fstream>
 #include <set>

@@ -1,7 +1,6 @@
 // Form factors against the closed forms of J. Howell's "A catalog of radiation heat transfer
 // configuration factors" (B-3, B-4, C-14) and against quadrature, in long double.
-#include "core/simulation/form_factor.h"
-
+#include "core/simulation/illumination.h"
 #include "tests/core/simulation/effects/effect_scene.h"
 #include "tests/core/simulation/howell.h"
 

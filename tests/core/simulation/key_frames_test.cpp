@@ -1,6 +1,5 @@
 // Numbers that go from key frame to key frame.
 #include "core/simulation/scene_time.h"
-#include "core/simulation/varying.h"
 #include "tests/core/simulation/scene_text.h"
 
 #include <numbers>

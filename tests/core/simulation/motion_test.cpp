@@ -1,6 +1,4 @@
 // Fingers that bend along a path of key frames. Other motions: plan_test.cpp, give_test.cpp.
-#include "core/simulation/motion.h"
-
 #include "core/simulation/scene_time.h"
 #include "tests/core/simulation/scene_text.h"
 

@@ -1,4 +1,4 @@
-#include "core/sources/frame_hub.h"
+#include "core/sources/source.h"
 
 #include <atomic>
 #include <thread>

@@ -1,4 +1,4 @@
-#include "core/sources/open/open_source.h"
+#include "core/open/open_source.h"
 #include "tests/support/temporary_folder.h"
 
 #include <cstring>

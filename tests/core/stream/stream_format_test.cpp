@@ -1,8 +1,6 @@
 // The bytes that other programs get, read back by offsets that are written down here once more.
 #include "core/stream/stream_format.h"
 
-#include "core/stream/stream_schema.h"
-
 #include <cstring>
 
 #include <gmock/gmock.h>

@@ -1,7 +1,6 @@
 // Programs that connect: quick ones, slow ones, and those that do what they should not.
 #include "core/stream/stream_server.h"
 
-#include "core/stream/stream_socket.h"
 #include "tests/support/temporary_folder.h"
 
 #include <chrono>

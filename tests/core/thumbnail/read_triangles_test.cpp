@@ -1,7 +1,7 @@
 // Meshes that were written are read as they were, and those that were cut are refused.
 #include "core/thumbnail/read_triangles.h"
 
-#include "core/io/surface_file.h"
+#include "core/mesh/surface_file.h"
 #include "core/thumbnail/thumbnail.h"
 #include "tests/support/program.h"
 

@@ -1,8 +1,8 @@
 // Small pictures against what geometry says of them.
 #include "core/thumbnail/thumbnail.h"
 
-#include "core/io/colour_map.h"
-#include "core/io/depth_file.h"
+#include "core/image/colour_map.h"
+#include "core/image/image_file.h"
 
 #include <cmath>
 #include <limits>

@@ -1,10 +1,8 @@
 // The figure of accuracy over time: its dots are the table's rows, its words keep apart, and keys
 // do what the mouse does.
-#include "widgets/plots/accuracy_plot.h"
+#include "widgets/accuracy/accuracy_plot.h"
 
-#include "widgets/accuracy/accuracy_table.h"
-#include "widgets/plots/label_layout.h"
-#include "widgets/settings_words.h"
+#include "widgets/verdict_text.h"
 
 #include <QAbstractItemModelTester>
 #include <QAccessible>

@@ -1,4 +1,4 @@
-#include "widgets/calibrating/shown_press.h"
+#include "widgets/calibrating/press_list.h"
 
 #include <gtest/gtest.h>
 

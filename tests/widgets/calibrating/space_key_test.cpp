@@ -1,7 +1,6 @@
 // The space bar, wherever the focus is.
-#include "widgets/calibrating/space_key.h"
-
-#include "widgets/calibrating/press_list_view.h"
+#include "widgets/calibrating/press_list.h"
+#include "widgets/calibrating/step_page.h"
 
 #include <QDoubleSpinBox>
 #include <QLineEdit>

@@ -1,7 +1,7 @@
 // The force in figures and over time.
 #include "widgets/panels/force_box.h"
 
-#include "widgets/touch/contact_words.h"
+#include "widgets/live/touch_history.h"
 
 #include <QElapsedTimer>
 #include <QSignalSpy>

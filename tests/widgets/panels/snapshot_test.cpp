@@ -1,5 +1,5 @@
 // A picture saved with what is drawn over it.
-#include "widgets/panels/snapshot.h"
+#include "widgets/panels/image_panel.h"
 
 #include <QPainter>
 

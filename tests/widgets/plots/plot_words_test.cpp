@@ -1,8 +1,7 @@
 // Words of a plot by geometry: none is cut, and none lies over the data.
-#include "widgets/plots/convergence_plot.h"
+#include "widgets/plots/calibration_plots.h"
 #include "widgets/plots/custom_plot.h"
-#include "widgets/plots/mapping_plot.h"
-#include "widgets/plots/press_error_plot.h"
+#include "widgets/plots/press_plots.h"
 
 #include <QTest>
 

@@ -1,13 +1,9 @@
 // Plots are looked at as pictures: what is given must be seen, in every theme, and nothing else.
 #include "tests/support/program.h"
-#include "widgets/plots/convergence_plot.h"
+#include "widgets/plots/calibration_plots.h"
 #include "widgets/plots/custom_plot.h"
 #include "widgets/plots/face_map_plot.h"
-#include "widgets/plots/histogram_plot.h"
-#include "widgets/plots/history_plot.h"
-#include "widgets/plots/mapping_plot.h"
-#include "widgets/plots/press_error_plot.h"
-#include "widgets/plots/press_light_plot.h"
+#include "widgets/plots/press_plots.h"
 #include "widgets/theme.h"
 
 #include <QTest>

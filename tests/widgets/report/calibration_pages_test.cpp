@@ -1,11 +1,10 @@
 #include "widgets/report/calibration_pages.h"
 
 #include "calibration/checks/check_history.h"
-#include "calibration/report/typical_faults.h"
+#include "calibration/report/calibration_faults.h"
 #include "tests/support/good_evidence.h"
 #include "tests/support/program.h"
 #include "widgets/report/document.h"
-#include "widgets/report/press_image.h"
 
 #include <algorithm>
 

@@ -1,9 +1,7 @@
 #include "widgets/report/experiment_pages.h"
 
-#include "core/io/colour_map.h"
-#include "widgets/plots/experiment_figure.h"
+#include "core/image/colour_map.h"
 #include "widgets/report/document.h"
-#include "widgets/report/relief_image.h"
 
 #include <cmath>
 

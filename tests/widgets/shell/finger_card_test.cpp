@@ -1,12 +1,12 @@
 // What the page that one begins with says of a finger, from its folder.
+#include "widgets/shell/finger_card.h"
+
 #include "calibration/checks/check_history.h"
+#include "core/base/atomic_file.h"
 #include "core/finger/finger_store.h"
-#include "core/io/atomic_file.h"
-#include "core/io/image_file.h"
+#include "core/image/image_file.h"
 #include "tests/support/good_evidence.h"
 #include "tests/support/program.h"
-#include "widgets/shell/finger_card_words.h"
-#include "widgets/shell/finger_cards.h"
 
 #include <QTest>
 

@@ -1,6 +1,6 @@
 #include "core/sensing/contact/contact_regions.h"
 
-#include "core/sensing/depth/depth_cells.h"
+#include "core/sensing/depth/depth_map.h"
 
 #include <cmath>
 #include <limits>

@@ -1,5 +1,4 @@
-#include "core/sensing/contact/contact_state.h"
-
+#include "core/sensing/contact/finger_contact.h"
 #include "tests/core/simulation/effects/pushed_scene.h"
 
 #include <random>

@@ -1,5 +1,6 @@
 // Pushes on simulated fingers drawn at random: which face, and which way.
-#include "core/sensing/contact/contact_state.h"
+#include "core/sensing/contact/finger_contact.h"
+
 #include "tests/core/sensing/contact/drawn_push.h"
 #include "tests/support/slow_run.h"
 

@@ -1,7 +1,6 @@
 // How far along its back or a side a finger is pushed: simulated fingers and bodies drawn at
 // random.
-#include "core/sensing/contact/push_along.h"
-
+#include "core/sensing/contact/push.h"
 #include "tests/core/sensing/contact/drawn_push.h"
 #include "tests/support/slow_run.h"
 

@@ -1,5 +1,6 @@
 // How sure the direction of a push is when some markers are estimates.
 #include "core/sensing/contact/push.h"
+#include "core/sensing/markers/marker_model.h"
 #include "tests/support/marked_finger.h"
 
 #include <numbers>

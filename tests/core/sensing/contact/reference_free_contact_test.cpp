@@ -1,6 +1,5 @@
 // Touching before there is a reference: pictures of the simulated finger, whose presses are known.
-#include "core/sensing/contact/reference_free_contact.h"
-
+#include "core/sensing/contact/finger_contact.h"
 #include "core/sensing/face/face_edges.h"
 #include "core/simulation/plan.h"
 

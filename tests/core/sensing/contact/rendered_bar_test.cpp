@@ -2,7 +2,7 @@
 // random, noise of a grey level, every bar elsewhere and turned otherwise.
 // ALLTACT_NEES_RUNS=200 makes as many runs as a figure needs; without it fewer are made, and what
 // few runs scatter by is allowed for.
-#include "core/io/image_file.h"
+#include "core/image/image_file.h"
 #include "core/sensing/pipeline.h"
 #include "core/simulation/plan.h"
 #include "tests/support/temporary_folder.h"

@@ -1,7 +1,4 @@
-#include "core/sensing/depth/depth_along_z.h"
-
-#include "core/sensing/depth/depth_cells.h"
-#include "core/sensing/depth/pixel_flags.h"
+#include "core/sensing/depth/depth_map.h"
 
 #include <cmath>
 

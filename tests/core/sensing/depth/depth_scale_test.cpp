@@ -1,6 +1,5 @@
 // The factor of every pixel, against its definition.
-#include "core/sensing/depth/depth_scale.h"
-
+#include "core/sensing/depth/depth_map.h"
 #include "tests/support/made_press.h"
 
 #include <random>

@@ -1,4 +1,4 @@
-#include "core/sensing/depth/light_blocks.h"
+#include "core/sensing/depth/light_gain.h"
 
 #include <cmath>
 #include <random>

@@ -1,7 +1,7 @@
 // The light's change against what was done to the pictures.
 #include "core/sensing/depth/light_gain.h"
 
-#include "core/sensing/depth/local_depth.h"
+#include "core/sensing/depth/depth_map.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "core/sensing/depth/local_depth.h"
+#include "core/sensing/depth/depth_map.h"
 
 #include <cmath>
 #include <random>

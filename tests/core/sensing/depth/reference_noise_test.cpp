@@ -1,6 +1,5 @@
 // The noise that is told of a flat sensor's picture, against what was added to it.
-#include "core/sensing/depth/reference_noise.h"
-
+#include "core/sensing/depth/depth_map.h"
 #include "core/sensing/pipeline.h"
 
 #include <algorithm>

@@ -1,6 +1,5 @@
-#include "core/sensing/depth/row_smoother.h"
-
-#include "core/sensing/reference/grey_steps.h"
+#include "core/sensing/depth/smoothing.h"
+#include "core/sensing/reference/image_warp.h"
 
 #include <random>
 

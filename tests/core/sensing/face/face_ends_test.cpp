@@ -1,5 +1,3 @@
-#include "core/sensing/face/face_ends.h"
-
 #include "core/sensing/face/face_edges.h"
 #include "core/sensing/face/face_shape.h"
 #include "tests/support/cameras.h"

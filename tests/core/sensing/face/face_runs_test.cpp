@@ -1,7 +1,6 @@
-#include "core/sensing/face/face_runs.h"
-
-#include "core/sensing/depth/local_depth.h"
-#include "core/sensing/reference/image_pool.h"
+#include "core/sensing/depth/depth_map.h"
+#include "core/sensing/face/face_pixels.h"
+#include "core/sensing/reference/image_warp.h"
 #include "tests/support/marked_finger.h"
 
 #include <cstring>

@@ -1,6 +1,5 @@
 // Outlines that jump, and others that only look as if they did.
-#include "core/sensing/face/outline_jump.h"
-
+#include "core/sensing/face/face_edges.h"
 #include "tests/support/synthetic_face.h"
 
 #include <functional>

@@ -1,5 +1,4 @@
-#include "core/sensing/face/position_pixel.h"
-
+#include "core/sensing/face/face_shape.h"
 #include "tests/support/cameras.h"
 #include "tests/support/noisy_plane_edges.h"
 

@@ -1,4 +1,5 @@
 // Dots of all sizes and contrasts beside the bright face, in pictures drawn by hand.
+#include "core/sensing/markers/marker_detector.h"
 #include "core/sensing/markers/markers.h"
 #include "tests/support/marked_finger.h"
 

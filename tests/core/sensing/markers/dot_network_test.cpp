@@ -1,9 +1,6 @@
-#include "core/sensing/markers/networks/dot_network.h"
+#include "core/sensing/markers/dot_network.h"
 
-#include "core/io/atomic_file.h"
-#include "core/sensing/markers/networks/network_check.h"
-#include "core/sensing/markers/networks/network_dots.h"
-#include "core/sensing/markers/networks/onnx_header.h"
+#include "core/base/atomic_file.h"
 #include "tests/support/onnx_bytes.h"
 #include "tests/support/temporary_folder.h"
 

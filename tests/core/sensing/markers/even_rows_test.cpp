@@ -1,6 +1,5 @@
 // The rows of markers before there is a reference recording, in pictures drawn by hand.
-#include "core/sensing/markers/even_rows.h"
-
+#include "core/sensing/markers/marker_tracker.h"
 #include "tests/support/marked_finger.h"
 
 #include <cstdio>

@@ -1,5 +1,7 @@
 #include "core/sensing/markers/dot_measure.h"
-#include "core/sensing/markers/marker_rows.h"
+#include "core/sensing/markers/marker_detector.h"
+#include "core/sensing/markers/marker_model.h"
+#include "core/sensing/markers/marker_tracker.h"
 #include "core/sensing/markers/markers.h"
 #include "tests/support/marked_finger.h"
 

@@ -1,5 +1,4 @@
-#include "core/sensing/markers/paper_rows.h"
-
+#include "core/sensing/markers/marker_tracker.h"
 #include "tests/support/marked_finger.h"
 
 #include <algorithm>

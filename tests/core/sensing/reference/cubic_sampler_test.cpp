@@ -1,4 +1,4 @@
-#include "core/sensing/reference/cubic_sampler.h"
+#include "core/sensing/reference/image_warp.h"
 
 #include <algorithm>
 #include <array>

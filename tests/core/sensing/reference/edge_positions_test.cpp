@@ -1,4 +1,4 @@
-#include "core/sensing/reference/edge_positions.h"
+#include "core/sensing/reference/recorded_poses.h"
 
 #include <vector>
 

@@ -1,7 +1,6 @@
 // What is kept of a recording: the same comes back, and nothing else does.
-#include "core/sensing/reference/face_cache.h"
-
-#include "core/io/atomic_file.h"
+#include "core/base/atomic_file.h"
+#include "core/sensing/reference/recorded_faces.h"
 #include "tests/support/temporary_folder.h"
 
 #include <random>

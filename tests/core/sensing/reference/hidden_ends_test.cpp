@@ -1,6 +1,5 @@
-#include "core/sensing/reference/hidden_ends.h"
-
-#include "core/sensing/depth/local_depth.h"
+#include "core/sensing/depth/depth_map.h"
+#include "core/sensing/reference/face_chart.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,7 @@
-#include "core/io/atomic_file.h"
-#include "core/sensing/reference/face_image.h"
-#include "core/sensing/reference/reference_error.h"
+#include "core/base/atomic_file.h"
+#include "core/sensing/reference/recorded_poses.h"
+#include "core/sensing/reference/reference_image.h"
 #include "core/sensing/reference/reference_library.h"
-#include "core/sensing/reference/reference_weights.h"
 #include "tests/support/marked_finger.h"
 #include "tests/support/scratch_folder.h"
 

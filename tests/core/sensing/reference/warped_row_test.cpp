@@ -1,6 +1,4 @@
-#include "core/sensing/reference/warped_row.h"
-
-#include "core/sensing/reference/grey_steps.h"
+#include "core/sensing/reference/image_warp.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // The light that faces give each other, against closed forms (J. Howell's catalogue, B-3, B-4 and
 // C-14) where all is lit evenly, and against fine quadrature in long double where lamps shine.
-#include "core/simulation/effect_costs.h"
+#include "core/simulation/effect_catalogue.h"
 #include "tests/core/simulation/effects/effect_scene.h"
 #include "tests/core/simulation/howell.h"
 

@@ -1,5 +1,5 @@
-#include "core/simulation/mechanics/bonded_layer.h"
-#include "core/simulation/mechanics/shore.h"
+#include "core/simulation/mechanics/ball_contact.h"
+#include "core/simulation/mechanics/rubber.h"
 #include "tests/core/simulation/effects/pushed_scene.h"
 
 namespace alltact {

@@ -1,7 +1,7 @@
 // Fingers that are pushed, and what a plan's truth does not tell of them.
 #pragma once
 
-#include "core/simulation/frame_plan.h"
+#include "core/simulation/scene_content.h"
 #include "tests/core/simulation/effects/effect_scene.h"
 
 #include <optional>

@@ -1,6 +1,4 @@
-#include "core/simulation/mechanics/bonded_layer.h"
-
-#include "core/simulation/mechanics/indented_surface.h"
+#include "core/simulation/mechanics/ball_contact.h"
 #include "tests/core/simulation/effects/effect_scene.h"
 
 #include <Eigen/Dense>

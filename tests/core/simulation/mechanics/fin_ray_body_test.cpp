@@ -1,6 +1,6 @@
 #include "core/simulation/fin_ray_body.h"
 
-#include "core/simulation/mechanics/bonded_layer.h"
+#include "core/simulation/mechanics/ball_contact.h"
 #include "tests/core/simulation/effects/effect_scene.h"
 
 #include <Eigen/Eigenvalues>

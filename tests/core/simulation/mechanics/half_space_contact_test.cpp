@@ -1,5 +1,4 @@
-#include "core/simulation/mechanics/half_space_contact.h"
-
+#include "core/simulation/mechanics/ball_contact.h"
 #include "tests/core/simulation/effects/effect_scene.h"
 
 namespace alltact {

@@ -1,5 +1,4 @@
-#include "core/simulation/mechanics/kelvin_chain.h"
-
+#include "core/simulation/mechanics/rubber.h"
 #include "tests/core/simulation/effects/effect_scene.h"
 
 namespace alltact {

@@ -1,4 +1,4 @@
-#include "core/simulation/mechanics/shore.h"
+#include "core/simulation/mechanics/rubber.h"
 
 #include <limits>
 

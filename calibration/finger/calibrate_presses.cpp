@@ -1,0 +1,578 @@
+#include "calibration/finger/calibrate_presses.h"
+
+#include "calibration/finger/calibrate_finger.h"
+#include "calibration/finger/paper_pipeline.h"
+#include "calibration/reference/contact_search.h"
+#include "calibration/report/press_errors.h"
+#include "calibration/verdict/verdict.h"
+#include "core/base/typed_number.h"
+#include "core/image/image_file.h"
+#include "core/sensing/pipeline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include <fmt/format.h>
+
+namespace alltact {
+namespace {
+
+/// Standard deviation of depth from the mapping's covariance, mm along z: root mean square over its
+/// domain. 0 without a covariance.
+[[nodiscard]] double scale_sd_mm(const MappingParameters& mapping);
+
+constexpr int kDomainSteps = 12;
+
+double scale_sd_mm(const MappingParameters& parameters) {
+  const auto mapping = Mapping::create(parameters);
+  if (!mapping || parameters.covariance.size() == 0) return 0;
+  double squares = 0;
+  for (int i = 1; i <= kDomainSteps; ++i) {
+    const double sd_mm = mapping->depth_sd_mm(mapping->x_max() * i / kDomainSteps);
+    squares += sd_mm * sd_mm / kDomainSteps;
+  }
+  return std::isfinite(squares) ? std::sqrt(squares) : 0.0;
+}
+
+/// Needs a solved calibration with residuals, pixel and halo figures. `camera` and `face` are those
+/// of done.finger.
+CalibrationBasis basis_of(const FingerCalibration& done) {
+  CalibrationBasis basis;
+  const Calibration& calibration = done.calibration;
+  const Face& face = done.finger.face;
+  basis.layer_mm = face.layer_mm;
+  basis.width_mm = face.width_mm;
+  basis.plane_z_mm = face.plane_z_mm;
+  basis.camera = camera_fingerprint(done.finger.camera);
+  basis.reference = done.inputs.reference_checksum;
+  for (const BallFit& ball : calibration.balls) {
+    basis.ball_radii_mm.push_back(ball.radius_mm);
+    basis.shallowest_mm =
+        basis.shallowest_mm > 0 ? std::min(basis.shallowest_mm, ball.depth_mm) : ball.depth_mm;
+    basis.deepest_mm = std::max(basis.deepest_mm, ball.depth_mm);
+  }
+  // 0 stands for an external measure of the scale: a punch with a step, or a measured depth.
+  const bool has_measured_depth =
+      std::any_of(calibration.balls.begin(), calibration.balls.end(), [](const BallFit& ball) {
+        return ball.given_depth.has_value();
+      });
+  if (!calibration.steps.empty() || has_measured_depth) basis.ball_radii_mm.push_back(0);
+  std::sort(basis.ball_radii_mm.begin(), basis.ball_radii_mm.end());
+  basis.ball_radii_mm.erase(std::unique(basis.ball_radii_mm.begin(), basis.ball_radii_mm.end()),
+                            basis.ball_radii_mm.end());
+  std::vector<ContactSpot> spots;
+  for (const PressResiduals& press : done.residuals)
+    spots.push_back(
+        {press.along_mm, press.across_mm, press.contact_radius_mm, press.face_length_mm});
+  const PressCoverage coverage = coverage_of(std::move(spots));
+  basis.positions = coverage.positions;
+  basis.thirds = coverage.thirds;
+  basis.position_leverage = coverage.leverage;
+  basis.scale_sd_mm = scale_sd_mm(calibration.mapping);
+  basis.pixel_sd_mm = done.pixel_sd_mm;
+  basis.halo_mm = done.halo.is_seen ? done.halo.excess_mm : 0.0;
+  if (calibration.radius_sensitivity)
+    basis.depth_per_radius = 100 * calibration.radius_sensitivity->depth_part;
+  basis.left_out = done.failed_presses;
+  basis.is_complete = done.is_complete;
+  for (const Contradiction& one : done.contradictions)
+    basis.contradictions.push_back(recorded(one));
+  return basis;
+}
+
+Error stopped() {
+  return {en::say("stopped before the calibration was done"), "", ""};
+}
+
+/// Of the untouched image that is to be installed.
+Result<ReferenceLibrary> flat_library(const CalibrationWork& work, const Finger& finger) {
+  const auto grey =
+      oriented_for(finger.camera,
+                   work.untouched->grey,
+                   en::say("the reference picture"),
+                   work.untouched->origin,
+                   en::say("the untouched picture of this sensor, at the size of its presses"));
+  if (!grey) return grey.error();
+  return ReferenceLibrary::single(*grey);
+}
+
+Result<PaperMethod> paper_method_of(const CalibrationWork& work,
+                                    const FingerSnapshot& blank,
+                                    const Job& job) {
+  if (!work.untouched) return PaperMethod::create(blank, job);
+  auto library = flat_library(work, blank.finger);
+  if (!library) return library.error();
+  return PaperMethod::flat(std::move(library).value(), blank);
+}
+
+Result<Pipeline> make_pipeline(const CalibrationWork& work,
+                               const FingerCalibration& done,
+                               const Job& job) {
+  auto full = FingerSnapshot::of(work.store->folder(), done.finger);
+  if (!full) return full.error();
+  // the earlier mapping must have no influence
+  const FingerSnapshot blank = full->without_mapping();
+  if (done.inputs.calibration.method == CalibrationMethod::kPaper) {
+    auto method = paper_method_of(work, blank, job);
+    if (!method) return method.error();
+    return Pipeline::with_paper_method(std::move(method).value());
+  }
+  if (!work.untouched)
+    return Pipeline::create(blank, settings_for_presses(done.inputs.pipeline), job);
+  auto library = flat_library(work, done.finger);
+  if (!library) return library.error();
+  return Pipeline::with_library(
+      std::move(library).value(), blank, settings_for_presses(done.inputs.pipeline));
+}
+
+/// The stored image must be unchanged since the calibration.
+Status check_stored(const CalibrationWork& work, const Frame& frame, std::size_t index) {
+  if (!work.is_repetition) return {};
+  const StoredPress& stored = work.stored.presses[index];
+  if (frame.name == stored.name && image_checksum(frame.grey) == stored.checksum) return {};
+  return Error{en::say("this is not the picture that the finger was calibrated with"),
+               work.presses.files[index].string(),
+               en::say("calibrating anew with the pictures that are there")};
+}
+
+Status measure_presses(CalibrationWork& work,
+                       Pipeline& pipeline,
+                       FingerCalibration& done,
+                       const Job& job) {
+  PressInput input = work.presses;
+  input.frames_per_press = static_cast<std::size_t>(done.inputs.calibration.frames_per_press);
+  auto source = open_presses(input);
+  if (!source) return source.error();
+  if (!work.is_repetition) done.inputs.is_continuous = is_one_video(**source);
+  const double count = static_cast<double>((*source)->count().value_or(0));
+  std::set<std::string> names;
+  while (true) {
+    if (job.stop_requested()) return stopped();
+    auto next = (*source)->next();
+    if (!next) return next.error();
+    if (!*next) break;
+    const FramePtr frame = *next;
+    if (!names.insert(frame->name).second)
+      return Error{
+          en::say("two presses are called '{}'", frame->name),
+          frame->origin,
+          en::say("giving the pictures different names; they are kept by name with the finger")};
+    if (const Status status = check_stored(work, *frame, work.frames.size()); !status)
+      return status;
+    if (count > 0)
+      job.report(0.5 * static_cast<double>(names.size() - 1) / count,
+                 en::say("reading {}", frame->name));
+    if (!done.inputs.is_continuous) pipeline.forget();
+    auto result = pipeline(frame);
+    if (!result) return result.error();
+    done.presses.push_back(press_of(frame->name, *result));
+    apply_notes(done.inputs.press_set, done.presses.back());
+    work.references.push_back(std::move(result->reference));
+    work.frames.push_back(frame);
+  }
+  done.made_of = made_of(**source);
+  return {};
+}
+
+/// Notes must name existing presses.
+Status check_names(const FingerCalibration& done) {
+  std::set<std::string> names;
+  for (const TakenPress& press : done.presses) names.insert(press.name);
+  for (const auto& [name, note] : done.inputs.press_set.notes)
+    if (!names.contains(name))
+      return Error{en::say("no press is called '{}'", name),
+                   "",
+                   en::say("one of {}", fmt::format("{}", fmt::join(names, ", ")))};
+  return {};
+}
+
+}  // namespace
+
+TakenPress press_of(const std::string& name, FrameResult& result) {
+  TakenPress press{name, result.grey, std::nullopt, "", {}};
+  if (result.difference) press.sign.light_change = result.difference->light.change();
+  if (result.reference) press.sign.known_pose = result.reference->known_pose;
+  // A press with hidden markers is left out: its reference is less certain, and would degrade the
+  // mapping.
+  if (result.difference && result.shape && !result.reference->by_shape)
+    press.press = Press{name, std::move(*result.difference), std::move(*result.shape)};
+  else
+    press.left_out =
+        result.problems.empty() ? en::say("no face was found") : result.problems.front();
+  return press;
+}
+
+void apply_notes(const PressSet& press_set, TakenPress& press) {
+  const PressNote& note = press_set.of(press.name);
+  if (press.press) {
+    press.press->ball_radius_mm = press_set.radius_of(press.name);
+    press.press->ball_mm = note.ball_mm;
+    press.press->given_depth = note.depth;
+    press.press->step_mm = note.step_mm;
+  }
+  if (note.excluded)
+    press.left_out = en::list({en::say("excluded"), Message::typed(*note.excluded)});
+}
+
+Result<std::vector<Press>> take_presses_as_paper(const CalibrationWork& work,
+                                                 const FingerCalibration& done,
+                                                 const Job& job) {
+  const auto full = FingerSnapshot::of(work.store->folder(), done.finger);
+  if (!full) return full.error();
+  auto method = paper_method_of(work, full->without_mapping(), job);
+  if (!method) return method.error();
+  return paper_presses(*method, work.frames, done.inputs.press_set, job);
+}
+
+Status take_presses(CalibrationWork& work, FingerCalibration& done, const Job& job) {
+  auto pipeline = make_pipeline(work, done, job);
+  if (!pipeline) return pipeline.error();
+  if (const Status status = measure_presses(work, *pipeline, done, job); !status) return status;
+  return check_names(done);
+}
+
+namespace {
+
+/// Adds observations that a table of residuals does not show.
+void add_remarks(Calibration& calibration) {
+  if (calibration.weakest) calibration.remarks.push_back(calibration.weakest->sentence);
+  if (calibration.radius_sensitivity)
+    calibration.remarks.push_back(calibration.radius_sensitivity->sentence);
+  if (calibration.next_press) calibration.remarks.push_back(calibration.next_press->sentence);
+  for (const BallFit& ball : calibration.balls) {
+    if (calibration.balls.size() > 2 && ball.residual_mm > 3 * calibration.residual_mm) {
+      calibration.remarks.push_back(
+          en::at(Message::typed(ball.press),
+                 en::say("{:.3f} mm, more than three times the others; look at the picture, or "
+                         "leave it out",
+                         ball.residual_mm)));
+    }
+  }
+}
+
+/// Limits the number of the usable presses, spread evenly over them; 0: all.
+void leave_out_beyond(int max_count, std::vector<TakenPress>& presses) {
+  std::vector<TakenPress*> usable;
+  for (TakenPress& press : presses)
+    if (press.left_out.empty()) usable.push_back(&press);
+  const auto limit = static_cast<std::size_t>(max_count);
+  if (limit == 0 || usable.size() <= limit) return;
+  const auto before = [&](std::size_t i) {  // number of retained ones among the first i
+    return (i * limit + limit / 2) / usable.size();
+  };
+  for (std::size_t i = 0; i < usable.size(); ++i)
+    if (before(i + 1) == before(i))
+      usable[i]->left_out = en::say("beyond the {} that are to be used", max_count);
+}
+
+}  // namespace
+
+MappingRecord record_of(const FingerCalibration& done) {
+  const Calibration& calibration = done.calibration;
+  MappingRecord record;
+  record.method = method_name(done.inputs.calibration.method);
+  for (const BallFit& ball : calibration.balls) record.presses.push_back(ball.press);
+  record.residual_mm = calibration.residual_mm;
+  record.held_out_mm = calibration.held_out_mm;
+  record.spread_mm = calibration.spread_mm;
+  record.pixel_mm = done.pixel_mm;
+  record.degree_choice = calibration.degree_choice.english();
+  record.basis = basis_of(done);
+  return record;
+}
+
+Status solve_presses(FingerCalibration& done,
+                     const std::vector<std::optional<Reference>>& references,
+                     const MeasureAsPaper& as_paper,
+                     const Job& job,
+                     const RoundListener& on_round) {
+  leave_out_beyond(done.inputs.calibration.presses, done.presses);
+  std::vector<Press> used;
+  std::vector<Message> left_out;
+  for (const TakenPress& one : done.presses) {
+    if (one.left_out.empty()) {
+      used.push_back(*one.press);
+    } else {
+      left_out.push_back(en::at(Message::typed(one.name), one.left_out));
+    }
+  }
+  const CalibrationInputs& inputs = done.inputs;
+  const auto& notes = inputs.press_set.notes;
+  if (inputs.calibration.method != CalibrationMethod::kJoint &&
+      std::any_of(notes.begin(), notes.end(), [](const auto& entry) {
+        return entry.second.depth || entry.second.step_mm;
+      }))
+    return Error{en::say("only the joint method uses measured depths and punches with a step"),
+                 "",
+                 en::say("leaving them out, or --method joint")};
+  if (used.empty())
+    return Error{en::clauses({en::say("no press can be used"), en::clauses(left_out)}),
+                 "",
+                 en::say("pictures of this finger with a ball pressed into its face")};
+  job.report(0.5, en::say("solving"));
+  const auto camera = Camera::create(done.finger.camera);
+  if (!camera) return camera.error();
+  auto calibration =
+      calibrate(used, *camera, done.finger.face, done.inputs.calibration, job, on_round);
+  if (!calibration) return calibration.error();
+  done.calibration = std::move(calibration).value();
+  done.is_complete = !job.stop_requested();
+  done.failed_presses =
+      static_cast<int>(done.calibration.left_out.size() +
+                       static_cast<std::size_t>(std::count_if(
+                           done.presses.begin(), done.presses.end(), [](const TakenPress& press) {
+                             return !press.press;
+                           })));
+  if (!done.is_complete)
+    done.calibration.remarks.push_back(
+        en::say("stopped before the end: this is the best solution until then, without a report; "
+                "calibrating again from what is kept finishes it"));
+  auto& all_left_out = done.calibration.left_out;
+  all_left_out.insert(all_left_out.begin(), left_out.begin(), left_out.end());
+  add_remarks(done.calibration);
+
+  std::vector<const Press*> presses;
+  for (const Press& press : used)
+    if (!press.step_mm) presses.push_back(&press);
+  done.residuals = press_residuals(presses, done.finger.face, done.calibration);
+  done.zones = zone_errors(done.residuals, done.calibration, done.finger.face.kind);
+  std::vector<PressSign> signs;
+  for (const TakenPress& press : done.presses)
+    if (press.left_out.empty()) signs.push_back(press.sign);
+  done.fault_signs = fault_signs(signs);
+  std::vector<ComparedPress> compared;
+  for (std::size_t i = 0; i < done.presses.size(); ++i)
+    if (done.presses[i].left_out.empty() && !done.presses[i].press->step_mm)
+      compared.push_back({&*done.presses[i].press, &*references[i]});
+  const ContactError pixel = contact_error(compared, done.residuals, done.calibration.mapping);
+  done.pixel_mm = pixel.mean_mm;
+  done.pixel_sd_mm = pixel.sd_without_mapping_mm;
+  done.halo = measure_halo(presses, done.finger.face, done.calibration);
+  if (done.halo.is_seen)
+    done.calibration.remarks.push_back(
+        en::say("beside contacts {:.3f} mm of depth is read: light scatters sideways there, or the "
+                "skin is pressed in",
+                done.halo.excess_mm));
+  done.contradictions = find_contradictions(done);
+  // The verdict names the worst.
+  for (std::size_t i = 1; i < done.contradictions.size(); ++i)
+    done.calibration.remarks.push_back(sentence(done.contradictions[i]));
+  Finger solved = done.finger;
+  solved.mapping = done.calibration.mapping;
+  solved.mapping_record = record_of(done);
+  CalibrationEvidence evidence = evidence_of(solved);
+  evidence.reference_is_newer = false;  // this calibration is made now
+  done.verdict = verdict(evidence);
+  if (as_paper && done.inputs.calibration.method == CalibrationMethod::kJoint &&
+      !job.stop_requested()) {
+    job.report(0.9, en::say("comparing with other methods"));
+    done.methods =
+        compare_methods(used, as_paper(), *camera, done.finger.face, done.calibration, job);
+  }
+  return {};
+}
+
+namespace {
+
+// A layer is measured with a caliper to a few hundredths of a millimetre.
+constexpr double kLayerTolerance = 1.03;
+// The mapping ends at the darkest sample, which is below the deepest point by noise.
+constexpr double kReachTolerance = 1.05;
+// Working distances of lenses that fit into a finger: endoscopes focus from 5 mm on, and no finger
+// is longer than half a metre.
+constexpr double kNearestFaceMm = 5, kFarthestFaceMm = 500;
+
+// Distance of bright spots that count as the same spot of skin.
+constexpr double kSameSpotMm = 3;
+
+/// Adds a press that shows the contradiction.
+void add_press(Contradiction& to, const std::string& press, double mm) {
+  to.measured_mm = to.presses.empty() ? mm : std::min(to.measured_mm, mm);
+  to.measured_to_mm = std::max(to.measured_to_mm, mm);
+  to.presses.push_back(press);
+}
+
+/// A ball's contact is at most as wide as its own circle, at any depth.
+Contradiction wider_than_ball(const FingerCalibration& done) {
+  Contradiction wider;
+  wider.kind = ContradictionKind::kContactWiderThanBall;
+  for (const TakenPress& taken : done.presses) {
+    if (!taken.press || taken.press->step_mm) continue;
+    if (const auto& note = done.inputs.press_set.of(taken.name); note.excluded) continue;
+    Press press = *taken.press;
+    const double radius_mm = press.ball_radius_mm;
+    if (!(radius_mm > 0)) continue;
+    press.ball_radius_mm = kBallRadius.possible.high;  // so that no disc is too wide to be measured
+    press.ball_mm.reset();
+    const auto disc = find_ball(press, done.finger.face);
+    if (!disc) continue;
+    ++wider.of;
+    if (disc->disc_radius_mm <= radius_mm) continue;
+    wider.given_mm = radius_mm;
+    add_press(wider, taken.name, disc->disc_radius_mm);
+  }
+  return wider;
+}
+
+double indentation_mm(const BallFit& ball) {
+  return ball.indentation_mm > 0 ? ball.indentation_mm : ball.depth_mm;
+}
+
+Contradiction deeper_than_layer(const FingerCalibration& done) {
+  Contradiction deeper;
+  deeper.kind = ContradictionKind::kContactDeeperThanLayer;
+  deeper.given_mm = done.finger.face.layer_mm;
+  deeper.of = static_cast<int>(done.calibration.balls.size());
+  for (const BallFit& ball : done.calibration.balls)
+    if (indentation_mm(ball) > kLayerTolerance * deeper.given_mm)
+      add_press(deeper, ball.press, indentation_mm(ball));
+  return deeper;
+}
+
+/// Measured depths beyond the range of the brightness curve.
+Contradiction beyond_mapping(const FingerCalibration& done) {
+  Contradiction beyond;
+  beyond.kind = ContradictionKind::kDepthBeyondMapping;
+  const auto mapping = Mapping::create(done.calibration.mapping);
+  if (!mapping) return beyond;
+  beyond.given_mm = mapping->depth_mm(mapping->x_max());
+  for (const TakenPress& taken : done.presses) {
+    const PressNote& note = done.inputs.press_set.of(taken.name);
+    if (!note.depth || note.excluded || !taken.press) continue;
+    ++beyond.of;
+    if (note.depth->mm > kReachTolerance * beyond.given_mm + 3 * note.depth->sd_mm)
+      add_press(beyond, taken.name, note.depth->mm);
+  }
+  return beyond;
+}
+
+/// The face's distance is in proportion to its width: z = f W / (width in the image).
+Contradiction width_against_camera(const FingerCalibration& done) {
+  Contradiction width;
+  width.kind = ContradictionKind::kFaceWidthAgainstCamera;
+  width.given_mm = done.finger.face.width_mm;
+  if (done.finger.face.kind != FaceKind::kFinRay) return width;
+  double least = 0, most = std::numeric_limits<double>::max();
+  std::vector<std::string> presses;
+  for (const TakenPress& taken : done.presses) {
+    if (!taken.press) continue;
+    double nearest = std::numeric_limits<double>::max(), farthest = 0;
+    for (const FaceColumn& column : taken.press->shape.columns()) {
+      if (!column.valid) continue;
+      nearest = std::min(nearest, column.z_mm);
+      farthest = std::max(farthest, column.z_mm);
+    }
+    if (!(farthest > 0)) continue;
+    presses.push_back(taken.name);
+    least = std::max(least, width.given_mm * kNearestFaceMm / nearest);
+    most = std::min(most, width.given_mm * kFarthestFaceMm / farthest);
+  }
+  width.of = static_cast<int>(presses.size());
+  if (presses.empty() || (width.given_mm >= least && width.given_mm <= most)) return width;
+  width.presses = std::move(presses);
+  width.measured_mm = least;
+  width.measured_to_mm = std::max(least, most);
+  return width;
+}
+
+/// Skin that is brighter than the reference at one position in two presses or more: in a single one
+/// it may be a glint of the ball.
+Contradiction reference_contact(const FingerCalibration& done) {
+  Contradiction contact;
+  contact.kind = ContradictionKind::kReferenceContact;
+  std::vector<std::pair<std::string, ReferenceSuspect>> spots;
+  for (const TakenPress& taken : done.presses) {
+    if (!taken.press || !taken.sign.known_pose) continue;
+    ++contact.of;
+    if (const auto spot = find_reference_suspect(taken.press->difference, taken.press->shape))
+      spots.emplace_back(taken.name, *spot);
+  }
+  for (const auto& [name, spot] : spots) {
+    std::vector<std::string> alike;
+    for (const auto& [other, there] : spots)
+      if (std::hypot(there.along_mm - spot.along_mm, there.across_mm - spot.across_mm) <
+          kSameSpotMm)
+        alike.push_back(other);
+    if (alike.size() >= 2 && alike.size() > contact.presses.size()) {
+      contact.presses = alike;
+      contact.measured_mm = spot.along_mm;
+    }
+  }
+  return contact;
+}
+
+}  // namespace
+
+std::vector<Contradiction> find_contradictions(const FingerCalibration& done) {
+  std::vector<Contradiction> all;
+  for (Contradiction& one : std::vector{width_against_camera(done),
+                                        wider_than_ball(done),
+                                        reference_contact(done),
+                                        deeper_than_layer(done),
+                                        beyond_mapping(done)})
+    if (!one.presses.empty()) all.push_back(std::move(one));
+  return all;
+}
+
+namespace {
+
+/// The samples of a press lie on a grid: the smallest step between two of them in a row.
+int side_of(const std::vector<ResidualSample>& samples) {
+  double side = 0;
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    const Eigen::Vector2d step = samples[i].pixel - samples[i - 1].pixel;
+    if (step.y() == 0 && step.x() > 0 && (side == 0 || step.x() < side)) side = step.x();
+  }
+  return std::max(1, static_cast<int>(std::lround(side)));
+}
+
+}  // namespace
+
+Result<FingerCalibration> forecast_calibration(const Finger& finger,
+                                               const std::vector<ReferencedPress>& presses,
+                                               const CalibrationInputs& inputs,
+                                               const Job& job) {
+  FingerCalibration done;
+  done.finger = finger;
+  done.inputs = inputs;
+  std::vector<std::optional<Reference>> references;
+  for (const ReferencedPress& one : presses) {
+    done.presses.push_back(one.taken);
+    apply_notes(inputs.press_set, done.presses.back());
+    references.push_back(one.reference);
+  }
+  if (const Status solved = solve_presses(done, references, {}, job, {}); !solved)
+    return solved.error();
+  return done;
+}
+
+std::optional<PressFit> fit_of_press(const Press& press,
+                                     const Face& face,
+                                     const MappingParameters& mapping,
+                                     const Eigen::Vector3d& centre_mm) {
+  if (!(press.ball_radius_mm > 0)) return std::nullopt;
+  Calibration single;
+  single.mapping = mapping;
+  BallFit ball;
+  ball.press = press.name;
+  ball.radius_mm = press.ball_radius_mm;
+  ball.centre_mm = centre_mm;
+  single.balls.push_back(ball);
+  auto residuals = press_residuals({&press}, face, single);
+  if (residuals.empty()) return std::nullopt;
+  PressFit fit{std::move(residuals.front())};
+  int inner = 0;
+  for (const ResidualSample& sample : fit.residuals.samples) {
+    if (!(sample.rim <= kInnerRim) || !std::isfinite(sample.residual_mm)) continue;
+    fit.error_mm += std::abs(sample.residual_mm);
+    ++inner;
+  }
+  if (inner == 0) return std::nullopt;
+  fit.error_mm /= inner;
+  fit.side_px = side_of(fit.residuals.samples);
+  return fit;
+}
+
+}  // namespace alltact

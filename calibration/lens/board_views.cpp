@@ -1,0 +1,198 @@
+#include "calibration/lens/board_views.h"
+
+#include "core/numerics/median.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+
+namespace alltact {
+namespace {
+
+using CornerPixels = std::map<std::pair<double, double>, Eigen::Vector2d>;
+
+/// Of the corners in both views, px; infinite where they share too few.
+double median_shift_px(const CornerPixels& a, const CornerPixels& b) {
+  std::vector<double> shifts;
+  for (const auto& [corner, pixel] : b) {
+    const auto same = a.find(corner);
+    if (same != a.end()) shifts.push_back((same->second - pixel).norm());
+  }
+  constexpr std::size_t kFewest = 4;
+  return shifts.size() < kFewest ? std::numeric_limits<double>::infinity() : upper_median(shifts);
+}
+
+/// Keys are numbers along and across; `turned`: as of a board turned by 180 degrees.
+CornerPixels corner_pixels(const BoardView& view, const Board& board, bool turned) {
+  CornerPixels corners;
+  for (std::size_t i = 0; i < view.board_mm.size(); ++i) {
+    double column = std::round(view.board_mm[i].x() / board.square_mm);
+    double row = std::round(view.board_mm[i].y() / board.square_mm);
+    if (turned) {
+      column = board.columns - 1 - column;
+      row = board.rows - 1 - row;
+    }
+    corners[{column, row}] = view.pixels[i];
+  }
+  return corners;
+}
+
+/// Many boards look the same turned by 180 degrees, and are found in either orientation.
+double corner_shift_px(const BoardView& a, const BoardView& b, const Board& board) {
+  const CornerPixels first = corner_pixels(a, board, false);
+  return std::min(median_shift_px(first, corner_pixels(b, board, false)),
+                  median_shift_px(first, corner_pixels(b, board, true)));
+}
+
+}  // namespace
+
+BoardAnalysis BoardCollector::analyse(const FramePtr& frame) {
+  BoardAnalysis analysis;
+  analysis.frame = frame;
+  auto found = find_board(frame->grey, board_);
+  if (!found) {
+    analysis.no_board_reason = found.error().what;
+    last_.reset();
+    return analysis;
+  }
+  const double min_px = kNew_part * frame->grey.cols;
+  analysis.is_new = std::all_of(views_.begin(), views_.end(), [&](const BoardView& stored) {
+    return corner_shift_px(stored, *found, board_) > min_px;
+  });
+  analysis.is_still = last_ && corner_shift_px(*last_, *found, board_) <= kStill_px;
+  analysis.is_sharp = found->edge_px <= kSharp_px;
+  last_ = *found;
+  analysis.view = std::move(*found);
+  return analysis;
+}
+
+void BoardCollector::add(BoardAnalysis analysis) {
+  if (!analysis.view) return;
+  auto frame = std::make_shared<Frame>(*analysis.frame);
+  frame->name = fmt::format("board_{:02}", ++named_);
+  frame->jpeg.reset();
+  analysis.view->name = frame->name;
+  views_.push_back(std::move(*analysis.view));
+  frames_.push_back(std::move(frame));
+}
+
+void BoardCollector::forget(const std::string& name) {
+  const auto is_it = [&](const auto& one) { return one.name == name; };
+  std::erase_if(views_, is_it);
+  std::erase_if(frames_, [&](const FramePtr& frame) { return is_it(*frame); });
+}
+
+BoardCollector::Cells BoardCollector::cells() const {
+  Cells cells{};
+  for (std::size_t i = 0; i < views_.size(); ++i) {
+    const cv::Size size = frames_[i]->grey.size();
+    for (const Eigen::Vector2d& pixel : views_[i].pixels) {
+      const auto cell = [](double at, int length, int count) {
+        return static_cast<std::size_t>(
+            std::clamp(static_cast<int>((at + 0.5) / length * count), 0, count - 1));
+      };
+      ++cells[cell(pixel.y(), size.height, kRows)][cell(pixel.x(), size.width, kColumns)];
+    }
+  }
+  return cells;
+}
+
+namespace {
+
+constexpr std::size_t kLong = 100;  // frames; above, numbered images count as a recording
+
+bool shows_the_same(const BoardView& a, const BoardView& b, cv::Size size) {
+  if (a.pixels.size() != b.pixels.size()) return false;
+  double sum = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) sum += (a.pixels[i] - b.pixels[i]).norm();
+  return sum < 0.03 * std::hypot(size.width, size.height) * static_cast<double>(a.pixels.size());
+}
+
+Error none_found(const LensViews& views, const cv::Mat& first, const Board& board) {
+  Message what = en::say("no board was found in any of {} pictures", views.analysed);
+  if (!views.refused.empty())
+    what = en::say("{} (the first: {})", what, views.refused.front().second);
+  if (!first.empty())
+    if (const std::string other = other_size_found(first, board); !other.empty())
+      return {en::say("no board with {} was found, but one with {}", board.words(), other),
+              views.refused.empty() ? Where() : views.refused.front().first,
+              en::say("--board with {}: inner corners are counted, not squares", other)};
+  return {what,
+          "",
+          en::say("--board and --pattern as the board is, and the whole board in the picture")};
+}
+
+}  // namespace
+
+Result<LensViews> find_boards(Source& source,
+                              const Board& board,
+                              Orientation orientation,
+                              const Job& job) {
+  const std::size_t count = source.count().value_or(0);
+  const bool is_long = source.is_continuous() && count > kLong;
+  const std::size_t step = is_long ? (count + kMaxImages - 1) / kMaxImages : 1;
+  LensViews views;
+  cv::Size raw;
+  cv::Mat first;
+  std::set<std::string> names;
+  for (std::size_t index = 0;; ++index) {
+    if (job.stop_requested())
+      return Error{en::say("stopped while looking for boards; nothing was written"), "", ""};
+    const auto next = source.next();
+    if (!next) {
+      const Error& error = next.error();
+      views.refused.emplace_back(error.where, error.what);
+      ++views.analysed;
+      continue;
+    }
+    if (!*next) break;
+    if (index % step != 0) continue;
+    const Frame& frame = **next;
+    if (count > 0)
+      job.report(0.9 * static_cast<double>(index) / static_cast<double>(count),
+                 en::say("looking for the board in {}", frame.name));
+    if (raw.empty()) {
+      raw = frame.grey.size();
+      first = frame.grey;
+    }
+    if (frame.grey.size() != raw)
+      return Error{
+          en::say("is {} x {} px, the pictures before it {} x {}",
+                  frame.grey.cols,
+                  frame.grey.rows,
+                  raw.width,
+                  raw.height),
+          frame.origin,
+          en::say("pictures of one camera in one mode; a lens differs with the picture's size")};
+    if (!names.insert(frame.name).second)
+      return Error{en::say("another picture is called '{}' as well", frame.name),
+                   frame.origin,
+                   en::say("giving the pictures different names")};
+    ++views.analysed;
+    auto view = find_board(frame.grey, board);
+    if (!view) {
+      views.refused.emplace_back(frame.name, view.error().what);
+      continue;
+    }
+    if (is_long && std::any_of(views.views.begin(), views.views.end(), [&](const BoardView& seen) {
+          return shows_the_same(seen, *view, raw);
+        })) {
+      ++views.repeats;
+      continue;
+    }
+    view->name = frame.name;
+    views.views.push_back(std::move(*view));
+  }
+  if (views.views.empty()) return none_found(views, first, board);
+  for (BoardView& view : views.views)
+    for (Eigen::Vector2d& pixel : view.pixels) pixel = oriented_pixel(pixel, raw, orientation);
+  const bool is_turned =
+      orientation == Orientation::kRotate90 || orientation == Orientation::kRotate270;
+  views.size = is_turned ? cv::Size(raw.height, raw.width) : raw;
+  return views;
+}
+
+}  // namespace alltact

@@ -1,0 +1,81 @@
+#include "core/image/colour_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace alltact {
+namespace {
+
+/// Linear interpolation between equidistant stops; part in [0, 1].
+template <std::size_t kCount>
+MapColour between(const std::array<MapColour, kCount>& stops, double part) {
+  const double at = std::clamp(std::isfinite(part) ? part : 0.0, 0.0, 1.0) * (kCount - 1);
+  const auto low = std::min(static_cast<std::size_t>(at), kCount - 2);
+  const double share = at - static_cast<double>(low);
+  const auto mix = [&](std::uint8_t MapColour::*channel) {
+    const double a = stops[low].*channel, b = stops[low + 1].*channel;
+    return static_cast<std::uint8_t>(std::lround(a + share * (b - a)));
+  };
+  return {mix(&MapColour::red), mix(&MapColour::green), mix(&MapColour::blue)};
+}
+
+}  // namespace
+
+MapColour viridis(double part) {
+  // Every sixteenth of matplotlib's table; linear between, at most two levels from it.
+  static constexpr std::array<MapColour, 17> kStops{{{68, 1, 84},
+                                                     {72, 24, 106},
+                                                     {71, 45, 123},
+                                                     {66, 64, 134},
+                                                     {59, 82, 139},
+                                                     {51, 99, 141},
+                                                     {44, 114, 142},
+                                                     {38, 130, 142},
+                                                     {33, 145, 140},
+                                                     {31, 160, 136},
+                                                     {40, 174, 128},
+                                                     {63, 188, 115},
+                                                     {94, 201, 98},
+                                                     {132, 212, 75},
+                                                     {173, 220, 48},
+                                                     {216, 226, 25},
+                                                     {253, 231, 37}}};
+  return between(kStops, part);
+}
+
+MapColour cool_to_warm(double part) {
+  // Every eighth of Moreland's table (Diverging Color Maps for Scientific Visualization, 2009).
+  static constexpr std::array<MapColour, 9> kStops{{{59, 76, 192},
+                                                    {98, 130, 234},
+                                                    {141, 176, 254},
+                                                    {184, 208, 249},
+                                                    {221, 221, 221},
+                                                    {245, 196, 173},
+                                                    {244, 154, 123},
+                                                    {222, 96, 77},
+                                                    {180, 4, 38}}};
+  return between(kStops, 0.5 + 0.5 * (std::isfinite(part) ? part : 0.0));
+}
+
+MapColour depth_colour(double part) {
+  static constexpr std::array<MapColour, 6> kBulge{{{68, 1, 84},
+                                                    {122, 10, 92},
+                                                    {177, 38, 94},
+                                                    {222, 84, 101},
+                                                    {249, 145, 131},
+                                                    {255, 208, 190}}};
+  return part < 0 ? between(kBulge, -part / kBulgeFraction) : viridis(part);
+}
+
+ColourScale depth_scale(double top_mm) {
+  return {-kBulgeFraction * top_mm,
+          top_mm,
+          [](double part) { return depth_colour((1 + kBulgeFraction) * part - kBulgeFraction); },
+          5};
+}
+
+ColourScale difference_scale(double top_mm) {
+  return {-top_mm, top_mm, [](double part) { return cool_to_warm(2 * part - 1); }, 2};
+}
+
+}  // namespace alltact

@@ -1,0 +1,101 @@
+#include "core/open/open_source.h"
+
+#include "core/devices/camera_list.h"
+#include "core/simulation/simulated_source.h"
+#include "core/sources/file_source.h"
+
+namespace alltact {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_scene(const fs::path& file) {
+  static constexpr std::array kExtensions{".yaml", ".yml"};
+  return is_one_of(extension_of(file), kExtensions);
+}
+
+Error not_an_input(const fs::path& path) {
+  return {en::say("this is neither a picture, nor a folder of pictures, nor a video, nor a scene"),
+          path.string(),
+          en::say("png, jpg, bmp, tif or pgm pictures, a mkv, avi or mp4 video, or a yaml scene")};
+}
+
+Result<std::unique_ptr<Source>> open_video(const fs::path& file, const SourceOptions& options) {
+  auto video = options.job != nullptr ? VideoFile::open(file, *options.job) : VideoFile::open(file);
+  if (!video) return video.error();
+  return std::unique_ptr<Source>(std::make_unique<VideoSource>(std::move(*video), options));
+}
+
+/// True for a node, or a possible camera name that is no file.
+bool may_name_camera(const fs::path& input) {
+  std::error_code ignored;
+  if (input.string().starts_with("/dev/")) return !fs::is_directory(input, ignored);
+  return !fs::exists(input, ignored) && !input.has_parent_path() && !is_image_file(input) &&
+         !is_video(input) && !is_scene(input);
+}
+
+Result<std::unique_ptr<Source>> open_camera_source(const fs::path& name) {
+  auto camera = open_camera(name.string());
+  if (!camera) return camera.error();
+  return std::unique_ptr<Source>(std::make_unique<CameraSource>(std::move(*camera)));
+}
+
+/// Opens a video or a scene; empty for images and their folders.
+std::optional<Result<std::unique_ptr<Source>>> open_single(const fs::path& input,
+                                                           const SourceOptions& options) {
+  if (is_video(input)) return open_video(input, options);
+  if (is_scene(input)) return SimulatedSource::open(input, options);
+  return std::nullopt;
+}
+
+Result<std::unique_ptr<Source>> open_images(const std::vector<fs::path>& inputs) {
+  std::vector<fs::path> files;
+  for (const fs::path& input : inputs) {
+    std::error_code ignored;
+    if (fs::is_directory(input, ignored)) {
+      auto inside = images_in(input);
+      if (!inside) return inside.error();
+      files.insert(files.end(), inside->begin(), inside->end());
+    } else if (is_image_file(input)) {
+      files.push_back(input);
+    } else if (is_video(input) || is_scene(input)) {
+      const Message kind = is_video(input) ? en::say("video") : en::say("scene");
+      return Error{en::say("a {} cannot be mixed with other inputs", kind),
+                   input.string(),
+                   en::say("it alone, or pictures only")};
+    } else {
+      return not_an_input(input);
+    }
+  }
+  return std::unique_ptr<Source>(std::make_unique<ImageSource>(std::move(files)));
+}
+
+}  // namespace
+
+bool is_video(const fs::path& file) {
+  static constexpr std::array kExtensions{".mkv", ".avi", ".mp4"};
+  return is_one_of(extension_of(file), kExtensions);
+}
+
+Result<std::unique_ptr<Source>> open_source(const std::vector<fs::path>& inputs,
+                                            const SourceOptions& options) {
+  if (inputs.size() == 1 && may_name_camera(inputs.front()))
+    return open_camera_source(inputs.front());
+  if (inputs.empty())
+    return Error{en::say("no input was given"),
+                 "",
+                 en::say("name a picture, a folder of pictures, a video, a scene or a camera")};
+  for (const fs::path& input : inputs) {
+    std::error_code ignored;
+    if (!fs::exists(input, ignored))
+      return Error{en::say("there is no such file or folder"),
+                   input.string(),
+                   en::say("check the path for typing errors")};
+  }
+  std::error_code ignored;
+  if (inputs.size() == 1 && !fs::is_directory(inputs.front(), ignored))
+    if (auto single = open_single(inputs.front(), options)) return std::move(*single);
+  return open_images(inputs);
+}
+
+}  // namespace alltact

@@ -1,0 +1,124 @@
+#include "core/recording/durable_file.h"
+
+#include "core/base/atomic_file.h"
+#include "core/base/result.h"
+#include "core/base/slow_disk.h"
+
+#include <cerrno>
+
+#include <fcntl.h>
+#include <linux/fs.h>
+#include <sys/ioctl.h>
+#include <sys/sendfile.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace alltact {
+namespace {
+
+constexpr off_t kRestoreUnit = 1000000;  // MB
+
+Message restoring() {
+  return en::say("could not put the recording back");
+}
+
+off_t size_of(int descriptor) {
+  struct stat status {};
+  return ::fstat(descriptor, &status) == 0 ? status.st_size : 0;
+}
+
+/// Each step is on the disk before the next, so that the reported progress is true and no long wait
+/// remains at the end.
+Status copy_all(int from, int to, const std::filesystem::path& file, const Job& job) {
+  constexpr std::size_t kStep = std::size_t{16} << 20U;
+  const bool can_stop = !job.stop_requested();
+  const off_t size = size_of(from);
+  for (off_t at = 0;;) {
+    if (can_stop && job.stop_requested())
+      return Error{en::say("stopped when {} of {} MB of the recording were put back",
+                           at / kRestoreUnit,
+                           size / kRestoreUnit),
+                   file.string(),
+                   ""};
+    const ssize_t copied = ::sendfile(to, from, &at, kStep);
+    if (copied == 0) return {};
+    if (copied < 0 && errno == EINTR) continue;
+    if (copied < 0 || ::fdatasync(to) != 0) return system_error(restoring(), file, errno);
+    job.report(static_cast<double>(at) / static_cast<double>(std::max(at, size)),
+               en::say("putting the removed recording back: {} of {} MB",
+                       at / kRestoreUnit,
+                       size / kRestoreUnit));
+  }
+}
+
+Status copy_file(int from, int to, const std::filesystem::path& file, const Job& job) {
+  if (::ioctl(to, FICLONE, from) != 0)
+    if (Status status = copy_all(from, to, file, job); !status) return status;
+  if (::fsync(to) != 0) return system_error(restoring(), file, errno);
+  return {};
+}
+
+}  // namespace
+
+bool is_removed(int descriptor) {
+  struct stat status {};
+  return ::fstat(descriptor, &status) == 0 && status.st_nlink == 0;
+}
+
+Status restore_file(int descriptor, const std::filesystem::path& file, const Job& job) {
+  if (file.has_parent_path())
+    if (Status status = make_folder(file.parent_path()); !status) return status;
+  // The descriptor is write-only: opens the same file again for reading.
+  const int from =
+      ::open(fmt::format("/proc/self/fd/{}", descriptor).c_str(), O_RDONLY | O_CLOEXEC);
+  if (from < 0) return system_error(restoring(), file, errno);
+  const int to = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  Status status = to < 0 ? system_error(restoring(), file, errno) : copy_file(from, to, file, job);
+  ::close(from);
+  if (to >= 0) ::close(to);
+  return status;
+}
+
+SteadySync::SteadySync(std::vector<std::filesystem::path> files, std::chrono::milliseconds every)
+    : files_(std::move(files)),
+      every_(every),
+      descriptors_(files_.size(), -1),
+      thread_([this] { run(); }) {}
+
+SteadySync::~SteadySync() {
+  {
+    const std::lock_guard lock(mutex_);
+    is_ending_ = true;
+  }
+  ending_.notify_all();
+  thread_.join();
+  for (const int descriptor : descriptors_)
+    if (descriptor >= 0) ::close(descriptor);
+}
+
+void SteadySync::run() {
+  std::unique_lock lock(mutex_);
+  while (!ending_.wait_for(lock, every_, [&] { return is_ending_; })) {
+    lock.unlock();
+    sync();
+    lock.lock();
+  }
+}
+
+void SteadySync::sync() {
+  for (std::size_t i = 0; i < files_.size(); ++i) {
+    int& descriptor = descriptors_[i];
+    const bool is_new = descriptor < 0;
+    // An open descriptor follows its file, wherever it is moved.
+    if (is_new) descriptor = ::open(files_[i].c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) continue;
+    const DiskWait waiting(files_[i]);
+    (void)::fdatasync(descriptor);
+    if (!is_new) continue;
+    const std::filesystem::path folder =
+        files_[i].has_parent_path() ? files_[i].parent_path() : std::filesystem::path(".");
+    (void)sync_folder(folder);
+  }
+}
+
+}  // namespace alltact

@@ -1,0 +1,85 @@
+#include "widgets/inspect/inspected_frame.h"
+
+#include "core/sensing/face/face_shape.h"
+#include "core/sensing/surface_measurement.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace alltact {
+
+FrameSummary summary_of(const MeasuredFrame& frame) {
+  const FrameResult& result = frame.result;
+  FrameSummary summary;
+  summary.number = frame.number;
+  if (result.depth) {
+    summary.deepest_mm = summary.area_mm2 = 0.0;
+    for (const ContactRegion& region : result.regions) {
+      *summary.deepest_mm = std::max(*summary.deepest_mm, region.deepest_mm);
+      *summary.area_mm2 += region.area_mm2;
+    }
+  }
+  if (result.force) summary.force_N = result.force->force_N.norm();
+  summary.has_contact = result.contact.has_value() || !result.regions.empty();
+  if (!result.problems.empty()) summary.problem = result.problems.front();
+  return summary;
+}
+
+cv::Point2d nearest_pixel(cv::Point2d pixel) {
+  return {std::round(pixel.x), std::round(pixel.y)};
+}
+
+std::optional<cv::Point2d> pixel_of(const InspectedFrame& frame,
+                                    const std::optional<FacePosition>& position) {
+  if (!position || !frame.result.shape) return std::nullopt;
+  const auto at = pixel_of_position(*frame.result.shape, {position->along_mm, position->across_mm});
+  if (!at) return std::nullopt;
+  const cv::Point2d pixel(at->x(), at->y()), rounded = nearest_pixel(pixel);
+  constexpr double kRounding_px = 1e-6;
+  return cv::norm(pixel - rounded) < kRounding_px ? rounded : pixel;
+}
+
+std::optional<FacePosition> position_of(const InspectedFrame& frame, cv::Point2d pixel) {
+  if (!frame.result.shape) return std::nullopt;
+  const Eigen::Vector2d position_mm = frame.result.shape->position_mm(pixel.x, pixel.y);
+  return FacePosition{position_mm.x(), position_mm.y()};
+}
+
+std::optional<Profile> other_profile(const InspectedFrame& frame,
+                                     const FacePosition& a,
+                                     const FacePosition& b) {
+  if (!frame.other || !frame.other->shape || !frame.other->depth) return std::nullopt;
+  const auto from = pixel_of_position(*frame.other->shape, {a.along_mm, a.across_mm});
+  const auto to = pixel_of_position(*frame.other->shape, {b.along_mm, b.across_mm});
+  if (!from || !to) return std::nullopt;
+  return profile_between(*frame.other, frame.face, {}, {from->x(), from->y()}, {to->x(), to->y()});
+}
+
+void show_in(FaceScene& scene,
+             const InspectedFrame& frame,
+             PaneContent content,
+             const std::optional<OtherInGripper>& other) {
+  const bool has_other = frame.other_surface.has_value();
+  if (frame.bare)
+    scene.show(*frame.bare, *frame.camera);
+  else if (other)
+    scene.show_in_gripper({*frame.surface, *frame.camera, other->poses[0]},
+                          {*other->frame->surface, *other->frame->camera, other->poses[1]});
+  else if (content == PaneContent::kDifference && has_other)
+    scene.show_difference(*frame.surface, frame.other_depth_mm, *frame.camera);
+  else if (content == PaneContent::kSecond && has_other)
+    scene.show(*frame.other_surface, *frame.camera);
+  else
+    scene.show(*frame.surface, *frame.camera);
+}
+
+SceneMarks marks_of(const InspectedFrame& frame, const InspectOptions& options) {
+  SceneMarks marks;
+  const auto a = pixel_of(frame, options.a), b = pixel_of(frame, options.b);
+  marks.points = {a, b};
+  if (a && b && frame.surface)
+    marks.lines.push_back(profile_between(frame.result, frame.face, {}, *a, *b).pixels);
+  return marks;
+}
+
+}  // namespace alltact

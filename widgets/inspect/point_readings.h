@@ -1,0 +1,154 @@
+// The two measuring points: their positions and readings.
+#pragma once
+
+#include "core/sensing/surface_measurement.h"
+#include "widgets/controls/number_field.h"
+#include "widgets/inspect/inspected_frame.h"
+#include "widgets/plots/plot.h"
+#include "widgets/undo_step.h"
+#include "widgets/widget_base.h"
+
+#include <QGroupBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QString>
+#include <QTableWidget>
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <opencv2/core.hpp>
+
+namespace alltact {
+
+class PointsBox : public Translated<QGroupBox> {
+  Q_OBJECT
+ public:
+  explicit PointsBox(QWidget* parent = nullptr);
+
+  void set_options(const InspectOptions& options);
+  /// Null: nothing can be measured.
+  void show_frame(const std::shared_ptr<const InspectedFrame>& frame);
+
+ Q_SIGNALS:
+  /// As in ViewBox.
+  void changed(const alltact::InspectOptions& options,
+               const alltact::StepWords& what,
+               int merge_id);
+
+ private:
+  struct Point {
+    std::optional<FacePosition> InspectOptions::*member;
+    QLabel* label;
+    std::array<NumberField*, 2> boxes;  // along, across
+  };
+  void connect_points();
+  void change_coordinate(const Point& point, std::size_t part, int merge_id);
+  void name_parts();
+  void set_section_line(bool is_across);
+  [[nodiscard]] std::optional<cv::Point2d> deepest() const;
+  void show_points();
+  void show_reading();
+
+  InspectOptions options_;
+  std::shared_ptr<const InspectedFrame> frame_;
+  std::array<Point, 2> points_;
+  QPushButton *deepest_, *across_, *along_, *clear_;
+  QLabel* reading_;
+};
+
+// Readings at two points, as text.
+
+/// Rich text: positions of A and B with depth and its standard deviation, and their distance.
+[[nodiscard]] QString reading_text(const InspectedFrame& frame,
+                                   const std::optional<FacePosition>& a,
+                                   const std::optional<FacePosition>& b);
+
+/// Reading at the centre of a pixel, with the numbers that `alltact reconstruct` writes; one line
+/// of plain text each.
+struct ProbeText {
+  QString depth;     ///< "depth 0.53 ± 0.02 mm"
+  QString position;  ///< "45.2 mm along, 3.1 mm across; x 3.10, y -0.20, z 48.03 mm"
+};
+/// nullopt outside the face. `pixel`: integers.
+[[nodiscard]] std::optional<ProbeText> probe_text(const InspectedFrame& frame, cv::Point2d pixel);
+
+/// "Deepest 0.82 mm at x 3.1, y -0.2, z 48.0 mm."; empty without contact.
+[[nodiscard]] QString deepest_text(const InspectedFrame& frame);
+
+// Readings of the face between the points A and B.
+
+/// One line of the table. `reason` is set where `measured` is empty.
+struct SurfaceReading {
+  QString name, unit;
+  std::optional<MeasuredValue> measured;
+  int decimals = 2;
+  Message reason;
+  bool is_lower_bound = false;  ///< a part is at the layer's limit: shown as "at least"
+};
+
+/// Straight distance from A to B; within the box whose corners are A and B the ball radius, contact
+/// area, volume, mean depth and roughness; the step along the line from A to B; the angle between
+/// the surfaces 13 pixels wide around A and B. Empty for a frame without depth.
+[[nodiscard]] std::vector<SurfaceReading> surface_readings(const InspectedFrame& frame,
+                                                           cv::Point2d a,
+                                                           cv::Point2d b);
+
+/// "4.02 ± 0.03 mm"; a dash where nothing was measured.
+[[nodiscard]] QString value_text(const SurfaceReading& reading);
+
+/// A line each: "Ball's radius: 4.020 ± 0.031 mm".
+[[nodiscard]] QString text_of(const std::vector<SurfaceReading>& readings);
+
+/// A header and a line each: name, value, standard deviation, unit, limits. Numbers in the C
+/// locale.
+[[nodiscard]] QString csv_of(const std::vector<SurfaceReading>& readings);
+
+// Table of the readings between A and B, to read and to copy.
+
+class SurfaceBox : public Translated<QGroupBox> {
+  Q_OBJECT
+ public:
+  explicit SurfaceBox(QWidget* parent = nullptr);
+
+  /// Null, or without both points: nothing.
+  void show_readings(const std::shared_ptr<const InspectedFrame>& frame,
+                     const std::optional<cv::Point2d>& a,
+                     const std::optional<cv::Point2d>& b);
+
+ private:
+  void fill();
+
+  std::vector<SurfaceReading> readings_;
+  QLabel* hint_;
+  QTableWidget* table_;
+  QPushButton *copy_text_, *copy_;
+};
+
+// Plot of depth along a line over the face, for the screen and for a paper.
+
+class SectionPlot : public Plot {
+  Q_OBJECT
+ public:
+  using Plot::Plot;
+  /// `other`: the compared profile, drawn dashed. Empty profiles: nothing is drawn.
+  void set_profiles(Profile profile, std::optional<Profile> other);
+  /// Legend text of `other`; used from the next set_profiles() on.
+  void set_other_name(const QString& name) { other_name_ = name; }
+  [[nodiscard]] bool is_empty() const { return profile_.along_mm.size() < 2; }
+  /// A header and a line for each position: mm along, depth, standard deviation, and the depth of
+  /// `other`, empty where there is none. Numbers in the C locale.
+  [[nodiscard]] QString csv() const;
+
+ protected:
+  bool draw() override;
+  [[nodiscard]] QString empty_text() const override;
+
+ private:
+  Profile profile_;
+  QString other_name_;
+  std::optional<Profile> other_;
+};
+
+}  // namespace alltact

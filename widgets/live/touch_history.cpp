@@ -1,0 +1,274 @@
+#include "widgets/live/touch_history.h"
+
+#include "widgets/language.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace alltact {
+
+void TouchHistory::add(const FrameResult& result, double time_s) {
+  if (now_s_ && time_s < *now_s_) forget();
+  const bool is_after_gap = now_s_ && time_s > *now_s_ + kMaxGap_s;
+  now_s_ = time_s;
+  add_force(result.force, is_after_gap);
+  add_contact(result.contact, is_after_gap);
+  while (!forces_.empty() && forces_.front().time_s < time_s - kLength_s) forces_.pop_front();
+  while (!slips_.empty() && slips_.front().to_s < time_s - kLength_s) slips_.pop_front();
+  while (!contacts_.empty() && contacts_.front().to_s < time_s - kLength_s) contacts_.pop_front();
+}
+
+void TouchHistory::add_force(const std::optional<Force>& force, bool is_after_gap) {
+  if (is_after_gap && !forces_.empty()) forces_.push_back({*now_s_, std::nullopt});
+  const auto slot = [](double time_s) { return std::floor(time_s / kSlot_s); };
+  const bool is_same_slot = !forces_.empty() && slot(forces_.back().time_s) == slot(*now_s_);
+  if (is_same_slot && forces_.back().force && force)
+    forces_.back() = {*now_s_, force};
+  else if (!is_same_slot || force)  // a frame without a force does not replace one in the same slot
+    forces_.push_back({*now_s_, force});
+}
+
+void TouchHistory::add_contact(const std::optional<FingerContact>& contact, bool is_after_gap) {
+  const bool was_on = !contacts_.empty() && !contacts_.back().has_ended;
+  // Between the frames one contact may have ended and the next begun.
+  const bool is_another =
+      contact && was_on &&
+      (is_after_gap || contact->is_new ||
+       (contact->held_s && *now_s_ - *contact->held_s > contacts_.back().to_s + kSlot_s));
+  if (was_on && (!contact || is_another)) contacts_.back().has_ended = true;
+  if (!contact) return;
+  if (!was_on || is_another) {
+    const double held_s = is_after_gap ? 0.0 : contact->held_s.value_or(0.0);
+    contacts_.push_back({*now_s_ - std::min(held_s, kLength_s), *now_s_, contact->face});
+  }
+  Contact& now = contacts_.back();
+  now.to_s = *now_s_;
+  now.face = contact->face;
+  if (contact->is_slipping.value_or(false)) add_slip();
+}
+
+void TouchHistory::add_slip() {
+  if (slips_.empty() || *now_s_ - slips_.back().to_s > kSlipMerge_s) slips_.push_back({*now_s_, 0});
+  slips_.back().to_s = *now_s_;
+}
+
+bool TouchHistory::has_slipped(const Contact& contact) const {
+  return std::any_of(slips_.begin(), slips_.end(), [&](const Slip& slip) {
+    return slip.from_s >= contact.from_s && slip.from_s <= contact.to_s;
+  });
+}
+
+bool TouchHistory::has_forces() const {
+  return std::any_of(forces_.begin(), forces_.end(), [](const auto& reading) {
+    return reading.force.has_value();
+  });
+}
+
+std::optional<ForceZero> present_zero(const TouchHistory& history) {
+  if (!history.now_s()) return std::nullopt;
+  ForceZero zero;
+  int count = 0;
+  for (auto reading = history.forces().rbegin(); reading != history.forces().rend(); ++reading) {
+    if (reading->time_s < *history.now_s() - kZeroSpan_s) break;
+    if (!reading->force) continue;
+    const Force& force = *reading->force;
+    if (!force.in_range) return std::nullopt;
+    ++count;
+    zero.force_N += force.force_N;
+    zero.sd_N += force.sd_N;
+    zero.half_90_N += force.half_90_N;
+    zero.half_95_N += force.half_95_N;
+  }
+  if (count == 0) return std::nullopt;
+  for (Eigen::Vector3d* sum : {&zero.force_N, &zero.sd_N, &zero.half_90_N, &zero.half_95_N})
+    *sum /= count;
+  zero.has_contact = !history.contacts().empty() && !history.contacts().back().has_ended;
+  return zero;
+}
+
+Force zeroed(Force force, const std::optional<ForceZero>& zero) {
+  if (!zero) return force;
+  const auto both = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    return Eigen::Vector3d((a.array().square() + b.array().square()).sqrt());
+  };
+  force.force_N -= zero->force_N;
+  force.sd_N = both(force.sd_N, zero->sd_N);
+  force.half_90_N = both(force.half_90_N, zero->half_90_N);
+  force.half_95_N = both(force.half_95_N, zero->half_95_N);
+  return force;
+}
+
+namespace {
+
+struct ContactWords {
+  Q_DECLARE_TR_FUNCTIONS(alltact::ContactWords)
+ public:
+  static QString face_text(PushedFace face) {
+    switch (face) {
+      case PushedFace::kContact:
+        return tr("Touched on the contact face");
+      case PushedFace::kBack:
+        return tr("Pushed from the back");
+      case PushedFace::kUpper:
+        return tr("Pushed from the upper side");
+      case PushedFace::kLower:
+        break;
+    }
+    return tr("Pushed from the lower side");
+  }
+
+  static QString seconds(double value) {
+    return tr("%1 s").arg(plain_number(value, 1)).replace(QLatin1Char(' '), QChar(QChar::Nbsp));
+  }
+
+  static QString head(const FingerContact& contact, const TouchHistory* history) {
+    QString text = QStringLiteral("<b>%1</b>").arg(face_text(contact.face));
+    if (history == nullptr || contact.held_s.value_or(0.0) <= 0) return text;
+    return text + QStringLiteral(" ") + tr("for %1").arg(seconds(*contact.held_s));
+  }
+
+  static QString row(const QString& name, const QString& value) {
+    return QStringLiteral("<tr><td>%1&nbsp;</td><td>%2</td></tr>").arg(name, value);
+  }
+
+  static QString millimetres(double value, const std::optional<double>& sd, int digits) {
+    return tr("%1 mm").arg(number_and_sd(value, sd, digits));
+  }
+
+  static QString rows(const FingerContact& contact) {
+    QString rows;
+    if (contact.position) {
+      const PositionOnFinger& at = *contact.position;
+      rows += row(tr("Along"), millimetres(at.along_mm, at.along_sd_mm, 2));
+      if (at.across_mm) rows += row(tr("Across"), millimetres(*at.across_mm, at.across_sd_mm, 2));
+      if (at.depth_mm)
+        rows += row(tr("Depth"),
+                    (at.limits & kLayerLimit) != 0
+                        ? tr("%1 mm").arg(limit_and_sd(*at.depth_mm, at.depth_sd_mm, 2))
+                        : millimetres(*at.depth_mm, at.depth_sd_mm, 2));
+    }
+    if (!contact.direction) return rows;
+    const Eigen::Vector3d& direction = *contact.direction;
+    const QString turned = contact.direction_sd_deg
+                               ? tr("± %1°").arg(sd_number(*contact.direction_sd_deg, 1))
+                               : tr("(the face's normal)");
+    const QString components = tr("x %1, y %2, z %3")
+                                   .arg(plain_number(direction.x(), 2),
+                                        plain_number(direction.y(), 2),
+                                        plain_number(direction.z(), 2));
+    return rows + row(tr("Direction"), components + QStringLiteral(" ") + turned);
+  }
+
+  static QString extent(const std::vector<ContactRegion>& regions) {
+    if (regions.empty()) return {};
+    const ContactRegion& first = regions.front();
+    QString text = tr("Area %1 mm², volume %2 mm³.")
+                       .arg(plain_number(first.area_mm2, 1), plain_number(first.volume_mm3, 1));
+    if (regions.size() > 1)
+      text += QStringLiteral(" ") +
+              tr("%n contact(s) on the face.", nullptr, static_cast<int>(regions.size()));
+    return text;
+  }
+
+  static QString touching(const FrameResult& result, const TouchHistory* history) {
+    const FingerContact& contact = *result.contact;
+    QStringList parts{head(contact, history)};
+    if (contact.is_slipping.value_or(false))
+      parts << QStringLiteral("<b>%1 %2</b>")
+                   .arg(QChar(0x25b2), tr("It slips or rolls over the skin."));
+    QString text = parts.join(QStringLiteral("<br>"));
+    text += QStringLiteral("<table>%1</table>").arg(rows(contact));
+    parts.clear();
+    if (!contact.position && !contact.no_position.empty())
+      parts << window_sentence(contact.no_position);
+    parts << extent(result.regions);
+    parts.removeAll(QString());
+    return text + parts.join(QStringLiteral("<br>"));
+  }
+
+  static QString free(const FrameResult& result, const TouchHistory* history) {
+    if (!result.reference) return tr("Not known without a reference recording.");
+    QString text = tr("Nothing touches the finger.");
+    if (history == nullptr || history->contacts().empty()) return text;
+    const auto& last = history->contacts().back();
+    if (!last.has_ended) return text;
+    text += QStringLiteral("<br>") +
+            tr("The last contact lasted %1 and ended %2 ago.")
+                .arg(seconds(last.to_s - last.from_s), seconds(*history->now_s() - last.to_s));
+    if (history->has_slipped(last)) text += QStringLiteral(" ") + tr("It slipped.");
+    return text;
+  }
+
+  static QString brief(const FrameResult& result) {
+    QStringList parts;
+    if (result.contact) parts << face_text(result.contact->face);
+    if (result.force && result.force->in_range) {
+      const Force& force = *result.force;
+      const std::array names{
+          QStringLiteral("Fx %1"), QStringLiteral("Fy %1"), QStringLiteral("Fz %1")};
+      for (Eigen::Index axis = 0; axis < force.axes; ++axis)
+        parts << names[static_cast<std::size_t>(axis)].arg(
+            tr("%1 N").arg(number_and_sd(force.force_N[axis], force.half_95_N[axis], 2)));
+    }
+    return joined(parts);
+  }
+
+  static QString help() {
+    return tr(
+        "Along: over the face from its base. Across: from its middle line towards +y. "
+        "Direction: the way the finger gave, in the camera's frame; its standard deviation "
+        "is that within the finger's section.");
+  }
+};
+
+}  // namespace
+
+QString contact_words(const FrameResult& result, const TouchHistory* history) {
+  return result.contact ? ContactWords::touching(result, history)
+                        : ContactWords::free(result, history);
+}
+
+QString brief_contact_words(const FrameResult& result) {
+  return ContactWords::brief(result);
+}
+
+QString contact_words_help() {
+  return ContactWords::help();
+}
+
+namespace {
+
+struct ForceWords {
+  Q_DECLARE_TR_FUNCTIONS(alltact::ForceWords)
+ public:
+  static QString why_none(const FingerStatus& status) {
+    if (status.state == FingerState::kLoading) return tr("The finger is being loaded.");
+    if (!status.finger) return tr("Open a finger to see its forces.");
+    const Finger& finger = *status.finger;
+    if (finger.markers.per_row == 0) return tr("A finger without markers tells no forces.");
+    if (status.force_problem)
+      return window_sentence(status.force_problem->message()).toHtmlEscaped();
+    if (finger.force_model.empty()) return no_model(status.folder);
+    if (!status.has_reference) return tr("Forces are told once there is a reference recording.");
+    return tr("No force is told of this picture.");
+  }
+
+  static QString no_model(const std::filesystem::path& folder) {
+    const QString name = folder.empty() ? QStringLiteral("FINGER")
+                                        : QString::fromStdString(folder.filename().string());
+    return tr("This finger has no force model yet. A table of its markers beside a gauge's forces "
+              "trains one:") +
+           QStringLiteral("<br><code>alltact force %1 TABLE.csv</code>").arg(name.toHtmlEscaped());
+  }
+};
+
+}  // namespace
+
+QString no_force_reason(const FingerStatus& finger) {
+  return ForceWords::why_none(finger);
+}
+
+}  // namespace alltact

@@ -1,0 +1,66 @@
+// Base class of the window's pages, each with a button in the navigation bar.
+#pragma once
+
+#include "core/finger/finger_store.h"
+#include "widgets/shell/problem_list.h"
+#include "widgets/widget_base.h"
+
+#include <QScrollArea>
+#include <QVBoxLayout>
+#include <QWidget>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace alltact {
+
+/// The window has a table of its pages and uses this interface only; other dependencies go to the
+/// constructors. The icon is resources/icons/NAME.svg; the help page is resources/help/NAME.md,
+/// plus one for each language.
+class Page : public Translated<QWidget> {
+  Q_OBJECT
+ public:
+  /// `name` is stored in session files and file names: it is never translated and never changes.
+  explicit Page(std::string name, QWidget* parent = nullptr)
+      : Translated(parent), name_(std::move(name)) {}
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+  /// Label in the navigation bar.
+  [[nodiscard]] virtual QString title() const = 0;
+  /// Entry of the menu View, with its mnemonic.
+  [[nodiscard]] virtual QString menu_text() const = 0;
+
+  /// The foot pedal was pressed while this page is visible.
+  virtual void press_pedal() {}
+  /// Adds problems of the open finger that the user should solve next. Called whichever page is
+  /// visible.
+  virtual void add_problems(std::vector<Problem>& /*problems*/) {}
+  /// The user was sent here to do the next step: opens it.
+  virtual void begin_next_step() {}
+  /// The open finger's folder has changed.
+  virtual void reload() {}
+
+ Q_SIGNALS:
+  /// State that a session stores has changed.
+  void changed();
+  void page_requested(const std::string& name);
+  /// Opens another page to do the next step there.
+  void lead_requested(const std::string& name);
+  void open_finger_requested();
+  void new_finger_requested(const alltact::NewFinger& known);
+
+ private:
+  std::string name_;
+};
+
+// The column of groups next to a page's image.
+
+/// `column` takes the groups, and scrolls in a low window; `foot` takes what stays below them. As
+/// wide as `min_width_px`, or as its content needs in the window's language.
+struct SidePanel {
+  explicit SidePanel(int min_width_px);
+  QWidget* root;
+  QVBoxLayout *column, *foot;
+};
+
+}  // namespace alltact

@@ -1,0 +1,156 @@
+#include "widgets/widget_base.h"
+
+#include "widgets/theme.h"
+
+#include <QAccessibleWidget>
+#include <QApplication>
+#include <QLocale>
+#include <QPainter>
+#include <algorithm>
+
+namespace alltact {
+namespace {
+
+constexpr const char* kRole = "alltact_accessible_role";
+constexpr const char* kValue = "alltact_accessible_value";
+
+/// Also reports a value as text.
+class AccessibleWidget : public QAccessibleWidget {
+ public:
+  using QAccessibleWidget::QAccessibleWidget;
+  [[nodiscard]] QString text(QAccessible::Text kind) const override {
+    if (kind == QAccessible::Value) return object()->property(kValue).toString();
+    return QAccessibleWidget::text(kind);
+  }
+};
+
+QAccessibleInterface* make_interface(const QString& /*class_name*/, QObject* object) {
+  auto* widget = qobject_cast<QWidget*>(object);
+  if (widget == nullptr) return nullptr;
+  const QVariant role = widget->property(kRole);
+  if (!role.isValid()) return nullptr;
+  return new AccessibleWidget(widget, static_cast<QAccessible::Role>(role.toInt()));
+}
+
+}  // namespace
+
+void set_accessible_role(QWidget& widget, QAccessible::Role role) {
+  static const bool is_installed = (QAccessible::installFactory(make_interface), true);
+  static_cast<void>(is_installed);
+  widget.setProperty(kRole, static_cast<int>(role));
+}
+
+void set_accessible_value(QWidget& widget, const QString& text) {
+  if (widget.property(kValue).toString() == text) return;
+  widget.setProperty(kValue, text);
+  QAccessibleValueChangeEvent event(&widget, text);
+  QAccessible::updateAccessibility(&event);
+}
+
+void set_accessible_description(QWidget& widget, const QString& text) {
+  if (widget.accessibleDescription() == text) return;
+  widget.setAccessibleDescription(text);
+  QAccessibleEvent event(&widget, QAccessible::DescriptionChanged);
+  QAccessible::updateAccessibility(&event);
+}
+
+ElidedLabel::ElidedLabel(Qt::TextElideMode cut, QWidget* parent)
+    : QLabel(parent), elide_mode_(cut) {
+  setTextFormat(Qt::PlainText);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+void ElidedLabel::set_text(const QString& text, int bold) {
+  bold_ = bold;
+  setText(text);
+  setToolTip(text);
+  updateGeometry();
+}
+
+QFont ElidedLabel::bold_font() const {
+  QFont heavy = font();
+  heavy.setBold(true);
+  return heavy;
+}
+
+int ElidedLabel::full_width() const {
+  return QFontMetrics(bold_font()).horizontalAdvance(text().left(bold_)) +
+         fontMetrics().horizontalAdvance(text().mid(bold_));
+}
+
+bool ElidedLabel::is_elided() const {
+  return full_width() > contentsRect().width();
+}
+
+QSize ElidedLabel::minimumSizeHint() const {
+  return {1, fontMetrics().height()};
+}
+
+QSize ElidedLabel::sizeHint() const {
+  return {full_width() + 1, fontMetrics().height()};
+}
+
+void ElidedLabel::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setPen(
+      palette().color(isEnabled() ? QPalette::Active : QPalette::Disabled, QPalette::WindowText));
+  QRect room = contentsRect();
+  const QString head = text().left(bold_);
+  if (!head.isEmpty()) {
+    painter.setFont(bold_font());
+    painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter, head);
+    room.setLeft(room.left() + QFontMetrics(bold_font()).horizontalAdvance(head));
+    painter.setFont(font());
+  }
+  painter.drawText(
+      room,
+      static_cast<int>(alignment() & Qt::AlignHorizontal_Mask) | Qt::AlignVCenter,
+      fontMetrics().elidedText(text().mid(bold_), elide_mode_, std::max(0, room.width())));
+}
+
+QString elided_path(const QString& path, const QFontMetrics& metrics, int room) {
+  return metrics.elidedText(path, Qt::ElideLeft, room);
+}
+
+AgeLabel::AgeLabel(QWidget* parent) : Translated<QLabel>(parent) {
+  say([this] {
+    setAccessibleName(tr("Age of the picture"));
+    show_now();
+  });
+}
+
+void AgeLabel::show_age(std::optional<double> age_ms) {
+  age_ms_ = age_ms;
+  show_now();
+}
+
+void AgeLabel::show_now() {
+  const QLocale locale;
+  constexpr double kSecond_ms = 1000;
+  const bool was_late = std::exchange(is_late_, age_ms_ && *age_ms_ > kLate_ms);
+  QString text = tr("pictures without times");
+  if (age_ms_ && *age_ms_ >= kSecond_ms)
+    text = tr("picture %1 s old").arg(locale.toString(*age_ms_ / kSecond_ms, 'f', 1));
+  else if (age_ms_)
+    text = tr("picture %1 ms old").arg(locale.toString(*age_ms_, 'f', 0));
+  // The sign does not rely on the colour.
+  setText(is_late_ ? QString(QChar(0x25b2)) + QLatin1Char(' ') + text : text);
+  setToolTip(is_late_ ? tr("What moves is seen late. Close other programs, or choose a faster "
+                           "setting in Accuracy.")
+                      : QString());
+  if (is_late_ != was_late) colour();
+}
+
+void AgeLabel::colour() {
+  QPalette own;
+  if (is_late_)
+    own.setColor(QPalette::WindowText, meaning_colour(Meaning::kBad, QApplication::palette(this)));
+  setPalette(own);
+}
+
+void AgeLabel::changeEvent(QEvent* event) {
+  Translated<QLabel>::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange && is_late_) colour();
+}
+
+}  // namespace alltact
