@@ -103,7 +103,7 @@ std::optional<Spot> find_spot(const cv::Mat& x, const cv::Mat& known, const Spot
 
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
-// Chosen on seeds 1 to 120 of tests/support/touched_recording.h, and on clean ones.
+// Chosen on seeds 1 to 120 of tests/support/contact_recording.h, and on clean ones.
 constexpr float kSigmas = 9.0F;  // of a single frame's window; one more with each longer time
 constexpr float kTail = 1.6F;    // times the brightest value: error of the fit itself
 // sigmas that a frame must reach itself, independent of its neighbours

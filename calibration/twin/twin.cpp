@@ -506,7 +506,7 @@ void initialise_balls(const TwinInput& input,
   }
 }
 
-/// The reference images, each once; presses of a flat sensor share theirs.
+/// The reference images, each once; presses of a flat sensor share one image.
 std::vector<TwinUntouched> untouched_of(const TwinInput& input,
                                         const std::vector<TwinPose>& poses) {
   std::vector<TwinUntouched> all;

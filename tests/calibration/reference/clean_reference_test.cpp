@@ -3,10 +3,10 @@
 // clean ones.
 #include "calibration/reference/reference_recording.h"
 #include "core/numerics/parallel.h"
+#include "tests/support/contact_recording.h"
 #include "tests/support/marked_recording.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/slow_run.h"
-#include "tests/support/touched_recording.h"
 
 #include <cstdio>
 #include <cstdlib>
