@@ -141,7 +141,7 @@ Status run_merge(const std::vector<Path>& folders, Console& console);
 struct ServeOptions {
   Path finger;
   std::vector<Path> inputs;
-  std::optional<Path> socket;  ///< empty: the default one (stream_socket.h)
+  std::optional<Path> socket;  ///< empty: the default one (stream_server.h)
   /// The settings to measure with, as the finger's folder has them now.
   std::function<Result<PipelineSettings>()> settings;
   bool schema = false;  ///< prints the format instead
@@ -260,7 +260,7 @@ struct StudyCommandOptions {
   bool scaling = false;        ///< instead: time and memory over the size of the measured data
   std::optional<double> max_time_ms, max_error_mm, position_mm;
   bool save = false;  ///< stores the presets with the finger
-  std::string use;    ///< settings that the finger uses from now on (study_use.h); empty: as before
+  std::string use;    ///< settings that the finger uses from now on (study.cpp); empty: as before
   std::uint64_t seed = 1;
   int threads = 1;
 };

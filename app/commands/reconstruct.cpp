@@ -64,7 +64,7 @@ FrameLine failed(const std::string& name, std::size_t index, const Error& proble
   return line;
 }
 
-/// Adds to a line, as `name`, where its depth in integer steps (depth_file.h) is, and the unit of
+/// Adds to a line, as `name`, where its depth in integer steps (image_file.h) is, and the unit of
 /// these.
 ///   where: members of a JSON object
 void add_depth_steps(std::string& line, const std::string& name, const std::string& where) {

@@ -40,7 +40,7 @@ class Figures {
   [[nodiscard]] virtual Result<std::vector<ReportFile>> experiment_pages(
       const ExperimentReport& report, const std::string& name) const = 0;
 
-  /// NAME.png and NAME.pdf of a figure (svg_figure.h). For the main thread.
+  /// NAME.png and NAME.pdf of a figure (offscreen.h). For the main thread.
   [[nodiscard]] virtual Result<std::vector<ReportFile>> figure_files(
       const std::string& svg, const std::string& name, const std::string& date) const = 0;
 

@@ -77,7 +77,7 @@ struct BenchOptions {
   /// one.
   int recording_every = 1;
   std::string name = "experiment_finger";  ///< of the finger's folder below `folder`
-  /// Cache of fingers for later runs (finger_cache.h); empty: no cache.
+  /// Cache of fingers for later runs; empty: no cache.
   std::optional<std::filesystem::path> cache;
 };
 
@@ -92,7 +92,7 @@ class ExperimentBench {
   /// model. Made at the first request. Errors: those of make().
   ///   number: from 1 on
   [[nodiscard]] Result<const ExperimentBench*> untrained_variant(int number) const;
-  /// The same, trained on the forces of experiment_force (push_experiments.h).
+  /// The same, trained on the forces of experiment_force (force_experiments.h).
   struct TrainedVariant;
   [[nodiscard]] Result<const TrainedVariant*> variant(int number) const;
 

@@ -40,7 +40,7 @@ struct FingerCalibration {
   std::vector<PressResiduals> residuals;
   std::vector<ZoneError> zones;
   std::vector<MethodRow> methods;  ///< for the reports; empty without, or with another method
-  double pixel_mm = 0;             ///< see contact_error.h
+  double pixel_mm = 0;             ///< see press_errors.h
   double pixel_sd_mm = 0;          ///< standard deviation, without the mapping's share
   Halo halo;                       ///< light that scatters sideways
   int failed_presses = 0;          ///< without a detected ball, or without a fit
@@ -85,8 +85,8 @@ struct FingerCalibrationInput {
 ///
 /// Errors: those of loading and of the first image that is unreadable or has another size; two
 /// presses of one name; notes on a press that does not exist; no usable press; stopped. On an error
-/// before writing the folder stays unchanged, except for an image of unusable presses
-/// (press_problem.h). If the program ends while it writes, either all files are old or all are new
+/// before writing the folder stays unchanged, except for an image of unusable presses.
+/// If the program ends while it writes, either all files are old or all are new
 /// (FolderChange).
 [[nodiscard]] Result<FingerCalibration> calibrate_finger(const FingerCalibrationInput& input,
                                                          const Job& job);

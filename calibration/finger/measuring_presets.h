@@ -63,7 +63,7 @@ struct MeasuringPresets {
 /// counts as the base settings of the study.
 [[nodiscard]] Status save_presets(FingerStore& store, const MeasuringPresets& presets);
 
-/// The finger uses these settings from now on, everywhere (measuring_settings.h): live,
+/// The finger uses these settings from now on, everywhere: live,
 /// reconstruct, check, in every window.
 ///   name: of the preset, or the request in words; not empty
 [[nodiscard]] Status use_settings(FingerStore& store,

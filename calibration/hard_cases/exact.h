@@ -35,7 +35,7 @@ struct Angle {
                                                 const Eigen::VectorXd& y,
                                                 int n);
 
-/// Hertz's surface outside a ball's contact (core/simulation/mechanics/hertz.h).
+/// Hertz's surface outside a ball's contact (ball_contact.h).
 [[nodiscard]] double hertz_tail(double q);
 
 }  // namespace alltact::exact

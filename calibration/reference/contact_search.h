@@ -92,7 +92,7 @@ struct ReferenceSuspect {
   int frame = 0;  ///< number in the reference recording of the frame nearest to the pose
 };
 
-/// The brightest spot of x (spots.h). A bright rim around a contact does not count. For poses
+/// The brightest spot of x. A bright rim around a contact does not count. For poses
 /// inside the reference; the caller sets `frame`.
 [[nodiscard]] std::optional<ReferenceSuspect> find_reference_suspect(const Difference& difference,
                                                                      const FaceShape& shape);

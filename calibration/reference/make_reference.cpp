@@ -322,7 +322,7 @@ Error refuse(const PersistentContact& touch,
 /// Reduces `selected` (numbers in the recording) to frames that show a face and have no certain or
 /// doubtful contact, or are chosen explicitly. Fills the report's stretches and counts. Frames are
 /// compared with others of near pose in the recording; the earlier reference reveals a persistent
-/// contact (lasting_touch.h). Errors: stopped; a contact at one position in most frames.
+/// contact (contact_search.h). Errors: stopped; a contact at one position in most frames.
 Status exclude_contacts(RecordedVideo& video,
                         const NumberedRecording& numbered,
                         std::optional<EarlierReference>& earlier,

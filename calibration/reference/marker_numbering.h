@@ -32,8 +32,8 @@ struct NumberedRecording {
   double marker_noise_px = 0;  ///< typical distance of a marker from its estimate by the others
 };
 
-/// Follows the dots through the recording (dot_tracks.h), finds the two rows among the persistent
-/// ones (row_law.h), learns their joint motion, and numbers every frame with that model. Positions
+/// Follows the dots through the recording, finds the two rows among the persistent
+/// ones, learns their joint motion, and numbers every frame with that model. Positions
 /// on the edges of the face replace the markers where less than a third of them or fewer than 4 are
 /// found, or rows.per_row is 0. Error: fewer than 2 frames show the face.
 [[nodiscard]] Result<NumberedRecording> number_recording(const std::vector<FrameDots>& frames,

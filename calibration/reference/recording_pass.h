@@ -93,7 +93,7 @@ struct RecordingStudy {
 
 /// Compares every frame with the local regression over the others. Frames taken shortly before and
 /// after show the same pose and are left out (an eighth of the recording, at most two seconds). The
-/// frames must be untouched (touch_search.h). `numbered`: the markers of the library's frames, by
+/// frames must be untouched (contact_search.h). `numbered`: the markers of the library's frames, by
 /// index. Errors: a stopped job; a frame that cannot be read.
 [[nodiscard]] Result<RecordingStudy> study_recording(const ReferenceLibrary& library,
                                                      const std::vector<Markers>& numbered,

@@ -87,8 +87,8 @@ struct ReferenceChoices {
 /// Name of the image that a refused recording leaves in the finger's folder.
 inline constexpr const char* kReferenceProblem = "reference.problem.png";
 
-/// Tracks the markers through the recording (recording_layouts.h) and rejects unusable frames and
-/// frames with a contact on the contact face (touch_search.h). Thins frames that repeat a pose.
+/// Tracks the markers through the recording (marker_numbering.h) and rejects unusable frames and
+/// frames with a contact on the contact face (contact_search.h). Thins frames that repeat a pose.
 /// Installs the others in the folder: reference.mkv (lossless, grey, as from the source) and
 /// reference.csv. `finger` receives the file names, the markers' polarity, missing numbers and rest
 /// layout, the contact threshold (from the recording's marker noise) and the camera settings.

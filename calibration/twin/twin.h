@@ -9,15 +9,15 @@
 //
 // MODEL
 // 1. The middle line of a Fin Ray finger in every image, from its edges, is that of the effects
-//    bend and sway (twin_pose.h).
+//    bend and sway (twin_untouched.h).
 // 2. Lamps: up to eight. Each is added where it reduces the remaining residual most, then all are
-//    moved together to the least squares of the untouched images (twin_lamps.h).
+//    moved together to the least squares of the untouched images (twin_untouched.h).
 // 3. Layer, coat, roll-off, bulge, blur, and the position, depth and light of every press: least
 //    squares of block means of  I / I_ref * T_untouched - T  around the presses, in grey levels.
 //    I is the pressed image, I_ref the untouched one in the same pose, T and T_untouched are the
 //    simulator's. The lamps' residual errors cancel in this ratio (twin_contact.h).
 // 4. Noise, from second differences: of two untouched images, of a pressed and an untouched one
-//    outside the contact, or of one image (twin_noise.h).
+//    outside the contact, or of one image.
 //
 // STANDARD DEVIATIONS are those of the linearised fit. Residuals count as correlated within sectors
 // about each contact and independent between them (K.-Y. Liang, S. Zeger, Biometrika 73, 1986): the

@@ -4,7 +4,7 @@
 // Each piece is measured independently, after its pipeline has located the markers in the
 // kWarmUpFrames before it. No other state of earlier frames is required: the markers are tracked
 // from frame to frame, and a frozen camera shows as two equal images. Contacts, which last longer,
-// are determined afterwards, in the frames' order (contact_lines.h).
+// are determined afterwards, in the frames' order.
 #pragma once
 
 #include "core/base/job.h"

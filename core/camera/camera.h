@@ -92,7 +92,7 @@ class Camera {
   /// Errors: size not in 16..16384; focal length not in 1..1e6 px or scale not in 1e-6..100 mm per
   /// px; principal point further than one image size outside; wrong number of distortion
   /// coefficients for the model; a distortion that folds over inside the image (two rays meet in
-  /// one pixel, none in another); an invalid window (flat_port.h). The error's `where` is the key
+  /// one pixel, none in another); an invalid window. The error's `where` is the key
   /// ("camera.fx"). The dark corners of a fisheye, where a ray would be 90 degrees off the axis,
   /// are no error.
   static Result<Camera> create(const CameraParameters& parameters);

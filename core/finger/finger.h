@@ -155,7 +155,7 @@ class Finger {
   /// Referenced files lie inside the folder.
   [[nodiscard]] Status validate() const;
 
-  /// Possible but implausible numbers, by their keys (quantity.h); load() warns of them.
+  /// Possible but implausible numbers, by their keys (typed_number.h); load() warns of them.
   [[nodiscard]] std::vector<Error> implausible() const;
 
   /// Number of markers, including missing ones, or of the positions that replace them.

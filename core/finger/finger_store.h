@@ -41,9 +41,9 @@ struct FingerSnapshot {
   std::shared_ptr<const ForceModel> force;  ///< null: the finger has no force model
   std::optional<Error> force_problem;       ///< why `force` is null although the finger names a
                                             ///< model
-  int reduced_by = 1;            ///< binning factor per side (reduced_finger.h); 1: full resolution
-  CameraParameters full_camera;  ///< camera of the full images, where they are reduced
-  std::string measuring;         ///< content of kMeasuringFile; empty: it does not exist
+  int reduced_by = 1;                       ///< binning factor per side; 1: full resolution
+  CameraParameters full_camera;             ///< camera of the full images, where they are reduced
+  std::string measuring;                    ///< content of kMeasuringFile; empty: it does not exist
 
   /// The snapshot of a finger in memory, regardless of its folder's content. Errors: those of
   /// Camera::create and Mapping::create.
@@ -117,7 +117,7 @@ void copy_provenance(const Finger& from, const std::string& key, Finger& finger)
 // A finger at reduced image resolution.
 
 /// Converts all pixel coordinates (camera, markers at rest, positions for poses) to images that are
-/// reduced by `by` pixels a side (reduced_image.h). Returns the finger unchanged where `by` is 1,
+/// reduced by `by` pixels a side (camera.h). Returns the finger unchanged where `by` is 1,
 /// it is reduced already, or its images would be smaller than any camera's (16 px).
 [[nodiscard]] FingerSnapshot reduced_finger(const FingerSnapshot& finger, int by);
 

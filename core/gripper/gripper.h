@@ -4,7 +4,7 @@
 // FRAMES. The gripper's frame is fixed in its body: x is the direction in which the fingers close,
 // y is parallel to their rotation axes, z runs along the screw away from the palm. A finger's link
 // moves with its crank: origin on the finger's axis at y = 0, z along the crank, y as the
-// gripper's. With the crank's angle t (linkage.h)
+// gripper's. With the crank's angle t
 //   gripper_from_link   = rotation by t about y, then shift to the pivot
 //   gripper_from_camera = gripper_from_link * link_from_camera
 //

@@ -23,7 +23,7 @@ struct Frame {
   std::string origin;          ///< origin for messages: a path or a device
   std::uint64_t sequence = 0;  ///< counts from 0 in the source's order; gaps are lost frames
   std::int64_t time_ns = 0;    ///< monotonic clock of the capture, ns; 0: the source has none
-  /// Settings of camera and light (see frame_settings.h); null where the source reports none.
+  /// Settings of camera and light; null where the source reports none.
   std::shared_ptr<const std::string> controls;
 };
 

@@ -1,6 +1,6 @@
 // Depth of a complete recording in one file: 16-bit grey images without loss, FFV1 in Matroska.
 //
-// Pixels are depth_steps() (depth_file.h): depth_mm = 0.001 (value - 10000), 0 where there is none.
+// Pixels are depth_steps() (image_file.h): depth_mm = 0.001 (value - 10000), 0 where there is none.
 // The file's tag kDepthVideoTag contains this formula, so that no other file is needed to read it:
 //   ffmpeg -i depth.mkv -pix_fmt gray16le -f rawvideo depth.raw      ffprobe -show_format depth.mkv
 // Image n belongs to frame n of the recording; an image without depth is 0 everywhere.

@@ -8,7 +8,7 @@
 //
 // A line that begins with '#' is a remark for people. time_ns is the clock of capture, to the
 // nanosecond (the video itself has milliseconds). sequence is the source's own count; controls are
-// the settings of camera and light (see frame_settings.h).
+// the settings of camera and light (see frame.h).
 #pragma once
 
 #include "core/base/result.h"

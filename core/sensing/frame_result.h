@@ -51,10 +51,10 @@ struct FrameResult {
   std::optional<Push> push;
   std::vector<ContactRegion> regions;
   /// During contact of a finger with a reference: estimated from push and regions together.
-  /// contact_state.h defines its begin and end.
+  /// finger_contact.h defines its begin and end.
   std::optional<FingerContact> contact;
   std::optional<Force> force;  ///< of a finger with a force model
-  /// Relative to the reference; without one, relative to earlier frames (reference_free_contact.h).
+  /// Relative to the reference; without one, relative to earlier frames (finger_contact.h).
   FaceContact touch = FaceContact::kUnknown;
   StepTimes times_ms;
   std::vector<Message> problems;

@@ -2,10 +2,10 @@
 // method is compared with. It shares no edges, face, numbering, reference or smoothing with the own
 // method:
 //
-//   edges       paper_face.h       binarise, border of the bright part, integer pixels
-//   face        paper_face.h       z = fy W / (v2 - v1), polynomial profile, straight across
-//   markers     paper_reference.h  two rows from left to right, hidden ones from their neighbours
-//   reference   paper_reference.h  the nearest frame of the video as it is, without warping
+//   edges       binarise, border of the bright part, integer pixels
+//   face        z = fy W / (v2 - v1), polynomial profile, straight across
+//   markers     two rows from left to right, hidden ones from their neighbours
+//   reference   the nearest frame of the video as it is, without warping
 //   depth       here               x = (I_ref - I) / I_ref, d = M(x); no correction of the light,
 //                                  no smoothing
 //
@@ -37,7 +37,7 @@ namespace alltact {
 // The source paper's reference: the frame with the nearest markers from a video of the untouched
 // finger.
 
-/// The markers of a frame by the paper's sorting into two rows (paper_rows.h). MarkerDetector finds
+/// The markers of a frame by the paper's sorting into two rows. MarkerDetector finds
 /// the dots instead of the paper's network, whose weights are its authors'. `before`: the markers
 /// of an earlier frame; may be null. nullopt: too few dots.
 [[nodiscard]] std::optional<Markers> paper_markers(const cv::Mat& grey,

@@ -29,13 +29,13 @@ class PaperMethod;
 ///   and its mapping                  all
 /// A force is estimated where the finger also has a force model that was trained with the markers
 /// of this reference. Its contact position is that of the largest region. Without a reference the
-/// full image is not checked (frame_faults.h).
+/// full image is not checked (frame_result.h).
 ///
 /// State between frames of one continuous source: the last images where they are averaged
 /// (PipelineSettings::average_frames), the marker positions, the last frame, the creep of the
 /// markers and the tracked contact. Before there is a reference also the brightness of the skin.
 /// Everything else depends on the frame only. A new frame of the source (is_same_frame in
-/// frame_faults.h) that equals the last one to the grey level is reported as that of a frozen
+/// frame_result.h) that equals the last one to the grey level is reported as that of a frozen
 /// camera.
 class Pipeline {
  public:
@@ -65,7 +65,7 @@ class Pipeline {
   [[nodiscard]] Result<FrameResult> operator()(const FramePtr& frame);
 
   /// Measures a frame without tracking: `contact` stays empty. `contacts` receives the input of the
-  /// tracker for when the frames before are known (contact_lines.h); nullopt where there is none.
+  /// tracker for when the frames before are known (batch.h); nullopt where there is none.
   [[nodiscard]] Result<FrameResult> measure_untracked(const FramePtr& frame,
                                                       std::optional<FrameContacts>& contacts);
 
@@ -80,7 +80,7 @@ class Pipeline {
   void forget();
 
   [[nodiscard]] bool has_reference() const;
-  /// As it appears in the measured images (reduced_finger.h). An unknown finger has neither
+  /// As it appears in the measured images (finger_store.h). An unknown finger has neither
   /// finger() nor camera().
   [[nodiscard]] const Finger& finger() const;
   [[nodiscard]] const Camera& camera() const;

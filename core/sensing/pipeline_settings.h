@@ -26,7 +26,7 @@ enum class Resolution { kFull = 1, kHalf = 2, kQuarter = 4 };
   return static_cast<int>(resolution);
 }
 
-/// How depth along the layer's normal is converted to depth along z (depth_along_z.h).
+/// How depth along the layer's normal is converted to depth along z (depth_map.h).
 enum class LayerRays {
   kExact = 1,  ///< at the position on the face that the normal leads to
   kParallel,   ///< at the same pixel, by the slope alone: the source paper's method
@@ -65,7 +65,7 @@ struct PipelineSettings {
 [[nodiscard]] PipelineSettings settings_for_presses(PipelineSettings settings);
 
 /// The finger as it appears in the images that a pipeline with these settings measures: reduced
-/// (reduced_finger.h), with the lens model of the settings. ReferenceLibrary::load takes it.
+/// (finger_store.h), with the lens model of the settings. ReferenceLibrary::load takes it.
 [[nodiscard]] FingerSnapshot finger_as_measured(const FingerSnapshot& finger,
                                                 const PipelineSettings& settings);
 

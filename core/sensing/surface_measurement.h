@@ -28,7 +28,7 @@ struct SurfacePoint {
   Eigen::Vector3d untouched_mm;  ///< camera frame, of the unloaded contact face
   double depth_mm = 0;           ///< along z; the contact face is at untouched - (0, 0, depth)
   double noise_mm = 0, common_mm = 0;  ///< standard deviations of the depth
-  bool is_limit = false;               ///< the depth is only a lower or upper bound (pixel_flags.h)
+  bool is_limit = false;               ///< the depth is only a lower or upper bound (depth_map.h)
   double on_face_mm2 = 0,
          projected_mm2 = 0;  ///< area of the pixel on the untouched face, and projected along z
 

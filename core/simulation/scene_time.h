@@ -100,7 +100,7 @@ struct DegreeOfFreedom {
 
 /// A pure function of (seed, frame): frames may be evaluated in any order.
 ///   hold:   the same pose in every frame, `pose: {q1_mm: 3}`; unnamed degrees of freedom are 0.
-///   path:   each named degree of freedom follows its key frames (varying.h), so that a finger
+///   path:   each named degree of freedom follows its key frames, so that a finger
 ///           bends for a while and then holds still; unnamed ones are 0.
 ///   poses:  `poses: [{q1_mm: 3}, ...]`, frame i takes pose i modulo their number.
 ///   random: every frame draws each degree of freedom evenly and independently from its range.

@@ -68,15 +68,15 @@ class Running {
   Running(const Running&) = delete;
   Running& operator=(const Running&) = delete;
 
-  [[nodiscard]] std::string press_set() const { return text_of(output_); }
+  [[nodiscard]] std::string reported() const { return text_of(output_); }
   [[nodiscard]] std::string warned() const { return text_of(errors_); }
   /// Waits until it says or warns so.
   [[nodiscard]] bool tells(const std::string& words) const {
     for (int i = 0; i < 1000; ++i) {
-      if ((press_set() + warned()).find(words) != std::string::npos) return true;
+      if ((reported() + warned()).find(words) != std::string::npos) return true;
       std::this_thread::sleep_for(10ms);
     }
-    ADD_FAILURE() << "not told: " << words << "\n" << press_set() << warned();
+    ADD_FAILURE() << "not told: " << words << "\n" << reported() << warned();
     return false;
   }
   void interrupt() const { ::kill(child_, SIGINT); }
@@ -168,9 +168,9 @@ TEST_F(RecordByButton, WhatLearningTellsIsTakenAsItIs) {
     press(pedal);
     ASSERT_TRUE(learn.tells("Use it: "));
     EXPECT_EQ(learn.end(), 0);
-    const std::string press_set = learn.press_set();
-    const std::size_t begin = press_set.find("--button '") + 10;
-    button = press_set.substr(begin, press_set.find('\'', begin) - begin);
+    const std::string reported = learn.reported();
+    const std::size_t begin = reported.find("--button '") + 10;
+    button = reported.substr(begin, reported.find('\'', begin) - begin);
   }
   EXPECT_EQ(button, kButton);
   auto words = record("p.png", button);

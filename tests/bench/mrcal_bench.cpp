@@ -62,11 +62,11 @@ std::optional<std::vector<double>> mrcal_lens(const Corners& corners,
   const bool done = std::system(command.c_str()) == 0;
   std::ostringstream text;
   text << std::ifstream(folder / (done ? "camera-0.cameramodel" : "log")).rdbuf();
-  const std::string press_set = text.str();
+  const std::string reported = text.str();
   std::smatch found;
   static const std::regex kIntrinsics(R"('intrinsics':\s*\[([^\]]*)\])");
-  if (!done || !std::regex_search(press_set, found, kIntrinsics)) {
-    std::fprintf(stderr, "mrcal: %s\n", press_set.c_str());
+  if (!done || !std::regex_search(reported, found, kIntrinsics)) {
+    std::fprintf(stderr, "mrcal: %s\n", reported.c_str());
     return std::nullopt;
   }
   std::string list = found[1];

@@ -1,4 +1,4 @@
-"""Words that the sources avoid, because the field has better ones. A failure names file, line, word and what stands there instead."""
+"""Words that the sources avoid, because the field has better ones, and files that comments name. A failure names file and line."""
 import pathlib
 import re
 import unittest
@@ -59,6 +59,17 @@ class Words(unittest.TestCase):
                     for line, word in words_of(path.read_text()):
                         found.append(f"{path.relative_to(TOP)}:{line}: '{word}'; better: {BETTER[word]}")
         self.assertEqual(found, [], "\n" + "\n".join(found))
+
+    def test_comments_name_files_that_exist(self):
+        sources = [path for folder in (*FOLDERS, "tests") for path in sorted((TOP / folder).rglob("*"))]
+        names = {path.name for path in sources}
+        lost = [f"{path.relative_to(TOP)}:{number}: there is no {name}"
+                for path in sources if path.suffix in (".h", ".cpp")
+                for number, line in enumerate(path.read_text().split("\n"), 1)
+                if not line.startswith("#include")
+                for comment in re.findall(r"//.*", line)
+                for name in re.findall(r"\b[a-z0-9_]+\.(?:h|cpp)\b", comment) if name not in names]
+        self.assertEqual(lost, [], "\n" + "\n".join(lost))
 
     def test_names_comments_and_strings_are_told_apart(self):
         text = 'int kept_rows; // lay\nsay("told", R"x(whole\nsure)x"); foo_sureness PlacedFace in_place'

@@ -51,7 +51,7 @@ double mapping_error_mm(const Calibration& calibration) {
 }
 
 /// All that a calibration tells its user beside figures.
-std::string press_set(const Calibration& calibration) {
+std::string reported(const Calibration& calibration) {
   return fmt::format(
       "{} | {}", fmt::join(calibration.left_out, "; "), fmt::join(calibration.remarks, "; "));
 }
@@ -102,7 +102,7 @@ TEST(HardPresses, ATenthOfAMillimetreDeepGiveTheMappingOrAReason) {
     return;
   }
   // A tenth of what they are deep.
-  EXPECT_LT(mapping_error_mm(*calibration), 0.01) << press_set(*calibration);
+  EXPECT_LT(mapping_error_mm(*calibration), 0.01) << reported(*calibration);
 }
 
 TEST(HardPresses, TheSameOneSixTimesIsToldAndProvesNothing) {
@@ -116,7 +116,7 @@ TEST(HardPresses, TheSameOneSixTimesIsToldAndProvesNothing) {
     EXPECT_THAT(calibration.error().sentence(), HasSubstr("same"));
     return;
   }
-  EXPECT_THAT(press_set(*calibration), HasSubstr("same"));
+  EXPECT_THAT(reported(*calibration), HasSubstr("same"));
 }
 
 TEST(HardPresses, OneTwiceAmongGoodOnesDoesNoHarm) {
@@ -140,7 +140,7 @@ TEST(HardPresses, OneOfTheWrongRadiusIsNamedOrDoesNoHarm) {
   ASSERT_TRUE(calibration.ok()) << calibration.error().sentence();
   EXPECT_TRUE(is_finite(*calibration));
   if (mapping_error_mm(*calibration) >= 0.03) {
-    EXPECT_THAT(press_set(*calibration), HasSubstr("p3"));
+    EXPECT_THAT(reported(*calibration), HasSubstr("p3"));
   }
 }
 
@@ -157,7 +157,7 @@ TEST(HardPresses, OnesOverTheEdgeGiveTheMappingAndAreMarkedAsCut) {
                 testing::AnyOf(HasSubstr("rim"), HasSubstr("edge")));
     return;
   }
-  EXPECT_LT(mapping_error_mm(*calibration), 0.03) << press_set(*calibration);
+  EXPECT_LT(mapping_error_mm(*calibration), 0.03) << reported(*calibration);
   for (const BallFit& ball : calibration->balls) EXPECT_TRUE(ball.cut_by_edge) << ball.press;
 }
 
@@ -170,7 +170,7 @@ TEST(HardPresses, ABallThatIsNearlyItsEquatorDeepIsNamedOrGivesTheMapping) {
   const auto calibration = solved(presses);
   ASSERT_TRUE(calibration.ok()) << calibration.error().sentence();
   if (mapping_error_mm(*calibration) >= 0.03) {
-    EXPECT_THAT(press_set(*calibration), HasSubstr("equator"));
+    EXPECT_THAT(reported(*calibration), HasSubstr("equator"));
   }
 }
 
@@ -207,7 +207,7 @@ TEST(HardPresses, OneOfNothingButNoNumbersIsLeftOutByName) {
     presses[1].difference.x.setTo(bad);
     const auto calibration = solved(presses);
     ASSERT_TRUE(calibration.ok()) << bad << ": " << calibration.error().sentence();
-    EXPECT_THAT(press_set(*calibration), HasSubstr("p1")) << bad;
+    EXPECT_THAT(reported(*calibration), HasSubstr("p1")) << bad;
     EXPECT_LT(mapping_error_mm(*calibration), 0.03) << bad;
   }
 }

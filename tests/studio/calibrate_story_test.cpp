@@ -49,12 +49,12 @@ TEST(Calibrate, AKillInTheMiddleOfPressesLosesNothingButTheLastSecond) {
   int taken = 0, a_second_before = 0;
   QElapsedTimer clock;
   std::deque<std::pair<qint64, int>> history;
-  QByteArray press_set;
+  QByteArray reported;
   ASSERT_TRUE(wait_until(
       [&] {
         while (child.canReadLine()) {
           const QByteArray line = child.readLine();
-          press_set += line;
+          reported += line;
           if (!line.startsWith("taken ")) continue;
           if (taken == 0) clock.start();
           taken = line.mid(6).trimmed().toInt();
@@ -63,8 +63,8 @@ TEST(Calibrate, AKillInTheMiddleOfPressesLosesNothingButTheLastSecond) {
         return taken >= 14 || child.state() == QProcess::NotRunning;
       },
       60000))
-      << press_set.toStdString();
-  ASSERT_GE(taken, 14) << press_set.toStdString();
+      << reported.toStdString();
+  ASSERT_GE(taken, 14) << reported.toStdString();
   child.kill();  // SIGKILL
   child.waitForFinished();
   for (const auto& [when, number] : history)

@@ -65,18 +65,18 @@ std::set<QString> said_in(const std::string& language) {
                  .arg(QLatin1String(language == "en" ? "de" : language.c_str())));
   EXPECT_TRUE(file.open(QIODevice::ReadOnly));
   QXmlStreamReader xml(&file);
-  std::set<QString> press_set;
+  std::set<QString> reported;
   const QString wanted =
       language == "en" ? QStringLiteral("source") : QStringLiteral("translation");
   while (!xml.atEnd()) {
     xml.readNext();
     if (!xml.isStartElement() || xml.name() != wanted) continue;
     QString text = plain(xml.readElementText(QXmlStreamReader::IncludeChildElements));
-    press_set.insert(text);
+    reported.insert(text);
     // Words of the libraries begin a line of the window with a capital.
-    if (!text.isEmpty()) press_set.insert(text.replace(0, 1, text.at(0).toUpper()));
+    if (!text.isEmpty()) reported.insert(text.replace(0, 1, text.at(0).toUpper()));
   }
-  return press_set;
+  return reported;
 }
 
 /// What a page sets in italics, which is what stands in the window.
@@ -91,10 +91,10 @@ QStringList named_in(const QString& page) {
 TEST_P(Help, NamesOnlyWhatStandsInTheWindow) {
   const QStringList names = named_in(GetParam().text());
   EXPECT_GE(names.size(), 3);
-  const std::set<QString> press_set = said_in(GetParam().language);
-  ASSERT_GT(press_set.size(), 400U);
+  const std::set<QString> reported = said_in(GetParam().language);
+  ASSERT_GT(reported.size(), 400U);
   for (const QString& name : names)
-    EXPECT_TRUE(press_set.count(plain(name)) == 1) << name.toStdString() << " stands nowhere";
+    EXPECT_TRUE(reported.count(plain(name)) == 1) << name.toStdString() << " stands nowhere";
 }
 
 TEST_P(Help, ShowsItsPictureAndLeavesNoMarkBehind) {

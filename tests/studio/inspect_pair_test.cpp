@@ -106,13 +106,13 @@ TEST_F(InspectPair, TellsTheDistanceOfTheFaces) {
   const auto right = points(*frames.second, TwoFingers::place_of_right());
   for (const auto& p : points(*frames.first, TwoFingers::place_of_left()))
     for (const auto& q : right) nearest = std::min(nearest, (p - q).norm());
-  const double press_set = pair().gap()->distance();
-  EXPECT_GT(press_set, 1);
-  EXPECT_LE(press_set, nearest + 0.1);
-  EXPECT_GT(press_set, nearest - 4.5)
+  const double reported = pair().gap()->distance();
+  EXPECT_GT(reported, 1);
+  EXPECT_LE(reported, nearest + 0.1);
+  EXPECT_GT(reported, nearest - 4.5)
       << "seven pixels are one to two millimetres at the tips, where the faces are nearest";
   EXPECT_THAT(text("Distance between the faces"),
-              HasSubstr(QLocale().toString(press_set, 'f', 2).toStdString() + " mm"));
+              HasSubstr(QLocale().toString(reported, 'f', 2).toStdString() + " mm"));
   EXPECT_EQ(studio_.problems(), "");
 }
 

@@ -26,7 +26,7 @@ class InLanguage : public testing::Test {
   void speak(const char* language) {
     appearance_.apply({Theme::kLight, QString::fromLatin1(language)});
   }
-  static std::string press_set(const Message& message) {
+  static std::string reported(const Message& message) {
     return in_window_language(message).toStdString();
   }
   static std::vector<TsMessage> all_said(const char* language) {
@@ -43,7 +43,7 @@ class InLanguage : public testing::Test {
 TEST_F(InLanguage, EnglishIsAsTheSourcesSayIt) {
   speak("en");
   const Message verdict = en::say("good");
-  EXPECT_EQ(press_set(verdict), "good");
+  EXPECT_EQ(reported(verdict), "good");
   EXPECT_EQ(window_sentence(en::say("the disk is full")).toStdString(), "The disk is full.");
   EXPECT_EQ(window_sentence(en::say("The disk is full.")).toStdString(), "The disk is full.");
   EXPECT_EQ(window_sentence(en::say("is it there?")).toStdString(), "Is it there?");
@@ -67,17 +67,17 @@ TEST_F(InLanguage, WhatSomebodyTypedStaysAsItIs) {
   for (const char* language : {"de", "zh_CN"}) {
     SCOPED_TRACE(language);
     speak(language);
-    EXPECT_NE(press_set(en::say("left")), "left");
+    EXPECT_NE(reported(en::say("left")), "left");
     const std::string press = "left";
     const Message no_face = en::say("no face was found");
-    EXPECT_EQ(press_set(en::at(Message::typed(press), no_face)).rfind("left: ", 0), 0U);
+    EXPECT_EQ(reported(en::at(Message::typed(press), no_face)).rfind("left: ", 0), 0U);
     const std::filesystem::path folder = "no face was found";
     const Error error{no_face, folder, en::say("another frame")};
-    EXPECT_EQ(press_set(error.message()).rfind("no face was found: ", 0), 0U);
-    EXPECT_THAT(press_set(error.message()), Not(HasSubstr("another frame")));
+    EXPECT_EQ(reported(error.message()).rfind("no face was found: ", 0), 0U);
+    EXPECT_THAT(reported(error.message()), Not(HasSubstr("another frame")));
     const Message twice = en::say("two presses are called '{}'", press);
-    EXPECT_THAT(press_set(twice), HasSubstr("left"));
-    EXPECT_THAT(press_set(twice), Not(HasSubstr(press_set(en::say("left")))));
+    EXPECT_THAT(reported(twice), HasSubstr("left"));
+    EXPECT_THAT(reported(twice), Not(HasSubstr(reported(en::say("left")))));
   }
 }
 
@@ -87,8 +87,8 @@ TEST_F(InLanguage, NoTemplateIsTranslatedWhereItWasTyped) {
     speak(language);
     for (const TsMessage& message : all_said(language)) {
       const std::string words = message.source.toStdString();
-      EXPECT_EQ(press_set(Message::typed(words)), words);
-      EXPECT_EQ(press_set(en::say("{}: {}", words, en::say("stopped"))).rfind(words + ":", 0), 0U)
+      EXPECT_EQ(reported(Message::typed(words)), words);
+      EXPECT_EQ(reported(en::say("{}: {}", words, en::say("stopped"))).rfind(words + ":", 0), 0U)
           << words;
     }
   }
@@ -115,14 +115,14 @@ TEST_F(InLanguage, EveryTemplateIsSaidAsItsTranslation) {
       };
       if (!message.is_counted) {
         const Message whole = Message::compose(Message::Kind::kTemplate, words, comment, -1, parts);
-        EXPECT_EQ(press_set(whole), filled(message.translations.first()));
+        EXPECT_EQ(reported(whole), filled(message.translations.first()));
         continue;
       }
       for (const int count : {0, 1, 2}) {
         const bool is_one = count == 1 && language == std::string("de");
         const Message whole =
             Message::compose(Message::Kind::kCounted, words, comment, count, parts);
-        EXPECT_EQ(press_set(whole),
+        EXPECT_EQ(reported(whole),
                   filled(is_one ? message.translations.first() : message.translations.last()));
       }
     }
@@ -161,9 +161,7 @@ TEST_F(InLanguage, NoEnglishIsLeftInWhatIsPutTogether) {
 }
 
 TEST_F(InLanguage, CountsAreSaidOfNoneOneAndMore) {
-  const auto frames = [](int count) {
-    return press_set(en::count("{} frames", "{} frame", count));
-  };
+  const auto frames = [](int count) { return reported(en::count("{} frames", "{} frame", count)); };
   speak("en");
   EXPECT_EQ(frames(0), "0 frames");
   EXPECT_EQ(frames(1), "1 frame");
@@ -188,7 +186,7 @@ TEST_F(InLanguage, EveryCountIsRightInEnglishWithoutATranslation) {
                                              message.comment.toStdString(),
                                              count,
                                              {Message::typed("N"), Message::typed("A")});
-      EXPECT_EQ(press_set(whole), whole.english());
+      EXPECT_EQ(reported(whole), whole.english());
     }
   }
 }

@@ -111,7 +111,7 @@ class TwoCameras : public testing::Test {
         },
         40000);
   }
-  static std::string press_set(Studio& studio, const QString& label) {
+  static std::string reported(Studio& studio, const QString& label) {
     return studio.find<QLabel>(label)->text().toStdString();
   }
 
@@ -141,7 +141,7 @@ TEST_F(TwoCameras, ShowsBothPicturesOfOneMoment) {
       },
       20000))
       << seen;
-  EXPECT_THAT(press_set(studio, "Whether both pictures are of one moment"), HasSubstr("In time"));
+  EXPECT_THAT(reported(studio, "Whether both pictures are of one moment"), HasSubstr("In time"));
   // Side by side, each as large as the other, and neither squashed.
   const auto panels = live(studio).findChildren<ImagePanel*>();
   ASSERT_EQ(panels.size(), 2);
@@ -166,7 +166,7 @@ TEST_F(TwoCameras, SaysWhenOneOfThemStandsStillAndGoesOnWithTheOther) {
   const auto before = live(studio).pair().pair()->views[0];
   EXPECT_TRUE(wait_until([&] { return live(studio).pair().pair()->views[0] != before; }));
   EXPECT_TRUE(wait_until([&] {
-    return press_set(studio, "Whether both pictures are of one moment").find("Not in time") !=
+    return reported(studio, "Whether both pictures are of one moment").find("Not in time") !=
            std::string::npos;
   }));
   is_second_stuck_ = false;
@@ -236,8 +236,8 @@ TEST_F(TwoCameras, TellsTheGapAndTheWidthOfWhatIsHeld) {
                                    place(false).point(first.regions.front().position_mm).x());
   EXPECT_NEAR(reading.width->mm, width_mm, 1e-6);
   ASSERT_TRUE(wait_until(
-      [&] { return press_set(studio, "Gap and width").find("Held width") != std::string::npos; }));
-  EXPECT_THAT(press_set(studio, "Gap and width"), HasSubstr("±"));
+      [&] { return reported(studio, "Gap and width").find("Held width") != std::string::npos; }));
+  EXPECT_THAT(reported(studio, "Gap and width"), HasSubstr("±"));
 
   // Another motor position is another gap, and can be taken back.
   auto* motor = studio.find<QDoubleSpinBox>("Motor position in turns");
@@ -267,7 +267,7 @@ TEST_F(TwoCameras, SaysWhatIsWrongWithSecondFingerCameraAndGripper) {
   wrong.source = {"no camera"};
   EXPECT_THAT(problem_of(wrong), HasSubstr("there is no such camera"));
   EXPECT_TRUE(wait_until([&] {
-    return press_set(studio, "Whether both pictures are of one moment").find("no such camera") !=
+    return reported(studio, "Whether both pictures are of one moment").find("no such camera") !=
            std::string::npos;
   }));
   wrong = second(true);

@@ -25,13 +25,13 @@ class SecondDay : public testing::Test {
   /// The day before, once for all tests.
   static void SetUpTestSuite() {
     yesterday_ = new CalibrateStudio(6);
-    PressSet press_set;
-    press_set.ball_radius_mm = 4;
-    must(press_set.save(yesterday_->finger()));
+    PressSet reported;
+    reported.ball_radius_mm = 4;
+    must(reported.save(yesterday_->finger()));
     FingerCalibrationInput input;
     input.folder = yesterday_->finger();
     input.presses.files = {yesterday_->finger() / kPressFolder};
-    input.press_set = press_set;
+    input.press_set = reported;
     input.program_version = "0.1.0";
     auto made = calibrate_finger(input, Job());
     must(made ? Status() : Status(made.error()));

@@ -76,19 +76,19 @@ TEST_F(Spoken, AFingerThatCannotBeReadAndACameraThatIsNotThere) {
   options.source = {"/dev/video77"};
   Studio studio(options);
   ASSERT_TRUE(wait_until([&] {
-    const std::string press_set = studio.problems();
-    return press_set.find("layer_mm") != std::string::npos &&
-           press_set.find("camera") != std::string::npos;
+    const std::string reported = studio.problems();
+    return reported.find("layer_mm") != std::string::npos &&
+           reported.find("camera") != std::string::npos;
   })) << studio.problems();
   in_every_language(studio, "problems", [&](const std::string& language, const std::string& texts) {
-    const std::string press_set = studio.problems();
-    EXPECT_THAT(press_set, HasSubstr("face.layer_mm"));
-    EXPECT_THAT(press_set, HasSubstr(in(language, "a length in mm")));
-    EXPECT_THAT(press_set, HasSubstr("/dev/video77"));
-    EXPECT_THAT(QString::fromStdString(press_set).toLower().toStdString(),
+    const std::string reported = studio.problems();
+    EXPECT_THAT(reported, HasSubstr("face.layer_mm"));
+    EXPECT_THAT(reported, HasSubstr(in(language, "a length in mm")));
+    EXPECT_THAT(reported, HasSubstr("/dev/video77"));
+    EXPECT_THAT(QString::fromStdString(reported).toLower().toStdString(),
                 HasSubstr(in(language, "it is not there")));
     EXPECT_THAT(
-        press_set,
+        reported,
         HasSubstr(in(language, "plug the camera in; 'alltact devices' lists what is found")));
     // The newest stands there, the other one unfolds.
     EXPECT_THAT(QString::fromStdString(texts).toLower().toStdString(),

@@ -36,9 +36,9 @@ TEST(StalledDisk, IsSaidInOneSentenceUntilItAnswers) {
   const std::string sentence = "its disk takes long to answer";
   ASSERT_TRUE(
       wait_until([&] { return studio.problems().find(sentence) != std::string::npos; }, 5000));
-  const std::string press_set = studio.problems();
-  EXPECT_THAT(press_set, HasSubstr(finger.string()));
-  EXPECT_EQ(press_set.find(sentence), press_set.rfind(sentence)) << "once: " << press_set;
+  const std::string reported = studio.problems();
+  EXPECT_THAT(reported, HasSubstr(finger.string()));
+  EXPECT_EQ(reported.find(sentence), reported.rfind(sentence)) << "once: " << reported;
 
   // It answers: what waited is read, and the sentence goes.
   QElapsedTimer timer;

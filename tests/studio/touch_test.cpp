@@ -33,7 +33,7 @@ bool wait_for_force(Studio& studio) {
       40000);
 }
 
-std::string press_set(Studio& studio, const QString& label) {
+std::string reported(Studio& studio, const QString& label) {
   return studio.find<QLabel>(label)->text().toStdString();
 }
 
@@ -58,11 +58,11 @@ TEST(LiveTouch, TellsTheForceThatTheMarkersTell) {
   }));
   ASSERT_GE(compared, 20);
   EXPECT_GE(covered, 0.8 * compared) << "frames that follow one another share their error";
-  EXPECT_THAT(press_set(studio, "Force now"), HasSubstr("Fx"));
+  EXPECT_THAT(reported(studio, "Force now"), HasSubstr("Fx"));
   EXPECT_TRUE(wait_until([&] {  // frames out of range tell none
-    return press_set(studio, "Force now").find("±") != std::string::npos;
+    return reported(studio, "Force now").find("±") != std::string::npos;
   }));
-  EXPECT_THAT(press_set(studio, "Force now"), Not(HasSubstr("Fz")));
+  EXPECT_THAT(reported(studio, "Force now"), Not(HasSubstr("Fz")));
   auto* plot = studio.find<ForcePlot>("Force over the last half minute");
   ASSERT_NE(plot, nullptr);
   EXPECT_TRUE(plot->isVisible());
@@ -102,7 +102,7 @@ TEST(LiveTouch, TakesThePresentReadingAsZeroAndGivesItBack) {
   ASSERT_TRUE(zero);
   EXPECT_LE(std::abs(zero->since.secsTo(QDateTime::currentDateTime())), 5);
   EXPECT_TRUE(wait_until([&] {
-    return press_set(studio, "From which zero forces count").find("Zero: the reading of") !=
+    return reported(studio, "From which zero forces count").find("Zero: the reading of") !=
            std::string::npos;
   }));
   EXPECT_EQ(studio.window().undo_stack().undoText(), "re-zero the force");
@@ -127,9 +127,9 @@ TEST(LiveTouch, SaysHowAFingerGetsAForceModel) {
   ASSERT_TRUE(studio.wait_for_picture());
   ASSERT_TRUE(wait_for_finger(studio));
   ASSERT_TRUE(wait_until([&] {
-    return press_set(studio, "Force now").find("no force model yet") != std::string::npos;
+    return reported(studio, "Force now").find("no force model yet") != std::string::npos;
   }));
-  EXPECT_THAT(press_set(studio, "Force now"), HasSubstr("alltact force calibrated TABLE.csv"));
+  EXPECT_THAT(reported(studio, "Force now"), HasSubstr("alltact force calibrated TABLE.csv"));
 }
 
 TEST(LiveTouch, SaysThatAForceModelIsBroken) {
@@ -144,8 +144,8 @@ TEST(LiveTouch, SaysThatAForceModelIsBroken) {
   ASSERT_TRUE(studio.wait_for_picture());
   ASSERT_TRUE(wait_for_finger(studio));
   EXPECT_TRUE(wait_until([&] {
-    return press_set(studio, "Force now").find("broken or cut off") != std::string::npos;
-  })) << press_set(studio, "Force now");
+    return reported(studio, "Force now").find("broken or cut off") != std::string::npos;
+  })) << reported(studio, "Force now");
 }
 
 TEST(LiveTouch, TellsWhereTheBallTouches) {
@@ -162,9 +162,9 @@ TEST(LiveTouch, TellsWhereTheBallTouches) {
   EXPECT_NEAR(contact.position->across_mm.value(), 0.0, 0.2);
   EXPECT_NEAR(contact.position->depth_mm.value(), 0.8, 0.1);
   ASSERT_TRUE(wait_until([&] {
-    return press_set(studio, "What touches the finger").find("Along") != std::string::npos;
+    return reported(studio, "What touches the finger").find("Along") != std::string::npos;
   }));
-  const std::string words = press_set(studio, "What touches the finger");
+  const std::string words = reported(studio, "What touches the finger");
   EXPECT_THAT(words, HasSubstr("Touched on the contact face"));
   EXPECT_THAT(words, HasSubstr("±"));
   EXPECT_THAT(words, HasSubstr("Direction"));
@@ -190,8 +190,7 @@ TEST(LiveTouch, SaysThatNothingTouchesAnUntouchedFinger) {
       },
       40000));
   EXPECT_TRUE(wait_until([&] {
-    return press_set(studio, "What touches the finger").find("Nothing touches") !=
-           std::string::npos;
+    return reported(studio, "What touches the finger").find("Nothing touches") != std::string::npos;
   }));
 }
 
@@ -210,10 +209,10 @@ TEST(InspectTouch, TellsOfARecordingsFrameWhatItTellsLive) {
       40000));
   const Force force = *position.inspection().frame()->result.force;
   ASSERT_TRUE(
-      wait_until([&] { return press_set(studio, "Force now").find("Fx") != std::string::npos; }));
-  EXPECT_THAT(press_set(studio, "Force now"),
+      wait_until([&] { return reported(studio, "Force now").find("Fx") != std::string::npos; }));
+  EXPECT_THAT(reported(studio, "Force now"),
               HasSubstr(QString::number(force.force_N.x(), 'f', 2).toStdString() + " ± "));
-  EXPECT_THAT(press_set(studio, "What touches the finger"),
+  EXPECT_THAT(reported(studio, "What touches the finger"),
               HasSubstr("Touched on the contact face"));
   EXPECT_FALSE(studio.find<QPushButton>("Re-zero")->isEnabled());
 }

@@ -89,10 +89,10 @@ TEST_P(Language, IsCompleteAndKeepsWhatIsFilledIn) {
 }
 
 TEST_P(Language, FillsEveryHoleThatIsSaid) {
-  int counted = 0, press_set = 0;
+  int counted = 0, reported = 0;
   for (const TsMessage& message : messages_of(ts_file(GetParam()))) {
     if (message.context != QLatin1String(kSaidContext)) continue;
-    ++press_set;
+    ++reported;
     const std::string where = message.source.toStdString();
     const auto holes = holes_in(message.source);
     for (const QString& form : message.translations) {
@@ -110,7 +110,7 @@ TEST_P(Language, FillsEveryHoleThatIsSaid) {
     for (const QString& form : message.translations + QStringList{message.source})
       EXPECT_FALSE(form.contains(QLatin1String("%n"))) << "Qt fills this in: " << where;
   }
-  EXPECT_GT(press_set, 700);
+  EXPECT_GT(reported, 700);
   EXPECT_GT(counted, 2);
 }
 
@@ -128,9 +128,9 @@ TEST_P(Language, HoldsEveryTextOfTheProgramAndNoOther) {
 TEST_P(Language, MissesATemplateOfWhichOneLetterIsOther) {
   const TemporaryFolder folder;
   const fs::path source = kTop / "core/camera/camera.cpp";
-  const auto press_set = said_in(source);
-  ASSERT_GT(press_set.size(), 3U);
-  for (const SaidText& text : {press_set.front(), press_set.back()}) {
+  const auto reported = said_in(source);
+  ASSERT_GT(reported.size(), 3U);
+  for (const SaidText& text : {reported.front(), reported.back()}) {
     SCOPED_TRACE(text.words);
     std::string changed = text_of(source);
     const std::size_t begin = changed.find('"' + text.words.substr(0, 12));
@@ -150,7 +150,7 @@ TEST_P(Language, MissesATemplateOfWhichOneLetterIsOther) {
 TEST(Translations, FindWhateverIsSaid) {
   const TemporaryFolder folder;
   using Said = std::set<std::pair<std::string, std::string>>;
-  Said found, press_set;
+  Said found, reported;
   for (const TsMessage& message : looked_at(all_spoken(), folder / "found.ts")) {
     const std::string words = message.source.toStdString();
     EXPECT_FALSE(message.context.isEmpty())
@@ -165,13 +165,13 @@ TEST(Translations, FindWhateverIsSaid) {
     for (const SaidText& text : said_below(kTop / sources)) {
       EXPECT_NE(text.words, "") << text.file << ":" << text.line << ": says no literal";
       if (text.words.empty()) continue;
-      press_set.emplace(text.words, text.comment);
+      reported.emplace(text.words, text.comment);
       EXPECT_TRUE(found.contains({text.words, text.comment}))
           << text.file << ":" << text.line << ": lupdate overlooks: " << text.words;
     }
   for (const auto& text : found)
-    EXPECT_TRUE(press_set.contains(text)) << "the sources do not say: " << text.first;
-  EXPECT_GT(press_set.size(), 700U);
+    EXPECT_TRUE(reported.contains(text)) << "the sources do not say: " << text.first;
+  EXPECT_GT(reported.size(), 700U);
 }
 
 /// Says everything a third longer and between brackets.

@@ -107,7 +107,7 @@ class LensPage : public StepPage {
   void show_summary(bool has_folder);
   void show_views(const std::vector<LensViewReport>& views);
 
-  // lens_page_boards.cpp: boards in the live image
+  // Boards in the live image
   [[nodiscard]] bool has_folder() const;
   [[nodiscard]] bool can_take() const;
   void analyse_frame();

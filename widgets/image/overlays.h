@@ -31,7 +31,7 @@ void stroke_over(QPainter& painter,
 [[nodiscard]] Overlay dots_overlay(const std::vector<Dot>& dots);
 /// An arrow in the direction of the force, from the middle of the markers.
 [[nodiscard]] Overlay force_overlay(const Push& push, const Markers& markers);
-/// A layer of LiveView (layers.h), with its first pixel at `at` of the image; an empty one shows
+/// A layer of LiveView, with its first pixel at `at` of the image; an empty one shows
 /// nothing.
 [[nodiscard]] Overlay layer_overlay(const cv::Mat& layer, cv::Point at = {0, 0});
 /// Words on a dark plate at the upper left of the view.

@@ -13,23 +13,23 @@
 //                                       the finger is pushed from any side; results
 //   FingerContact                       Push and ContactRegion together, the latter from 0.15 mm;
 //   (finger_contact.h)                  lasts until both are below 0.6 of that; results
-//   indented cells (depth_along_z.cpp)  depth: cells deeper than 0.02 to 0.1 mm, by the quietest
+//   indented cells (depth_map.cpp)      depth: cells deeper than 0.02 to 0.1 mm, by the quietest
 //                                       quarter of the face; where depth is looked up along z
 //   contact-free skin (light_gain.h)    brightness over the reference's: within 4 sd of a smooth
 //                                       change; the light's change, noise
 //   ReferenceFreeContact                brightness of a patch against its surroundings and the
-//   (reference_free_contact.h)          frames before: 5 % darker and 6 sd; before there is a
+//   (finger_contact.h)                  frames before: 5 % darker and 6 sd; before there is a
 //                                       reference
 //   search of contact frames            brightness of a patch against the rest of the recording:
-//   (recording_study.h)                 4 % darker and 8 sd of its zone; frames excluded from a
-//                                       reference
+//   (contact_search.h)                  1 % darker over 3 mm, 0.5 % over 9 mm, and 9 sd; frames
+//                                       excluded from a reference
 //   BallGuess (press.h)                 brightness: a disc 1.2 % darker and 5 times the scatter, to
 //                                       40 % of its darkest; initial position of a press's ball
 //   certain zone (contact_model.h)      geometry: within 0.65 of the rim of the ball's cap; where
 //                                       skin and ball touch on any material, for calibration
 //   punched area (step_press.cpp)       brightness: 15 % of the greatest difference and 6 sd; the
 //                                       area under a punch with a step
-//   FaceContact (face_contact.h)        a ContactRegion deeper than 0.15 mm; without a mapping
+//   FaceContact (finger_contact.h)      a ContactRegion deeper than 0.15 mm; without a mapping
 //                                       0.1 % of the face darker by 12 %; without a reference a
 //                                       ReferenceFreeContact; the Studio's state of the live finger
 //
@@ -112,7 +112,7 @@ struct RegionOptions {
 /// the depth at which the region ends), lies between them. By partial integration it is (sum of (d
 /// - h)^2 / sum of (d - h) / 2 + h) sin(theta) from the middle.
 ///
-/// The angle is that of principal_axis.h. Its sd comprises noise and axis_beyond_noise_deg, the
+/// The angle is that of the principal axis. Its sd comprises noise and axis_beyond_noise_deg, the
 /// latter over the square root of the region's width (sd across its axis, mm). It excludes the
 /// uncertainty of lens, mapping and light.
 [[nodiscard]] std::vector<ContactRegion> contact_regions(const DepthMap& depth,

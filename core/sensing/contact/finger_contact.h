@@ -20,7 +20,7 @@ namespace alltact {
 
 /// Position on the finger, mm. On the contact face it is that of the skin which is pressed deepest
 /// (ContactRegion::deepest_on_face_mm). On the back it is estimated from the markers' motion
-/// (push_along.h), which determines neither across nor depth. Standard deviations include the
+/// (push.h), which determines neither across nor depth. Standard deviations include the
 /// image's noise and the uncertainty of the face's end at the base, of the face's distance and of
 /// the depth. They exclude that of the lens.
 struct PositionOnFinger {
@@ -36,7 +36,7 @@ struct PositionOnFinger {
 struct FingerContact {
   /// The contact face where something is pressed into it; else the face opposite to the deflection.
   PushedFace face = PushedFace::kContact;
-  /// Unit vector, camera frame: the direction of the deflection (tip_displacement.h). Without a
+  /// Unit vector, camera frame: the direction of the deflection (push.h). Without a
   /// deflection, the normal into the contact face at the position. Empty: neither is known.
   std::optional<Eigen::Vector3d> direction;
   /// Within the finger's section; empty where the direction is the face's normal.
@@ -45,7 +45,7 @@ struct FingerContact {
   Message no_position;           ///< reason why there is no position; empty when there is one
   bool is_new = false;           ///< it began in this frame
   std::optional<double> held_s;  ///< since it began; empty where frames have no time
-  /// The object moves over the skin (contact_state.h); empty where this is unknown.
+  /// The object moves over the skin; empty where this is unknown.
   std::optional<bool> is_slipping;
 };
 
@@ -57,7 +57,7 @@ struct ContactEvidence {
   std::optional<AlongFinger> along_back;                ///< of a push on the back
   const std::vector<ContactRegion>* regions = nullptr;  ///< null: there is no depth
   /// The larger of push_strength() and depth_strength(). 1 is the threshold: that of a push
-  /// (push.h), or the depth of face_contact.h.
+  /// (push.h), or the depth of the contact.
   [[nodiscard]] double strength() const;
   [[nodiscard]] double push_strength() const;
   [[nodiscard]] double depth_strength() const;
@@ -73,7 +73,7 @@ struct ContactEvidence {
 
 /// Result for a frame with a contact. `before`: the face of the same contact in the frame before,
 /// used where this frame does not determine it. The position on the contact face is that of the
-/// first region; on the sides there is none (push_along.h).
+/// first region; on the sides there is none (push.h).
 [[nodiscard]] FingerContact finger_contact(const ContactEvidence& evidence,
                                            const FaceShape& shape,
                                            std::optional<PushedFace> before);

@@ -66,7 +66,7 @@ struct Difference {
 struct DepthMap {
   cv::Mat depth_mm;  ///< CV_32FC1 along z, < 0 where skin bulges, NaN where flags require it
   cv::Mat flags;     ///< CV_8UC1 of PixelFlag
-  cv::Mat cells_mm;  ///< CV_32FC1: mean depth over each cell (depth_cells.h)
+  cv::Mat cells_mm;  ///< CV_32FC1: mean depth over each cell
   /// Standard deviation of a pixel's depth at light pressure, at the face's mean brightness.
   double noise_mm = 0;
   double live_sd = 0;             ///< noise of the image alone after smoothing, grey levels
@@ -81,8 +81,8 @@ struct DifferenceOptions {
   /// Noise of the image, grey levels. It weights pixels for the light, sets the level below which
   /// the reference is too dark, and determines standard deviations unless measured.
   double noise_sd = 1.0;
-  /// Computes standard deviations, and nothing else, from the noise against the reference
-  /// (reference_noise.h). Falls back to noise_sd where too few pixels qualify.
+  /// Computes standard deviations, and nothing else, from the noise against the reference.
+  /// Falls back to noise_sd where too few pixels qualify.
   bool measure_noise = false;
   bool correct_light = false;  ///< correct for the change of the light (light_gain.h)
 };
@@ -96,7 +96,7 @@ struct DifferenceOptions {
 /// Applies the mapping: depth < 0 where x < 0 (bulge), with flags beyond the calibrated domain. The
 /// layer's thickness limits depths of both signs (along z: layer / cos(incline), incline at most 75
 /// degrees). Noise of contact-free skin has both signs, so means of depth are unbiased. Depths of a
-/// mapping along the normal are converted to depths along z (depth_along_z.h).
+/// mapping along the normal are converted to depths along z.
 [[nodiscard]] DepthMap depth_map(const Difference& difference,
                                  const Mapping& mapping,
                                  const FaceShape& shape);
@@ -177,7 +177,7 @@ class DepthScale {
 /// its line, by a few fixed-point steps along the finger. The normal has no component across the
 /// finger.
 ///
-/// depth_normal_mm: CV_32FC1, NaN where not measured. cells_mm: its means (depth_cells.h), which
+/// depth_normal_mm: CV_32FC1, NaN where not measured. cells_mm: its means, which
 /// select the pixels to look up. The result has the size and type of depth_normal_mm and is NaN
 /// where that is. Bulges (depth < 0) are converted alike. A converted pixel takes the flag (CV_8UC1
 /// of PixelFlag) of the pixel that sees its line.

@@ -6,7 +6,7 @@
 
 namespace alltact::depth_rows {
 
-/// Converts both brightnesses of a row to steps (grey_steps.h). True when every pixel of it can be
+/// Converts both brightnesses of a row to steps (image_warp.h). True when every pixel of it can be
 /// measured, as in nearly all rows. darkest: minimum of the reference, in steps.
 bool copy(const std::uint8_t* grey,
           const std::int16_t* reference,
@@ -15,7 +15,7 @@ bool copy(const std::uint8_t* grey,
           std::int16_t* live_out,
           std::int16_t* reference_out);
 
-/// Flags each pixel of a copied row that cannot be measured (pixel_flags.h), and sets both
+/// Flags each pixel of a copied row that cannot be measured (depth_map.h), and sets both
 /// brightnesses to 0 there.
 void mark(std::int16_t darkest,
           int count,

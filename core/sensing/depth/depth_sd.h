@@ -19,7 +19,7 @@ struct DepthErrorTerms {
   /// Noise of the image and of its reference: f M'(x) sd / I_ref sqrt(1 + (1 - x)^2 gain^2).
   double noise = 0;
   double mapping = 0;  ///< uncertainty of the calibration (Mapping::depth_sd_mm at the position)
-  /// Error of this recording's references here (reference_error.h), from the pose, imperfect skin
+  /// Error of this recording's references here (reference_image.h), from the pose, imperfect skin
   /// registration and blemishes: f M'(x) (1 - x) sd_ref / I_ref.
   double reference = 0;
   double light = 0;  ///< uncertainty of the light's change: f M'(x) (1 - x) sd(q) / q

@@ -41,7 +41,7 @@ struct Smoothing {
 
 /// Smooths along both axes and stores only the rows that the kernel spans. Missing pixels count as
 /// 0: the result is a sum over the given pixels, not a mean. Outer weights are rounded to 2^-9; the
-/// middle one makes their sum 1. Grey levels are in steps (grey_steps.h) and lie within 0 to 250
+/// middle one makes their sum 1. Grey levels are in steps (image_warp.h) and lie within 0 to 250
 /// levels.
 class RowSmoother {
  public:

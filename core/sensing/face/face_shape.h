@@ -59,7 +59,7 @@ class FaceShape {
   /// the face in the image) / (f W), which is linear and unbiased in the width; z is never
   /// averaged. A column is valid between the face's ends (between trusted edges where an end was
   /// not found) with z_sd_mm below `z_sd_limit_mm`. Errors: an outline that jumps, since the finger
-  /// hides a part of itself (outline_jump.h); too few trusted columns; a fit whose z is not
+  /// hides a part of itself (face_edges.h); too few trusted columns; a fit whose z is not
   /// positive and finite.
   static Result<FaceShape> fit(const FaceEdges& edges,
                                const Camera& camera,

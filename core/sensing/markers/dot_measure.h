@@ -12,7 +12,7 @@
 namespace alltact {
 
 /// Pixels this near to the view face's edges are excluded, unless the light that the edge spreads
-/// there is known (see dot_window.h).
+/// there is known.
 inline constexpr double kFaceMarginPx = 2.0;
 
 /// Initial guess of a dot: its rough centre and half extents at half its height.

@@ -80,8 +80,7 @@ void refine(const std::vector<std::vector<Eigen::Index>>& seen, Eigen::MatrixXd&
   }
 }
 
-/// Fills gaps from the nearest rows, which follow the bending where one set of modes cannot
-/// (local_layout.h).
+/// Fills gaps from the nearest rows, which follow the bending where one set of modes cannot.
 void refine_locally(const std::vector<std::vector<Eigen::Index>>& seen, Eigen::MatrixXd& filled) {
   const Eigen::MatrixXd before = filled;
   std::vector<char> without(seen.size(), 0);
@@ -109,7 +108,7 @@ void refine_locally(const std::vector<std::vector<Eigen::Index>>& seen, Eigen::M
 /// where these suffice: 40, and two thirds of the rows that show at least half of the markers, or
 /// all rows. Otherwise returns all rows that show at least half, with filled gaps. Expectation
 /// maximisation fills them: principal modes of all rows and their fit to each row's seen markers
-/// alternate. Then the rows nearest to each refine them (local_layout.h). Returns no rows when
+/// alternate. Then the rows nearest to each refine them. Returns no rows when
 /// fewer than 2 are usable, or when a marker is in none of them.
 Eigen::MatrixXd without_gaps(const Eigen::MatrixXd& layouts) {
   std::vector<Eigen::Index> complete, usable;

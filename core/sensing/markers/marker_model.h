@@ -21,7 +21,7 @@ class MarkerModel {
   /// layouts: one row a frame, 2n markers as (u0, v0, u1, v1, ...), px; NaN where not seen.
   /// `missing` markers (by number) have the position of their virtual dot in every row.
   /// typical_dots: mean radius and contrast of each marker. Where too few layouts are complete,
-  /// gaps of those that show at least half are filled (core/sensing/markers/layout_gaps.h). Error:
+  /// gaps of those that show at least half are filled. Error:
   /// fewer than 2 usable layouts.
   static Result<MarkerModel> learn(const Eigen::MatrixXd& layouts,
                                    const std::vector<Dot>& typical_dots,

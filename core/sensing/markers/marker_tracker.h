@@ -66,7 +66,7 @@ class EvenRows {
  public:
   explicit EvenRows(MarkerRows rows) : rows_(rows) {}
 
-  /// `markers` where both rows are even (core/sensing/markers/marker_rows.h), else the `dots`
+  /// `markers` where both rows are even (marker_detector.h), else the `dots`
   /// found.
   struct Seen {
     std::optional<Markers> markers;

@@ -76,7 +76,7 @@ enum class MarkerMethod {
   /// followed from frame to frame.
   kBlobs = 1,
   /// The source paper's method: sorts each frame's dots into two rows and estimates hidden ones
-  /// from their neighbours (paper_rows.h). The dots are those of kBlobs, or of a network where one
+  /// from their neighbours. The dots are those of kBlobs, or of a network where one
   /// is named.
   kPaper,
   /// A convolutional network in every frame. Its dots are numbered like those of kBlobs.

@@ -24,7 +24,7 @@ struct RowWarp {
   int count;     ///< pixels of the image; positions are clamped to them
 };
 
-/// out[i] = the row `image` of grey levels in steps (grey_steps.h) at position i, linear between
+/// out[i] = the row `image` of grey levels in steps at position i, linear between
 /// its pixels to 1/400 px, as `multiply_q15` rounds. kWarpChunk pixels before and behind the row
 /// must be readable, whatever they hold; n + kWarpChunk numbers are written.
 void warp_along(const std::int16_t* image, const RowWarp& warp, int n, std::int16_t* out);

@@ -82,7 +82,7 @@ class ReferenceImage {
    public:
     /// The image must outlive the reader.
     explicit Reader(const ReferenceImage& image);
-    /// size().width grey levels in steps (grey_steps.h), valid within the runs only: kNoGrey where
+    /// size().width grey levels in steps (image_warp.h), valid within the runs only: kNoGrey where
     /// there is none. Valid until the next call.
     const std::int16_t* row(int v, std::span<const FaceRun> runs);
 
@@ -132,7 +132,7 @@ struct Reference {
   bool known_pose = true;  ///< false: further away than the recording's own frames are apart
   bool by_shape = false;  ///< no marker was seen: the pose is estimated from the face's shape alone
   double noise_gain = 1;  ///< standard deviation of the reference's noise / that of one frame
-  /// Relative error of references by the recording (reference_error.h), over cells of its grid;
+  /// Relative error of references by the recording, over cells of its grid;
   /// empty for a single image.
   cv::Mat relative_sd;
   double error_factor = 1;  ///< factor of relative_sd in this pose

@@ -28,13 +28,13 @@ namespace alltact {
 
 class ReferenceLibrary {
  public:
-  /// Reads the recording that a finger names, reduced as the finger is (reduced_finger.h), which
+  /// Reads the recording that a finger names, reduced as the finger is (finger_store.h), which
   /// reduces its memory as well. Only the face of every frame is stored, warped to the rest frame
   /// (the one in the middle of all poses), so that each point of the skin has a fixed position.
   /// Where that would exceed `memory_limit_bytes`, only a covering subset of the frames is retained
   /// (farthest-point sampling in marker space).
   /// Libraries of the same files, camera and face share their data while any of them exists. Data
-  /// that another process read is loaded from the user's cache (face_cache.h), with the same bytes.
+  /// that another process read is loaded from the user's cache, with the same bytes.
   /// Errors: files missing or unreadable; table and video disagree.
   static Result<ReferenceLibrary> load(const FingerSnapshot& finger,
                                        const Job& job,

@@ -1,5 +1,5 @@
 // The camera looks into the silicone through a flat plate perpendicular to its axis. Rays refract
-// at both of its sides by Snell's law and no longer start in one point (flat_port.h).
+// at both of its sides by Snell's law and no longer start in one point (camera.h).
 #include "core/simulation/effect.h"
 
 namespace alltact {

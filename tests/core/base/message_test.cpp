@@ -148,16 +148,16 @@ TEST(Message, DoubledBracesAreBraces) {
 
 TEST(Message, HolesThatAnotherLanguageGotWrongHarmNothing) {
   const Message message = en::say("{} of {}", 3, 7);
-  const auto press_set = [&](std::string words) {
+  const auto reported = [&](std::string words) {
     return message.in([&](const Message&) { return words; });
   };
-  EXPECT_EQ(press_set("{1} davon {0}"), "7 davon 3");
-  EXPECT_EQ(press_set("{0} davon"), "3 davon") << "a part that is not told";
-  EXPECT_EQ(press_set("{} {} {} {2} {9}."), "3 7   .") << "holes without a part";
-  EXPECT_EQ(press_set("open {"), "open {");
-  EXPECT_EQ(press_set("open {0"), "open {0");
-  EXPECT_EQ(press_set("closed } {1}"), "closed } 7");
-  EXPECT_EQ(press_set(""), "");
+  EXPECT_EQ(reported("{1} davon {0}"), "7 davon 3");
+  EXPECT_EQ(reported("{0} davon"), "3 davon") << "a part that is not told";
+  EXPECT_EQ(reported("{} {} {} {2} {9}."), "3 7   .") << "holes without a part";
+  EXPECT_EQ(reported("open {"), "open {");
+  EXPECT_EQ(reported("open {0"), "open {0");
+  EXPECT_EQ(reported("closed } {1}"), "closed } 7");
+  EXPECT_EQ(reported(""), "");
 }
 
 TEST(Message, NoTemplateEverCrashes) {

@@ -23,9 +23,9 @@ using Reader = std::function<void(YamlSection&)>;
 constexpr Limits kFraction{0, 1, true, false, true};
 
 /// What is said of a file; "read" where nothing is.
-std::string press_set(const std::string& text,
-                      const Reader& reader,
-                      Unknown policy = Unknown::kRetained) {
+std::string reported(const std::string& text,
+                     const Reader& reader,
+                     Unknown policy = Unknown::kRetained) {
   YamlFile file("a/b.yaml", policy);
   const Status status = file.read(text, reader);
   return status ? "read" : status.error().sentence();
@@ -40,67 +40,67 @@ void read_share(YamlSection& top) {
 TEST(YamlReader, TakesBothDecimalMarksAndRefusesThousands) {
   for (const char* text : {"share: 0,25", "share: 0.25", "share: +0.25", "share: ０．２５"}) {
     double share = 0;
-    EXPECT_EQ(press_set(text, [&](YamlSection& top) { share = top.number("share", kFraction); }),
+    EXPECT_EQ(reported(text, [&](YamlSection& top) { share = top.number("share", kFraction); }),
               "read");
     EXPECT_EQ(share, 0.25) << text;
   }
   const auto any = [](YamlSection& top) { (void)top.number("layer_mm", en::say("in mm")); };
-  EXPECT_THAT(press_set("layer_mm: 1,500", any),
+  EXPECT_THAT(reported("layer_mm: 1,500", any),
               HasSubstr("layer_mm: '1,500' can mean 1.5 or 1500: write 1.5 or 1500"));
-  EXPECT_THAT(press_set("layer_mm: 1.500,5", any), HasSubstr("write 1500.5"));
-  EXPECT_EQ(press_set("layer_mm: 1.500", any), "read") << "in files the point is the decimal mark";
+  EXPECT_THAT(reported("layer_mm: 1.500,5", any), HasSubstr("write 1500.5"));
+  EXPECT_EQ(reported("layer_mm: 1.500", any), "read") << "in files the point is the decimal mark";
   const auto count = [](YamlSection& top) { (void)top.integer("count", 0, 5000); };
-  EXPECT_THAT(press_set("count: 1,500", count), HasSubstr("can mean 1.5 or 1500"));
+  EXPECT_THAT(reported("count: 1,500", count), HasSubstr("can mean 1.5 or 1500"));
   // In braces the comma ends the value: 1 and a key '6' would be read.
-  EXPECT_THAT(press_set("face: {layer_mm: 1,6}",
-                        [&](YamlSection& top) {
-                          YamlSection face = top.section("face");
-                          any(face);
-                        }),
+  EXPECT_THAT(reported("face: {layer_mm: 1,6}",
+                       [&](YamlSection& top) {
+                         YamlSection face = top.section("face");
+                         any(face);
+                       }),
               HasSubstr("face.layer_mm: a comma parts the entries here, and '6' is none"));
 }
 
 TEST(YamlReader, SaysFileLineKeyAndWhatWouldBeRight) {
-  EXPECT_EQ(press_set("share: 0.5", read_share), "read");
-  EXPECT_EQ(press_set("# only a remark", read_share),
+  EXPECT_EQ(reported("share: 0.5", read_share), "read");
+  EXPECT_EQ(reported("# only a remark", read_share),
             "a/b.yaml:1: share: is missing. Try: add 'share: ...'.");
-  EXPECT_EQ(press_set("\nshare: 2", read_share),
+  EXPECT_EQ(reported("\nshare: 2", read_share),
             "a/b.yaml:2: share: must be a number above 0 and up to 1, not '2'.");
-  EXPECT_EQ(press_set("share: half", read_share),
+  EXPECT_EQ(reported("share: half", read_share),
             "a/b.yaml:1: share: must be a number above 0 and up to 1, not 'half'. Try: a number "
             "such as 24.0, with a point and without a unit.");
-  EXPECT_THAT(press_set("share: 0", read_share), HasSubstr("what is absent is not named"));
-  EXPECT_THAT(press_set("share: 1\nshare: 1", read_share),
+  EXPECT_THAT(reported("share: 0", read_share), HasSubstr("what is absent is not named"));
+  EXPECT_THAT(reported("share: 1\nshare: 1", read_share),
               HasSubstr("b.yaml:2: share: is given twice"));
-  EXPECT_THAT(press_set("- 1", read_share), HasSubstr("not a list"));
-  EXPECT_THAT(press_set("[a, b]: 1", read_share), HasSubstr("not a word"));
-  EXPECT_THAT(press_set("share: [", read_share), HasSubstr("this is not YAML"));
-  EXPECT_THAT(press_set("a:\n  b: {c: 1}",
-                        [](YamlSection& top) {
-                          (void)top.section("a").section("b").number("share", kFraction);
-                        }),
+  EXPECT_THAT(reported("- 1", read_share), HasSubstr("not a list"));
+  EXPECT_THAT(reported("[a, b]: 1", read_share), HasSubstr("not a word"));
+  EXPECT_THAT(reported("share: [", read_share), HasSubstr("this is not YAML"));
+  EXPECT_THAT(reported("a:\n  b: {c: 1}",
+                       [](YamlSection& top) {
+                         (void)top.section("a").section("b").number("share", kFraction);
+                       }),
               HasSubstr("b.yaml:2: a.b.share: is missing. Try: add 'share: ...' under 'a.b:'"));
   EXPECT_THAT(
-      press_set("list:\n  - {x: 1}\n  - 2", [](YamlSection& top) { (void)top.sections("list"); }),
+      reported("list:\n  - {x: 1}\n  - 2", [](YamlSection& top) { (void)top.sections("list"); }),
       HasSubstr("b.yaml:3: list[1]: must be a block"));
 }
 
 TEST(YamlReader, ListsAreOfTheRightLengthAndEveryNumberInItsLimits) {
   const auto size = [](YamlSection& top) { (void)top.numbers("size", 2, 2, {16, 99}); };
-  EXPECT_EQ(press_set("size: [16, 99]", size), "read");
-  EXPECT_THAT(press_set("size: [16]", size), HasSubstr("right length. Try: [2 numbers]"));
-  EXPECT_THAT(press_set("size: [16, 100]", size),
+  EXPECT_EQ(reported("size: [16, 99]", size), "read");
+  EXPECT_THAT(reported("size: [16]", size), HasSubstr("right length. Try: [2 numbers]"));
+  EXPECT_THAT(reported("size: [16, 100]", size),
               HasSubstr("holds '100', which is not a number from"));
-  EXPECT_THAT(press_set("size: 16", size), HasSubstr("must be a list, not '16'"));
+  EXPECT_THAT(reported("size: 16", size), HasSubstr("must be a list, not '16'"));
   const auto rows = [](YamlSection& top) { (void)top.rows("rows", {0, 1}); };
-  EXPECT_EQ(press_set("rows: [[], [0, 1]]", rows), "read");
-  EXPECT_THAT(press_set("rows: [[0], 1]", rows), HasSubstr("holds '1', which is not a list"));
-  EXPECT_THAT(press_set("rows: [[0, 2]]", rows), HasSubstr("holds '2', which is not a number"));
+  EXPECT_EQ(reported("rows: [[], [0, 1]]", rows), "read");
+  EXPECT_THAT(reported("rows: [[0], 1]", rows), HasSubstr("holds '1', which is not a list"));
+  EXPECT_THAT(reported("rows: [[0, 2]]", rows), HasSubstr("holds '2', which is not a number"));
   const auto count = [](YamlSection& top) { (void)top.integer("count", 1, 8); };
   for (const char* good : {"1", "8", "+3", "4.0"})
-    EXPECT_EQ(press_set(fmt::format("count: {}", good), count), "read") << good;
+    EXPECT_EQ(reported(fmt::format("count: {}", good), count), "read") << good;
   for (const char* bad : {"0", "9", "2.5", "'3'", "1e99", "0x4", "3 mm", ".nan", "[3]", "~"})
-    EXPECT_THAT(press_set(fmt::format("count: {}", bad), count),
+    EXPECT_THAT(reported(fmt::format("count: {}", bad), count),
                 HasSubstr("whole number from 1 to 8"))
         << bad;
 }
@@ -111,7 +111,7 @@ TEST(YamlReader, UnknownKeysAreKeptOrRefused) {
     read_share(top);
     (void)top.section("sub").text("place");
   };
-  EXPECT_EQ(press_set(text, reader, Unknown::kRefused),
+  EXPECT_EQ(reported(text, reader, Unknown::kRefused),
             "a/b.yaml:2: later: unknown key 'later'. Try: one of share, sub.");
   YamlFile file("b.yaml");
   ASSERT_TRUE(file.read(text, reader));
@@ -129,16 +129,16 @@ TEST(YamlReader, NamesTheNearestKeyAndWord) {
     if (top.has("fy")) (void)top.number("fx", kAnyNumber);
     if (top.has("kind")) (void)top.choice("kind", {"fin_ray", "flat"});
   };
-  EXPECT_THAT(press_set("layer_nm: 1", reader, Unknown::kRefused),
+  EXPECT_THAT(reported("layer_nm: 1", reader, Unknown::kRefused),
               HasSubstr("Try: 'layer_mm', or else one of layer_mm, fy, kind"));
-  EXPECT_THAT(press_set("kind: finray", reader),
+  EXPECT_THAT(reported("kind: finray", reader),
               HasSubstr("Try: 'fin_ray', or else one of fin_ray"));
-  EXPECT_THAT(press_set("kind: round", reader), HasSubstr("known here. Try: one of fin_ray, flat"));
-  EXPECT_THAT(press_set("fy: 1", reader), HasSubstr("Try: add 'fx: ...'"));  // no slip
+  EXPECT_THAT(reported("kind: round", reader), HasSubstr("known here. Try: one of fin_ray, flat"));
+  EXPECT_THAT(reported("fy: 1", reader), HasSubstr("Try: add 'fx: ...'"));  // no slip
   YamlFile file("b.yaml");
   ASSERT_TRUE(file.read("layer_nm: 1", reader));
   EXPECT_THAT(file.warnings()[0].english(), HasSubstr("kept as it is. Try: 'layer_mm'"));
-  EXPECT_THAT(press_set("shaer: 1", read_share), HasSubstr("Try: write 'share' for 'shaer'"));
+  EXPECT_THAT(reported("shaer: 1", read_share), HasSubstr("Try: write 'share' for 'shaer'"));
 }
 
 TEST(YamlReader, ASlipOfOneLetterIsNamed) {
@@ -199,27 +199,27 @@ TEST(YamlReader, HostileTextsAreRefused) {
   const auto reader = [](YamlSection& top) { (void)top.rows("rows"); };
   for (const Unknown policy : {Unknown::kRetained, Unknown::kRefused})
     for (const std::string& text : hostile_texts())
-      EXPECT_THAT(press_set(text, reader, policy), HasSubstr("a/b.yaml")) << text.substr(0, 80);
+      EXPECT_THAT(reported(text, reader, policy), HasSubstr("a/b.yaml")) << text.substr(0, 80);
   const auto texts = hostile_texts();
-  EXPECT_THAT(press_set(texts[0], reader), HasSubstr("too large or too odd to be kept"));
-  EXPECT_THAT(press_set(texts[1], reader), HasSubstr("too large to be read"));
-  EXPECT_THAT(press_set(texts[2], reader), HasSubstr("too large or too odd to be kept"));
-  EXPECT_THAT(press_set("\"\\e\": \"\\\x1b\"", reader), Not(HasSubstr("\x1b")));
+  EXPECT_THAT(reported(texts[0], reader), HasSubstr("too large or too odd to be kept"));
+  EXPECT_THAT(reported(texts[1], reader), HasSubstr("too large to be read"));
+  EXPECT_THAT(reported(texts[2], reader), HasSubstr("too large or too odd to be kept"));
+  EXPECT_THAT(reported("\"\\e\": \"\\\x1b\"", reader), Not(HasSubstr("\x1b")));
   const auto within = [](YamlSection& top) {
     (void)top.section("\x1f").number("share", kFraction);
   };
-  EXPECT_THAT(press_set("\x1f: {b: 1}", within), Not(HasSubstr("\x1f")));
+  EXPECT_THAT(reported("\x1f: {b: 1}", within), Not(HasSubstr("\x1f")));
 }
 
 TEST(YamlReader, AReaderThatIsRefusedReadsNoFurther) {
   int reached = 0;
-  (void)press_set("a: x", [&](YamlSection& top) {
+  (void)reported("a: x", [&](YamlSection& top) {
     ++reached;
     (void)top.number("a", kAnyNumber);
     ++reached;
   });
   EXPECT_EQ(reached, 1);
-  EXPECT_THAT(press_set("a: 1", [](YamlSection&) { throw std::runtime_error("no memory"); }),
+  EXPECT_THAT(reported("a: 1", [](YamlSection&) { throw std::runtime_error("no memory"); }),
               HasSubstr("a/b.yaml: no memory"));
 }
 
@@ -252,7 +252,7 @@ TEST(YamlReader, ANumberIsReadExactlyWhereItLiesInItsLimits) {
     const double number = some();
     const bool is_below = number < limits.low || (limits.low_open && number == limits.low);
     const bool is_above = number > limits.high || (limits.high_open && number == limits.high);
-    const std::string answer = press_set("n: " + yaml_number(number), [&](YamlSection& top) {
+    const std::string answer = reported("n: " + yaml_number(number), [&](YamlSection& top) {
       if (top.number("n", limits) != number) top.refuse("n", "", "");
     });
     RC_ASSERT((answer == "read") == (!is_below && !is_above));

@@ -83,25 +83,25 @@ TEST(HidPort, WithoutAccessTheRuleToInstallIsNamed) {
     if (getuid() != 0 || setuid(65534) == 0) {
       const auto hids = list_hids();
       const auto port = open_hid("abcd:0123");
-      const std::string press_set = hids.size() == 1 && hids[0].problem && !port.ok()
-                                        ? hids[0].problem->sentence() + port.error().sentence()
-                                        : "no problem";
-      [[maybe_unused]] const auto written = ::write(ends[1], press_set.data(), press_set.size());
+      const std::string reported = hids.size() == 1 && hids[0].problem && !port.ok()
+                                       ? hids[0].problem->sentence() + port.error().sentence()
+                                       : "no problem";
+      [[maybe_unused]] const auto written = ::write(ends[1], reported.data(), reported.size());
     }
     _exit(0);
   }
   close(ends[1]);
-  std::string press_set(4096, ' ');
-  const auto size = ::read(ends[0], press_set.data(), press_set.size());
+  std::string reported(4096, ' ');
+  const auto size = ::read(ends[0], reported.data(), reported.size());
   close(ends[0]);
   waitpid(child, nullptr, 0);
-  press_set.resize(static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
+  reported.resize(static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
   const std::string rule = "ATTRS{idVendor}==\"abcd\", ATTRS{idProduct}==\"0123\"";
   EXPECT_THAT(
-      press_set,
+      reported,
       AllOf(HasSubstr("not allowed"), HasSubstr("packaging/70-alltact.rules"), HasSubstr(rule)));
-  EXPECT_NE(press_set.find(rule), press_set.rfind(rule))
-      << "in the list and on opening: " << press_set;
+  EXPECT_NE(reported.find(rule), reported.rfind(rule))
+      << "in the list and on opening: " << reported;
 }
 
 TEST(HidPort, ADimmerTakesOutputAndFeatureReports) {

@@ -119,23 +119,21 @@ TEST_F(FingerFile, APlaceInTheGripperComesBackToTheLastDigit) {
 }
 
 TEST_F(FingerFile, APlaceInTheGripperThatIsNoneIsRefused) {
-  const auto press_set = [&](const std::string& pose) {
+  const auto reported = [&](const std::string& pose) {
     const auto finger = load(std::string(kFlat) + "gripper_from_camera: {" + pose + "}\n");
     return finger.ok() ? std::string("accepted") : finger.error().sentence();
   };
-  EXPECT_EQ(press_set("translation_mm: [1, 2, 3], rotation: [0.7071, 0, 0.7071, 0]"), "accepted");
-  EXPECT_THAT(press_set("translation_mm: [1, 2, 3], rotation: [1, 1, 0, 0]"),
-              HasSubstr("length 1"));
-  EXPECT_THAT(press_set("translation_mm: [1, 2, 3], rotation: [0, 0, 0, 0]"),
-              HasSubstr("length 1"));
-  EXPECT_THAT(press_set("translation_mm: [1, 2, 3], rotation: [1, 0, 0]"),
+  EXPECT_EQ(reported("translation_mm: [1, 2, 3], rotation: [0.7071, 0, 0.7071, 0]"), "accepted");
+  EXPECT_THAT(reported("translation_mm: [1, 2, 3], rotation: [1, 1, 0, 0]"), HasSubstr("length 1"));
+  EXPECT_THAT(reported("translation_mm: [1, 2, 3], rotation: [0, 0, 0, 0]"), HasSubstr("length 1"));
+  EXPECT_THAT(reported("translation_mm: [1, 2, 3], rotation: [1, 0, 0]"),
               HasSubstr("four numbers"));
-  EXPECT_THAT(press_set("translation_mm: [1, 2], rotation: [1, 0, 0, 0]"),
+  EXPECT_THAT(reported("translation_mm: [1, 2], rotation: [1, 0, 0, 0]"),
               HasSubstr("three numbers"));
-  EXPECT_THAT(press_set("translation_mm: [1, 2, 20000], rotation: [1, 0, 0, 0]"),
+  EXPECT_THAT(reported("translation_mm: [1, 2, 20000], rotation: [1, 0, 0, 0]"),
               HasSubstr("gripper_from_camera.translation_mm"));
-  EXPECT_NE(press_set("translation_mm: [1, 2, .nan], rotation: [1, 0, 0, 0]"), "accepted");
-  EXPECT_NE(press_set("translation_mm: [1, 2, 3]"), "accepted");
+  EXPECT_NE(reported("translation_mm: [1, 2, .nan], rotation: [1, 0, 0, 0]"), "accepted");
+  EXPECT_NE(reported("translation_mm: [1, 2, 3]"), "accepted");
 }
 
 TEST_F(FingerFile, FlatSensorsHaveNoMarkersAndDefaults) {

@@ -61,7 +61,7 @@ std::string with_number(int n, const std::string& by) {
   return spoilt.replace(static_cast<std::size_t>(found->position(2)), found->length(2), by);
 }
 
-std::string press_set(const std::string& text) {
+std::string reported(const std::string& text) {
   const auto finger = Finger::parse(text, "finger.yaml");
   return finger.ok() ? "accepted" : finger.error().sentence();
 }
@@ -74,7 +74,7 @@ std::string with(const std::string& from, const std::string& to) {
 }
 
 TEST(FingerNumbers, ThatAreNoneOrImpossibleNeverComeOutAgain) {
-  ASSERT_EQ(press_set(kFinger), "accepted");
+  ASSERT_EQ(reported(kFinger), "accepted");
   int tried = 0, accepted = 0;
   for (int n = 0; !with_number(n, "0").empty(); ++n)
     for (const char* by : {".nan",
@@ -127,7 +127,7 @@ TEST(FingerNumbers, OutsideOfWhatAFingerCanHaveAreRefusedByTheirKey) {
                                       {"[2.0, 0.5]", "[16385, 0.5]", "mapping.chebyshev"},
                                       {"[0.0, 0.5]", "[0.0, 1e-200]", "mapping.domain"},
                                       {"[101.5, 40.0]", "[16385, 40.0]", "contact.rest_markers"}})
-    EXPECT_THAT(press_set(with(from, to)), HasSubstr(key)) << to;
+    EXPECT_THAT(reported(with(from, to)), HasSubstr(key)) << to;
 }
 
 TEST(FingerNumbers, AFingerWithSuchNumbersIsNotWritten) {
@@ -162,8 +162,8 @@ TEST(FingerNumbers, LensesThatExistAreAccepted) {
 
 TEST(FingerNumbers, WhatIsRepeatedOfABadValueIsShortAndPlain) {
   const std::string huge = with("model: brown", "model: \"\\e[31m" + std::string(5000, 'x') + "\"");
-  EXPECT_THAT(press_set(huge), HasSubstr("'\\x1b[31mxxx"));
-  EXPECT_LT(press_set(huge).size(), 300U);
+  EXPECT_THAT(reported(huge), HasSubstr("'\\x1b[31mxxx"));
+  EXPECT_LT(reported(huge).size(), 300U);
   const std::string key = with("  model: brown", "  model: brown\n  \"\\e[2J\": 1");
   std::vector<Message> warnings;
   ASSERT_TRUE(Finger::parse(key, "finger.yaml", &warnings).ok());

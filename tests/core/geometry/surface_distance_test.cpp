@@ -174,9 +174,9 @@ TEST_F(AnyTwo, TrianglesAgreeWithDenseSamples) {
     double sampled = std::numeric_limits<double>::infinity();
     for (const auto& a : samples(p))
       for (const auto& b : samples(q)) sampled = std::min(sampled, (b - a).norm());
-    const double press_set = nearest_points(p, q).distance();
-    EXPECT_LE(press_set, sampled + 1e-12);
-    EXPECT_GT(press_set, sampled - 0.5) << "steps are up to 10 / 24 mm long";
+    const double reported = nearest_points(p, q).distance();
+    EXPECT_LE(reported, sampled + 1e-12);
+    EXPECT_GT(reported, sampled - 0.5) << "steps are up to 10 / 24 mm long";
   }
 }
 

@@ -124,16 +124,16 @@ TEST(KeyFrames, StayBetweenTheirNeighboursForAnyNumbers) {
       double is;
     };
     std::vector<Key> keys;
-    std::vector<std::string> press_set;
+    std::vector<std::string> reported;
     for (int at = step(random); at < 290 && keys.size() < 12; at += step(random)) {
       keys.push_back({at, value(random)});
-      press_set.push_back(
+      reported.push_back(
           fmt::format("{{at: {}, is: {}{}}}",
                       kind(random) == 0 ? fmt::format("{}", at) : fmt::format("{} s", at / 30.0),
                       keys.back().is,
                       kind(random) == 0 ? "" : ", by: smooth"));
     }
-    const Varying varying = read_varying(fmt::format("[{}]", fmt::join(press_set, ", "))).value();
+    const Varying varying = read_varying(fmt::format("[{}]", fmt::join(reported, ", "))).value();
     for (std::size_t i = 0; i < keys.size(); ++i) {
       EXPECT_NEAR(varying.at(1, keys[i].at), keys[i].is, 1e-9);
       if (i == 0) continue;

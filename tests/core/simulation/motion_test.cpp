@@ -1,4 +1,5 @@
-// Fingers that bend along a path of key frames. Other motions: plan_test.cpp, give_test.cpp.
+// Fingers that bend along a path of key frames. Other motions: plan_test.cpp,
+// tip_deflection_test.cpp.
 #include "core/simulation/scene_time.h"
 #include "tests/core/simulation/scene_text.h"
 

@@ -11,7 +11,7 @@
 namespace alltact {
 namespace {
 
-Message press_set(const char* words) {
+Message shown(const char* words) {
   return Message::typed(words);
 }
 
@@ -54,10 +54,9 @@ ExperimentReport some_report() {
   pose.outcome.figures = {{en::say("angle <mean>, within +-20"), "degrees", 0.0204, 12.06, 1.0},
                           {en::say("angle, greatest"), "degrees", 1.5, {}, 1.0},
                           {en::say("told"), "%", 99.96, {}, {}, true}};
-  ExperimentPlot bars = compared_bars(
-      press_set("bars"), press_set("N"), {press_set("a"), press_set("b")}, {1, 2}, {3, 4});
-  bars.series.push_back(
-      level_line(press_set("aim"), ExperimentSeries::Style::kAim, 2.5, -0.5, 1.5));
+  ExperimentPlot bars =
+      compared_bars(shown("bars"), shown("N"), {shown("a"), shown("b")}, {1, 2}, {3, 4});
+  bars.series.push_back(level_line(shown("aim"), ExperimentSeries::Style::kAim, 2.5, -0.5, 1.5));
   pose.outcome.plots = {bars};
   pose.outcome.remarks = {en::say("what a figure does not say")};
   ExperimentDone thread{all[1], {}, 0.5};
@@ -133,13 +132,12 @@ TEST(ReliefPicture, IsGreyWhereNothingIsTold) {
 
 // Ours are a hundredth of the paper's: on an axis from 0 they would stand on it, all alike.
 TEST(ExperimentFigure, ShowsSmallErrorsApartWhereItIsLogarithmic) {
-  ExperimentPlot plot{
-      press_set("small and large"),
-      press_set("x"),
-      press_set("y"),
-      {{press_set("ours"), ExperimentSeries::Style::kDots, {0, 1, 2}, {0.01, 0.1, 0.0}},
-       {press_set("paper"), ExperimentSeries::Style::kPaper, {0, 2}, {10, 10}}},
-      {}};
+  ExperimentPlot plot{shown("small and large"),
+                      shown("x"),
+                      shown("y"),
+                      {{shown("ours"), ExperimentSeries::Style::kDots, {0, 1, 2}, {0.01, 0.1, 0.0}},
+                       {shown("paper"), ExperimentSeries::Style::kPaper, {0, 2}, {10, 10}}},
+                      {}};
   const auto blue_rows = [&](bool logarithmic) {
     plot.logarithmic_y = logarithmic;
     ExperimentFigurePlot drawn;

@@ -87,8 +87,8 @@ TEST(DepthSd, IsHowDepthsScatter) {
     const cv::Mat mean = sum / kRuns;
     const cv::Mat variance = (square / kRuns - mean.mul(mean)) * (kRuns / (kRuns - 1.0));
     const double scattered = std::sqrt(cv::mean(variance(part))[0]);
-    const double press_set = std::sqrt(cv::mean(told(part))[0] / kRuns);
-    EXPECT_NEAR(press_set, scattered, 0.12 * scattered) << part;
+    const double reported = std::sqrt(cv::mean(told(part))[0] / kRuns);
+    EXPECT_NEAR(reported, scattered, 0.12 * scattered) << part;
   }
 }
 

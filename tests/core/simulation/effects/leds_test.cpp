@@ -15,7 +15,7 @@ TEST(Leds, LightByPowerCosineAndDistance) {
       int lobe;  // 0: bare
     };
     std::vector<Lamp> lamps;
-    std::vector<std::string> press_set;
+    std::vector<std::string> reported;
     const int count = static_cast<int>(random.between(1, 7));
     for (int k = 0; k < count; ++k) {
       const auto somewhere = [&](double low, double high) {
@@ -25,23 +25,23 @@ TEST(Leds, LightByPowerCosineAndDistance) {
       Lamp lamp{somewhere(-20, 25), somewhere(28, 90), random.between(1e4, 1e6), 0};
       const int kind = static_cast<int>(random.between(0, 5));
       lamp.lobe = kind == 0 ? 0 : 1 << (kind - 1);
-      press_set.push_back(fmt::format("{{at_mm: [{}, {}, {}], power: {}",
-                                      lamp.at.x(),
-                                      lamp.at.y(),
-                                      lamp.at.z(),
-                                      lamp.power) +
-                          (kind == 0 ? "}"
-                                     : fmt::format(", aim_mm: [{}, {}, {}], lobe: {}}}",
-                                                   lamp.aim.x(),
-                                                   lamp.aim.y(),
-                                                   lamp.aim.z(),
-                                                   lamp.lobe)));
+      reported.push_back(fmt::format("{{at_mm: [{}, {}, {}], power: {}",
+                                     lamp.at.x(),
+                                     lamp.at.y(),
+                                     lamp.at.z(),
+                                     lamp.power) +
+                         (kind == 0 ? "}"
+                                    : fmt::format(", aim_mm: [{}, {}, {}], lobe: {}}}",
+                                                  lamp.aim.x(),
+                                                  lamp.aim.y(),
+                                                  lamp.aim.z(),
+                                                  lamp.lobe)));
       lamps.push_back(lamp);
     }
     const double room = random.between(1, 60);
     const bool lit_room = i % 2 == 0;
     const cv::Mat_<float> got = rendered(
-        flat_text(fmt::format("  - {{use: leds, lamps: [{}]}}\n", fmt::join(press_set, ", ")) +
+        flat_text(fmt::format("  - {{use: leds, lamps: [{}]}}\n", fmt::join(reported, ", ")) +
                   (lit_room ? fmt::format("  - {{use: ambient, level: {}}}\n", room) : "")));
     for_pixels(got.size(), 11, [&](int v, int u) {
       const Eigen::Vector3d p = flat_point(u, v);

@@ -164,48 +164,48 @@ TEST(Push, GoesWithBendingAndOtherPresses) {
 
 TEST(Push, SaysWhatIsWrong) {
   const std::string push = pushing("s_mm: 60, radius_mm: 4, force_N: 1");
-  const auto press_set = [](const std::string& effects) { return refusal(scene_text(effects)); };
-  EXPECT_EQ(press_set(push), "");
-  EXPECT_EQ(press_set(push + kPushedBody), "");
-  EXPECT_THAT(press_set(kPushedBody), HasSubstr("test.yaml:10: body: nothing pushes"));
-  EXPECT_THAT(press_set(pushing("s_mm: 60, radius_mm: 4, force_N: 1", "back")),
+  const auto reported = [](const std::string& effects) { return refusal(scene_text(effects)); };
+  EXPECT_EQ(reported(push), "");
+  EXPECT_EQ(reported(push + kPushedBody), "");
+  EXPECT_THAT(reported(kPushedBody), HasSubstr("test.yaml:10: body: nothing pushes"));
+  EXPECT_THAT(reported(pushing("s_mm: 60, radius_mm: 4, force_N: 1", "back")),
               HasSubstr("test.yaml:10: push: without its body"));
-  EXPECT_THAT(press_set(pushing("s_mm: 60, radius_mm: 4, force_N: 0")),
+  EXPECT_THAT(reported(pushing("s_mm: 60, radius_mm: 4, force_N: 0")),
               HasSubstr("push.force_N: nothing"));
-  EXPECT_THAT(press_set(pushing("s_mm: 60, radius_mm: 4, force_N: -1")), HasSubstr("push.force_N"));
-  EXPECT_THAT(press_set(pushing("s_mm: 60, radius_mm: 4, force_N: 99")),
+  EXPECT_THAT(reported(pushing("s_mm: 60, radius_mm: 4, force_N: -1")), HasSubstr("push.force_N"));
+  EXPECT_THAT(reported(pushing("s_mm: 60, radius_mm: 4, force_N: 99")),
               HasSubstr("further into the layer"));
-  EXPECT_THAT(press_set(pushing("s_mm: 130, radius_mm: 4, force_N: 1")),
+  EXPECT_THAT(reported(pushing("s_mm: 130, radius_mm: 4, force_N: 1")),
               HasSubstr("beyond the ends"));
-  EXPECT_THAT(press_set(pushing("s_mm: 60, y_mm: 13, radius_mm: 4, force_N: 1")),
+  EXPECT_THAT(reported(pushing("s_mm: 60, y_mm: 13, radius_mm: 4, force_N: 1")),
               HasSubstr("beside"));
   EXPECT_THAT(
-      press_set(pushing("s_mm: 110, y_mm: 9, radius_mm: 4, force_N: 1", "upper") + kPushedBody),
+      reported(pushing("s_mm: 110, y_mm: 9, radius_mm: 4, force_N: 1", "upper") + kPushedBody),
       HasSubstr("beside the face"));
-  EXPECT_THAT(press_set(pushing("s_mm: 60, radius_mm: 4, force_N: 50", "upper") + kPushedBody),
+  EXPECT_THAT(reported(pushing("s_mm: 60, radius_mm: 4, force_N: 50", "upper") + kPushedBody),
               HasSubstr("further into the body"));
-  EXPECT_THAT(press_set(pushing("s_mm: 110, radius_mm: 40, force_N: 90", "back") + kPushedBody),
+  EXPECT_THAT(reported(pushing("s_mm: 110, radius_mm: 40, force_N: 90", "back") + kPushedBody),
               HasSubstr("bends the finger further"));
-  EXPECT_THAT(press_set(pushing("s_mm: 60, radius_mm: 4, force_N: 1, along_N: 1")),
+  EXPECT_THAT(reported(pushing("s_mm: 60, radius_mm: 4, force_N: 1, along_N: 1")),
               HasSubstr("friction"));
-  EXPECT_THAT(press_set(pushing("s_mm: 60, radius_mm: 4, force_N: 1, friction: 1")),
+  EXPECT_THAT(reported(pushing("s_mm: 60, radius_mm: 4, force_N: 1, friction: 1")),
               HasSubstr("friction"));
-  EXPECT_THAT(press_set(pushing("s_mm: 60, radius_mm: 4, force_N: 1, along_N: 0, friction: 1")),
+  EXPECT_THAT(reported(pushing("s_mm: 60, radius_mm: 4, force_N: 1, along_N: 0, friction: 1")),
               HasSubstr("push.along_N: nothing drags"));
-  EXPECT_THAT(press_set(pushing("s_mm: 60, radius_mm: 4, force_N: 1", "front")),
+  EXPECT_THAT(reported(pushing("s_mm: 60, radius_mm: 4, force_N: 1", "front")),
               HasSubstr("push.face"));
-  EXPECT_THAT(press_set(pushing("s_mm: 60, radius_mm: 4, force_N: 1, layer_shore_a: 5", "back") +
-                        kPushedBody),
+  EXPECT_THAT(reported(pushing("s_mm: 60, radius_mm: 4, force_N: 1, layer_shore_a: 5", "back") +
+                       kPushedBody),
               HasSubstr("layer_shore_a"));
   EXPECT_THAT(
-      press_set(pushing("s_mm: 60, radius_mm: 4, force_N: 1, until: 2") +
-                kPushedBody.substr(0, kPushedBody.size() - 2) + ", damping_s: 1, until: 2}\n"),
+      reported(pushing("s_mm: 60, radius_mm: 4, force_N: 1, until: 2") +
+               kPushedBody.substr(0, kPushedBody.size() - 2) + ", damping_s: 1, until: 2}\n"),
       HasSubstr("remembers a push"));
-  EXPECT_THAT(press_set(push + "  - {use: body, shore_a: 400, wall_mm: 4, base_depth_mm: 34, "
-                               "tip_depth_mm: 12, coupling: 0.6}\n"),
+  EXPECT_THAT(reported(push + "  - {use: body, shore_a: 400, wall_mm: 4, base_depth_mm: 34, "
+                              "tip_depth_mm: 12, coupling: 0.6}\n"),
               HasSubstr("test.yaml:11: body.shore_a"));
-  EXPECT_THAT(press_set(push + "  - {use: body, shore_a: 40, wall_mm: 9, base_depth_mm: 34, "
-                               "tip_depth_mm: 12, coupling: 0.6}\n"),
+  EXPECT_THAT(reported(push + "  - {use: body, shore_a: 40, wall_mm: 9, base_depth_mm: 34, "
+                              "tip_depth_mm: 12, coupling: 0.6}\n"),
               HasSubstr("two walls of 9 mm"));
   EXPECT_THAT(refusal(flat_text(push + kPushedBody)), HasSubstr("leave body out"));
   EXPECT_THAT(refusal(flat_text(pushing("s_mm: 1, radius_mm: 4, force_N: 1", "back"))),
