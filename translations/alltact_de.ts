@@ -4,7 +4,7 @@
 <context>
     <name>Figures</name>
     <message>
-        <source>Depth&apos;s sd (mm)</source>
+        <source>Depth SD (mm)</source>
         <translation>Standardabweichung der Tiefe (mm)</translation>
     </message>
     <message>
@@ -28,7 +28,7 @@
         <translation>Abbildung minus Kugel (mm)</translation>
     </message>
     <message>
-        <source>Error of the press (mm)</source>
+        <source>Press error (mm)</source>
         <translation>Fehler des Eindrucks (mm)</translation>
     </message>
 </context>
@@ -39,91 +39,91 @@
         <translation>Einstellungen</translation>
     </message>
     <message>
-        <source>Time of a picture (ms)</source>
-        <translation>Zeit für ein Bild (ms)</translation>
+        <source>Time per image (ms)</source>
+        <translation>Zeit pro Bild (ms)</translation>
     </message>
     <message>
-        <source>Depth error, half within (mm)</source>
-        <translation>Fehler der Tiefe, Hälfte innerhalb (mm)</translation>
+        <source>Median depth error (mm)</source>
+        <translation>Tiefenfehler, Median (mm)</translation>
     </message>
     <message>
         <source>Depth error, 95 % within (mm)</source>
-        <translation>Fehler der Tiefe, 95 % innerhalb (mm)</translation>
+        <translation>Tiefenfehler, 95 % innerhalb (mm)</translation>
     </message>
     <message>
-        <source>Place error, half within (mm)</source>
-        <translation>Fehler des Ortes, Hälfte innerhalb (mm)</translation>
+        <source>Median position error (mm)</source>
+        <translation>Positionsfehler, Median (mm)</translation>
     </message>
     <message>
-        <source>Standing</source>
-        <translation>Rang</translation>
+        <source>Rating</source>
+        <translation>Wertung</translation>
     </message>
     <message>
         <source>best for its time</source>
-        <translation>das Beste für seine Zeit</translation>
+        <translation>beste in dieser Zeit</translation>
     </message>
     <message>
         <source>worse than: %1</source>
         <translation>schlechter als: %1</translation>
     </message>
     <message>
-        <source>not in every picture</source>
-        <translation>nicht in jedem Bild</translation>
+        <source>misses some images</source>
+        <translation>misst nicht jedes Bild</translation>
     </message>
     <message>
         <source>in use now; %1</source>
         <translation>jetzt verwendet; %1</translation>
     </message>
     <message>
-        <source>what it loses is not in these pictures</source>
-        <translation>was sie verliert, zeigen diese Bilder nicht</translation>
+        <source>loss not visible in these images</source>
+        <translation>Verlust in diesen Bildern nicht sichtbar</translation>
     </message>
 </context>
 <context>
     <name>alltact::AccuracyPage</name>
     <message>
-        <source>How fast must it be, and what error may it have? What settings cost in time and bring in accuracy is measured once on this finger&apos;s own pictures; then one answer stands here.</source>
-        <translation>Wie schnell muss es sein, und welcher Fehler ist erlaubt? Was Einstellungen an Zeit kosten und an Genauigkeit bringen, wird einmal an den eigenen Bildern dieses Fingers gemessen; dann steht hier eine Antwort.</translation>
+        <source>Set the required speed and error. The program measures once, on images of this finger, what each setting costs in time and gains in accuracy. Then it shows one answer here.</source>
+        <translation>Geben Sie Geschwindigkeit und zulässigen Fehler vor. Das Programm misst einmal an Bildern dieses Fingers, was jede Einstellung an Zeit kostet und an Genauigkeit bringt. Dann zeigt es hier eine Antwort.</translation>
     </message>
     <message>
-        <source>&amp;Measure what settings cost on this finger (about 12 s)</source>
-        <translation>&amp;Messen, was Einstellungen an diesem Finger kosten (etwa 12 s)</translation>
+        <source>&amp;Measure settings on this finger (about 12 s)</source>
+        <translation>Einstellungen an diesem Finger &amp;messen (etwa 12 s)</translation>
     </message>
     <message>
-        <source>How many pictures per &amp;second?</source>
-        <translation>Wie viele Bilder pro &amp;Sekunde?</translation>
+        <source>Images per &amp;second</source>
+        <translation>Bilder pro &amp;Sekunde</translation>
     </message>
     <message>
-        <source>How many pictures per second?</source>
-        <translation>Wie viele Bilder pro Sekunde?</translation>
+        <source>Images per second</source>
+        <translation>Bilder pro Sekunde</translation>
     </message>
     <message>
-        <source>What er&amp;ror may it have?</source>
-        <translation>Welcher Fehle&amp;r ist erlaubt?</translation>
+        <source>Maximum er&amp;ror</source>
+        <translation>Maximaler Fehle&amp;r</translation>
     </message>
     <message>
-        <source>What error may it have?</source>
-        <translation>Welcher Fehler ist erlaubt?</translation>
+        <source>Maximum error</source>
+        <translation>Maximaler Fehler</translation>
     </message>
     <message>
-        <source>Of depth, where 95 % of all points lie within.</source>
-        <translation>Der Tiefe, innerhalb dessen 95 % aller Stellen liegen.</translation>
+        <source>95 % of all points have a smaller depth error.</source>
+        <translation>95 % aller Punkte haben einen kleineren Tiefenfehler.</translation>
     </message>
     <message>
         <source> mm</source>
         <translation> mm</translation>
     </message>
     <message>
-        <source>as small as fits</source>
+        <source>smallest possible</source>
         <translation>so klein wie möglich</translation>
     </message>
     <message>
-        <source>As cali&amp;brated again</source>
+        <source>Restore as cali&amp;brated</source>
         <translation>Wieder wie kali&amp;briert</translation>
     </message>
     <message>
         <source>Figure</source>
-        <translation>Abbildung</translation>
+        <translation>Diagramm</translation>
     </message>
     <message>
         <source>Table</source>
@@ -146,8 +146,8 @@
         <translation>Anhal&amp;ten</translation>
     </message>
     <message>
-        <source>What was measured is kept; measuring goes on there another time.</source>
-        <translation>Was gemessen ist, bleibt; ein andermal geht es dort weiter.</translation>
+        <source>Results so far are saved; measuring continues from there next time.</source>
+        <translation>Bisherige Ergebnisse bleiben gespeichert; die nächste Messung setzt dort fort.</translation>
     </message>
     <message>
         <source>Accuracy</source>
@@ -162,15 +162,15 @@
         <translation>wie kalibriert</translation>
     </message>
     <message>
-        <source>%1 ms a picture; depth: half of all points within %2 mm, 95 % within %3 mm</source>
-        <translation>%1 ms je Bild; Tiefe: Hälfte aller Stellen innerhalb %2 mm, 95 % innerhalb %3 mm</translation>
+        <source>%1 ms per image; depth: half of all points within %2 mm, 95 % within %3 mm</source>
+        <translation>%1 ms pro Bild; Tiefe: Hälfte der Punkte innerhalb %2 mm, 95 % innerhalb %3 mm</translation>
     </message>
     <message>
         <source>In use now.</source>
         <translation>Jetzt verwendet.</translation>
     </message>
     <message>
-        <source>Other than now: %1</source>
+        <source>Change from now: %1</source>
         <translation>Anders als jetzt: %1</translation>
     </message>
     <message>
@@ -182,28 +182,28 @@
         <translation>%1 ms langsamer als jetzt</translation>
     </message>
     <message>
-        <source>%1 mm closer than now</source>
+        <source>%1 mm more accurate than now</source>
         <translation>%1 mm genauer als jetzt</translation>
     </message>
     <message>
-        <source>%1 mm further off than now</source>
+        <source>%1 mm less accurate than now</source>
         <translation>%1 mm ungenauer als jetzt</translation>
     </message>
     <message>
         <source>Open a finger first.</source>
-        <translation>Zuerst einen Finger öffnen.</translation>
+        <translation>Öffnen Sie zuerst einen Finger.</translation>
     </message>
     <message>
-        <source>The finger is being read.</source>
-        <translation>Der Finger wird gelesen.</translation>
+        <source>The finger is being loaded.</source>
+        <translation>Der Finger wird geladen.</translation>
     </message>
     <message>
         <source>Calibrate this finger first.</source>
-        <translation>Zuerst diesen Finger kalibrieren.</translation>
+        <translation>Kalibrieren Sie zuerst diesen Finger.</translation>
     </message>
     <message>
         <source>Record this finger&apos;s reference first.</source>
-        <translation>Zuerst die Referenz dieses Fingers aufnehmen.</translation>
+        <translation>Nehmen Sie zuerst die Referenz dieses Fingers auf.</translation>
     </message>
     <message numerus="yes">
         <source>about %n second(s) left</source>
@@ -213,12 +213,12 @@
         </translation>
     </message>
     <message>
-        <source>measuring what settings cost…</source>
-        <translation>es wird gemessen, was Einstellungen kosten …</translation>
+        <source>measuring the settings…</source>
+        <translation>die Einstellungen werden gemessen …</translation>
     </message>
     <message>
         <source>The finger has changed since this was measured: measure again.</source>
-        <translation>Der Finger hat sich seit dieser Messung geändert: noch einmal messen.</translation>
+        <translation>Der Finger hat sich seit dieser Messung geändert: Messen Sie noch einmal.</translation>
     </message>
     <message>
         <source>Measured on another computer (%1): its errors hold, its times do not.</source>
@@ -230,31 +230,31 @@
     </message>
     <message>
         <source>Chosen by hand. Esc in the figure returns to the answer.</source>
-        <translation>Von Hand gewählt. Esc in der Abbildung kehrt zur Antwort zurück.</translation>
+        <translation>Von Hand gewählt. Esc im Diagramm kehrt zur Antwort zurück.</translation>
     </message>
     <message>
-        <source>The most accurate of all that take at most %1 ms.</source>
-        <translation>Die genaueste von allen, die höchstens %1 ms brauchen.</translation>
+        <source>The most accurate setting within %1 ms.</source>
+        <translation>Die genaueste Einstellung mit höchstens %1 ms.</translation>
     </message>
     <message>
-        <source>The fastest that keeps 95 % of all points within %1 mm.</source>
-        <translation>Die schnellste, bei der 95 % aller Stellen innerhalb %1 mm liegen.</translation>
+        <source>The fastest setting with 95 % of all points within %1 mm.</source>
+        <translation>Die schnellste Einstellung, bei der 95 % aller Punkte innerhalb von %1 mm liegen.</translation>
     </message>
     <message>
-        <source>No setting keeps %1 mm. This is the most accurate that takes at most %2 ms.</source>
-        <translation>Keine Einstellung hält %1 mm ein. Dies ist die genaueste, die höchstens %2 ms braucht.</translation>
+        <source>No setting reaches %1 mm. This is the most accurate within %2 ms.</source>
+        <translation>Keine Einstellung erreicht %1 mm. Diese ist die genaueste mit höchstens %2 ms.</translation>
     </message>
     <message>
-        <source>Keeping %1 mm allows %2 pictures per second. This is the most accurate that is fast enough.</source>
-        <translation>%1 mm einzuhalten erlaubt %2 Bilder pro Sekunde. Dies ist die genaueste, die schnell genug ist.</translation>
+        <source>An error of %1 mm allows %2 images per second. This is the most accurate setting that is fast enough.</source>
+        <translation>Ein Fehler von %1 mm erlaubt %2 Bilder pro Sekunde. Diese Einstellung ist die genaueste, die schnell genug ist.</translation>
     </message>
     <message>
-        <source>No setting is so fast on this computer. This is the fastest: %1 pictures per second.</source>
-        <translation>Keine Einstellung ist auf diesem Rechner so schnell. Dies ist die schnellste: %1 Bilder pro Sekunde.</translation>
+        <source>No setting is that fast on this computer. This is the fastest: %1 images per second.</source>
+        <translation>Keine Einstellung ist auf diesem Rechner so schnell. Diese ist die schnellste: %1 Bilder pro Sekunde.</translation>
     </message>
     <message>
-        <source>No setting measures this finger&apos;s pictures.</source>
-        <translation>Keine Einstellung misst die Bilder dieses Fingers.</translation>
+        <source>No setting can measure this finger&apos;s images.</source>
+        <translation>Keine Einstellung kann die Bilder dieses Fingers messen.</translation>
     </message>
     <message>
         <source>In use</source>
@@ -269,11 +269,11 @@
         <translation>Noch einmal &amp;messen (etwa 12 s)</translation>
     </message>
     <message>
-        <source>&amp;Measure what is missing</source>
+        <source>&amp;Measure missing settings</source>
         <translation>&amp;Messen, was fehlt</translation>
     </message>
     <message>
-        <source>&amp;Measure pairs of settings, too</source>
+        <source>&amp;Measure setting pairs, too</source>
         <translation>Auch Paare von Einstellungen &amp;messen</translation>
     </message>
     <message>
@@ -281,23 +281,23 @@
         <translation>Live, nebeneinander</translation>
     </message>
     <message>
-        <source>Figure, table or the live picture with two settings</source>
-        <translation>Abbildung, Tabelle oder das Livebild mit zwei Einstellungen</translation>
+        <source>Figure, table or the live image with two settings</source>
+        <translation>Diagramm, Tabelle oder Livebild mit zwei Einstellungen</translation>
     </message>
     <message>
-        <source>What it loses is not in these pictures, whose light is that of the recording.</source>
-        <translation>Was sie verliert, zeigen diese Bilder nicht, deren Licht das der Aufnahme ist.</translation>
+        <source>These images cannot show its loss: their light is that of the recording.</source>
+        <translation>Diese Bilder zeigen den Verlust nicht: Ihr Licht ist das der Aufnahme.</translation>
     </message>
     <message>
-        <source>place: half within %1 mm</source>
-        <translation>Ort: Hälfte innerhalb %1 mm</translation>
+        <source>position: half within %1 mm</source>
+        <translation>Position: Hälfte innerhalb %1 mm</translation>
     </message>
 </context>
 <context>
     <name>alltact::AccuracyPlot</name>
     <message>
-        <source>What accuracy costs in time</source>
-        <translation>Was Genauigkeit an Zeit kostet</translation>
+        <source>Error versus time per image</source>
+        <translation>Fehler gegen Zeit pro Bild</translation>
     </message>
     <message>
         <source>Nothing has been measured yet</source>
@@ -308,27 +308,27 @@
         <translation>Keine Einstellung gewählt</translation>
     </message>
     <message>
-        <source>Time of a picture on this computer (ms)</source>
-        <translation>Zeit für ein Bild auf diesem Rechner (ms)</translation>
+        <source>Time per image on this computer (ms)</source>
+        <translation>Zeit pro Bild auf diesem Rechner (ms)</translation>
     </message>
     <message>
-        <source>Error of depth (mm)</source>
-        <translation>Fehler der Tiefe (mm)</translation>
+        <source>Depth error (mm)</source>
+        <translation>Tiefenfehler (mm)</translation>
     </message>
     <message>
         <source>slower or worse than another</source>
         <translation>langsamer oder schlechter als eine andere</translation>
     </message>
     <message numerus="yes">
-        <source>%n slower or worse, beyond this figure</source>
+        <source>%n slower or worse, outside this figure</source>
         <translation>
-            <numerusform>%n langsamer oder schlechter, außerhalb der Abbildung</numerusform>
-            <numerusform>%n langsamer oder schlechter, außerhalb der Abbildung</numerusform>
+            <numerusform>%n langsamer oder schlechter, außerhalb des Diagramms</numerusform>
+            <numerusform>%n langsamer oder schlechter, außerhalb des Diagramms</numerusform>
         </translation>
     </message>
     <message>
         <source>best for its time; whisker up to 95 %</source>
-        <translation>das Beste für seine Zeit; Strich bis 95 %</translation>
+        <translation>beste in dieser Zeit; Strich bis 95 %</translation>
     </message>
     <message>
         <source>chosen</source>
@@ -339,7 +339,7 @@
         <translation>jetzt verwendet</translation>
     </message>
     <message>
-        <source>%1 pictures per second</source>
+        <source>%1 images per second</source>
         <translation>%1 Bilder pro Sekunde</translation>
     </message>
     <message>
@@ -358,31 +358,31 @@
         <translation>Sortieren nach</translation>
     </message>
     <message>
-        <source>What accuracy costs in time, as a table</source>
-        <translation>Was Genauigkeit an Zeit kostet, als Tabelle</translation>
+        <source>Error versus time per image, as a table</source>
+        <translation>Fehler gegen Zeit pro Bild, als Tabelle</translation>
     </message>
 </context>
 <context>
     <name>alltact::AgeLabel</name>
     <message>
-        <source>Age of the picture</source>
+        <source>Image age</source>
         <translation>Alter des Bildes</translation>
     </message>
     <message>
-        <source>pictures without times</source>
-        <translation>Bilder ohne Zeitangabe</translation>
+        <source>images without timestamps</source>
+        <translation>Bilder ohne Zeitstempel</translation>
     </message>
     <message>
-        <source>picture %1 s old</source>
+        <source>image %1 s old</source>
         <translation>Bild %1 s alt</translation>
     </message>
     <message>
-        <source>picture %1 ms old</source>
+        <source>image %1 ms old</source>
         <translation>Bild %1 ms alt</translation>
     </message>
     <message>
-        <source>What moves is seen late. Close other programs, or choose a faster setting in Accuracy.</source>
-        <translation>Was sich bewegt, ist verspätet zu sehen. Schließen Sie andere Programme, oder wählen Sie unter Genauigkeit eine schnellere Einstellung.</translation>
+        <source>Motion appears late. Close other programs, or choose a faster setting on the Accuracy page.</source>
+        <translation>Bewegungen erscheinen verspätet. Schließen Sie andere Programme, oder wählen Sie auf der Seite Genauigkeit eine schnellere Einstellung.</translation>
     </message>
 </context>
 <context>
@@ -392,8 +392,8 @@
         <translation>&amp;Weiter: %1</translation>
     </message>
     <message>
-        <source>This finger is not calibrated yet, so that no depth is shown.</source>
-        <translation>Dieser Finger ist noch nicht kalibriert, darum wird keine Tiefe gezeigt.</translation>
+        <source>This finger is not calibrated yet, so no depth is shown.</source>
+        <translation>Dieser Finger ist noch nicht kalibriert, deshalb wird keine Tiefe angezeigt.</translation>
     </message>
     <message>
         <source>Calibrate it with ball presses.</source>
@@ -426,12 +426,12 @@
         <translation>Drei Eindrücke</translation>
     </message>
     <message>
-        <source>Is it still what it was?</source>
-        <translation>Ist er noch, was er war?</translation>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
     </message>
     <message>
-        <source>Press the ball of the calibration in at three places, base, middle and tip, and take a picture of each. The calibration stays as it is.</source>
-        <translation>Drücken Sie die Kugel der Kalibrierung an drei Stellen ein, Fuß, Mitte und Spitze, und nehmen Sie jede auf. Die Kalibrierung bleibt, wie sie ist.</translation>
+        <source>Press the calibration ball at three positions, base, middle and tip, and take an image of each. The calibration does not change.</source>
+        <translation>Drücken Sie die Kugel der Kalibrierung an drei Positionen ein, Fuß, Mitte und Spitze, und nehmen Sie jeden Eindruck auf. Die Kalibrierung bleibt unverändert.</translation>
     </message>
     <message>
         <source>&amp;Take a press (Space)</source>
@@ -450,7 +450,7 @@
         <translation>Fortschritt der Prüfung</translation>
     </message>
     <message>
-        <source>There is no live picture: choose a source.</source>
+        <source>There is no live image: choose a source.</source>
         <translation>Es gibt kein Livebild: Wählen Sie eine Quelle.</translation>
     </message>
     <message>
@@ -458,7 +458,7 @@
         <translation>Der Finger ist nicht kalibriert.</translation>
     </message>
     <message>
-        <source>The check is being made.</source>
+        <source>The check is running.</source>
         <translation>Die Prüfung läuft.</translation>
     </message>
     <message>
@@ -494,8 +494,8 @@
         <translation>Ausgelassen: %1</translation>
     </message>
     <message>
-        <source>The last check, on %1, was of a calibration before this one.</source>
-        <translation>Die letzte Prüfung, am %1, galt einer Kalibrierung vor dieser.</translation>
+        <source>The last check, on %1, tested an earlier calibration.</source>
+        <translation>Die letzte Prüfung, am %1, galt einer früheren Kalibrierung.</translation>
     </message>
     <message numerus="yes">
         <source>%n press(es) taken: enough.</source>
@@ -505,22 +505,22 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>Checked last on %1 with %n press(es): %2 mm off (passes up to %3 mm).</source>
+        <source>Last checked on %1 with %n press(es): error %2 mm (limit %3 mm).</source>
         <translation>
-            <numerusform>Zuletzt geprüft am %1 mit %n Eindruck: %2 mm daneben (bestanden bis %3 mm).</numerusform>
-            <numerusform>Zuletzt geprüft am %1 mit %n Eindrücken: %2 mm daneben (bestanden bis %3 mm).</numerusform>
+            <numerusform>Zuletzt geprüft am %1 mit %n Eindruck: Fehler %2 mm (Grenze %3 mm).</numerusform>
+            <numerusform>Zuletzt geprüft am %1 mit %n Eindrücken: Fehler %2 mm (Grenze %3 mm).</numerusform>
         </translation>
     </message>
     <message>
         <source>A check needs %1 presses at different positions: press again.</source>
-        <translation>Eine Prüfung braucht %1 Eindrücke an verschiedenen Stellen: Drücken Sie noch einmal.</translation>
+        <translation>Eine Prüfung braucht %1 Eindrücke an verschiedenen Positionen: Drücken Sie noch einmal.</translation>
     </message>
 </context>
 <context>
     <name>alltact::ContactWords</name>
     <message>
-        <source>Touched on the contact face</source>
-        <translation>Auf der Kontaktfläche berührt</translation>
+        <source>Contact on the contact face</source>
+        <translation>Kontakt auf der Kontaktfläche</translation>
     </message>
     <message>
         <source>Pushed from the back</source>
@@ -563,8 +563,8 @@
         <translation>± %1°</translation>
     </message>
     <message>
-        <source>(the face&apos;s normal)</source>
-        <translation>(die Normale der Fläche)</translation>
+        <source>(normal to the face)</source>
+        <translation>(Flächennormale)</translation>
     </message>
     <message>
         <source>x %1, y %2, z %3</source>
@@ -590,7 +590,7 @@
         <translation>Es rutscht oder rollt über die Haut.</translation>
     </message>
     <message>
-        <source>Not known without a reference recording.</source>
+        <source>Unknown without a reference recording.</source>
         <translation>Ohne Referenzaufnahme nicht bekannt.</translation>
     </message>
     <message>
@@ -610,8 +610,8 @@
         <translation>%1 N</translation>
     </message>
     <message>
-        <source>Along: over the face from its base. Across: from its middle line towards +y. Direction: the way the finger gave, in the camera&apos;s frame; its standard deviation is that within the finger&apos;s section.</source>
-        <translation>Längs: über die Fläche von ihrem Fuß an. Quer: von ihrer Mittellinie in Richtung +y. Richtung: wohin der Finger nachgab, im Koordinatensystem der Kamera; ihre Standardabweichung ist die innerhalb des Querschnitts des Fingers.</translation>
+        <source>Along: over the face from its base. Across: from its centre line towards +y. Direction: displacement of the finger in the camera&apos;s frame; its standard deviation applies within the finger&apos;s cross-section.</source>
+        <translation>Längs: über die Fläche von ihrem Fuß an. Quer: von ihrer Mittellinie in Richtung +y. Richtung: Verschiebung des Fingers im Koordinatensystem der Kamera; ihre Standardabweichung gilt im Querschnitt des Fingers.</translation>
     </message>
 </context>
 <context>
@@ -661,7 +661,7 @@
         <translation>Gesperrt: Zum Ändern oben entsperren.</translation>
     </message>
     <message>
-        <source>An automatic mode has it in hand.</source>
+        <source>An automatic mode controls it.</source>
         <translation>Eine Automatik stellt es ein.</translation>
     </message>
     <message>
@@ -673,16 +673,16 @@
         <translation>&amp;Helligkeit sperren</translation>
     </message>
     <message>
-        <source>Automatic modes stay off, and what changes by itself is put back.</source>
-        <translation>Automatiken bleiben aus, und was sich von selbst ändert, wird zurückgestellt.</translation>
+        <source>Automatic modes stay off; unrequested changes are undone.</source>
+        <translation>Automatiken bleiben aus; ungewollte Änderungen werden zurückgesetzt.</translation>
     </message>
     <message>
-        <source>Brightness is the measurement: locked, nothing changes it. Unlock it before calibrating only.</source>
-        <translation>Helligkeit ist die Messung: Gesperrt ändert sie nichts. Nur vor dem Kalibrieren entsperren.</translation>
+        <source>Brightness is what is measured: when locked, it does not change. Unlock it only before calibrating.</source>
+        <translation>Gemessen wird die Helligkeit: Gesperrt bleibt sie unverändert. Entsperren Sie sie nur vor dem Kalibrieren.</translation>
     </message>
     <message>
-        <source>A camera&apos;s exposure, gain, white balance and focus stand here. This source is no camera.</source>
-        <translation>Hier stehen Belichtung, Verstärkung, Weißabgleich und Fokus einer Kamera. Diese Quelle ist keine Kamera.</translation>
+        <source>A camera&apos;s exposure, gain, white balance and focus appear here. This source is not a camera.</source>
+        <translation>Hier erscheinen Belichtung, Verstärkung, Weißabgleich und Fokus einer Kamera. Diese Quelle ist keine Kamera.</translation>
     </message>
     <message>
         <source> ms</source>
@@ -700,35 +700,35 @@
 <context>
     <name>alltact::ConvergencePlot</name>
     <message>
-        <source>How the solution settles</source>
-        <translation>Wie sich die Lösung einstellt</translation>
+        <source>Convergence of the solution</source>
+        <translation>Konvergenz der Lösung</translation>
     </message>
     <message numerus="yes">
-        <source>After %n round(s) %1 mm are left.</source>
+        <source>Residual after %n round(s): %1 mm.</source>
         <translation>
-            <numerusform>Nach %n Durchgang bleiben %1 mm.</numerusform>
-            <numerusform>Nach %n Durchgängen bleiben %1 mm.</numerusform>
+            <numerusform>Rest nach %n Durchgang: %1 mm.</numerusform>
+            <numerusform>Rest nach %n Durchgängen: %1 mm.</numerusform>
         </translation>
     </message>
     <message>
-        <source>The solution has not begun to settle yet</source>
-        <translation>Die Lösung hat noch nicht begonnen, sich einzustellen</translation>
+        <source>Convergence has not started yet</source>
+        <translation>Die Konvergenz hat noch nicht begonnen</translation>
     </message>
     <message>
-        <source>Left over</source>
+        <source>Residual</source>
         <translation>Rest</translation>
     </message>
     <message>
-        <source>Left over (mm)</source>
+        <source>Residual (mm)</source>
         <translation>Rest (mm)</translation>
     </message>
     <message>
-        <source>Still moves</source>
-        <translation>Bewegt sich noch</translation>
+        <source>Change</source>
+        <translation>Änderung</translation>
     </message>
     <message>
-        <source>Unknowns still move by (mm)</source>
-        <translation>Unbekannte bewegen sich noch um (mm)</translation>
+        <source>Change of the unknowns (mm)</source>
+        <translation>Änderung der Unbekannten (mm)</translation>
     </message>
     <message>
         <source>Round</source>
@@ -766,11 +766,11 @@
         <translation>Abdeckung der Biegung</translation>
     </message>
     <message>
-        <source>No pose has been seen yet.</source>
+        <source>No pose seen yet.</source>
         <translation>Noch keine Haltung gesehen.</translation>
     </message>
     <message>
-        <source>Enough: all directions are reached.</source>
+        <source>Enough: all directions reached.</source>
         <translation>Genug: Alle Richtungen sind erreicht.</translation>
     </message>
     <message>
@@ -823,7 +823,7 @@
     </message>
     <message>
         <source>deepest %1 mm in frame %2</source>
-        <translation>am tiefsten %1 mm in Bild %2</translation>
+        <translation>größte Tiefe %1 mm in Bild %2</translation>
     </message>
     <message>
         <source>%1 of %2 frames measured</source>
@@ -843,11 +843,11 @@
     </message>
     <message>
         <source>Depth over time needs a calibration.</source>
-        <translation>Tiefe über der Zeit braucht eine Kalibrierung.</translation>
+        <translation>Der Tiefenverlauf braucht eine Kalibrierung.</translation>
     </message>
     <message>
-        <source>The recording is being looked through.</source>
-        <translation>Die Aufnahme wird durchgesehen.</translation>
+        <source>The recording is being analysed.</source>
+        <translation>Die Aufnahme wird ausgewertet.</translation>
     </message>
     <message>
         <source>Frame %1</source>
@@ -858,11 +858,11 @@
     <name>alltact::ExperimentFigurePlot</name>
     <message>
         <source>Figure of an experiment</source>
-        <translation>Abbildung eines Experiments</translation>
+        <translation>Diagramm eines Experiments</translation>
     </message>
     <message>
         <source>Nothing was measured</source>
-        <translation>Nichts wurde gemessen</translation>
+        <translation>Es wurde nichts gemessen</translation>
     </message>
 </context>
 <context>
@@ -872,8 +872,8 @@
         <translation>Finger exportieren</translation>
     </message>
     <message>
-        <source>What finger %1 has learnt, for other programs.</source>
-        <translation>Was der Finger %1 gelernt hat, für andere Programme.</translation>
+        <source>Data of finger %1, for other programs.</source>
+        <translation>Daten des Fingers %1 für andere Programme.</translation>
     </message>
     <message>
         <source>&amp;Folder for the files</source>
@@ -928,32 +928,32 @@
         <translation>&amp;ROS: camera_info.yaml und parameters.yaml</translation>
     </message>
     <message>
-        <source>The camera as drivers and image_pipeline read it; face, markers and mapping as parameters of a ROS 2 node.</source>
-        <translation>Die Kamera, wie Treiber und image_pipeline sie lesen; Fläche, Marken und Abbildung als Parameter eines ROS-2-Knotens.</translation>
+        <source>The camera in the format of drivers and image_pipeline; face, markers and mapping as parameters of a ROS 2 node.</source>
+        <translation>Die Kamera im Format von Treibern und image_pipeline; Fläche, Marken und Abbildung als Parameter eines ROS-2-Knotens.</translation>
     </message>
     <message>
         <source>&amp;JSON: calibration.json</source>
         <translation>&amp;JSON: calibration.json</translation>
     </message>
     <message>
-        <source>All figures in one file, for programs of your own.</source>
-        <translation>Alle Zahlen in einer Datei, für eigene Programme.</translation>
+        <source>All values in one file, for your own programs.</source>
+        <translation>Alle Werte in einer Datei, für eigene Programme.</translation>
     </message>
     <message>
-        <source>&amp;Whole finger: finger.zip</source>
+        <source>E&amp;ntire finger: finger.zip</source>
         <translation>&amp;Ganzer Finger: finger.zip</translation>
     </message>
     <message>
-        <source>Every file of the finger, its untouched pictures too: to keep, to send, and to measure with in Python.</source>
-        <translation>Jede Datei des Fingers, auch seine unberührten Bilder: zum Aufbewahren, zum Verschicken und zum Messen in Python.</translation>
+        <source>All files of the finger, with its untouched images: to archive, to send, and to measure with in Python.</source>
+        <translation>Alle Dateien des Fingers, auch die Bilder ohne Berührung: zum Aufbewahren, zum Verschicken und zum Messen in Python.</translation>
     </message>
     <message>
-        <source>Nothing is chosen.</source>
-        <translation>Nichts ist gewählt.</translation>
+        <source>Nothing is selected.</source>
+        <translation>Nichts ist ausgewählt.</translation>
     </message>
     <message>
-        <source>No folder is named.</source>
-        <translation>Kein Ordner ist genannt.</translation>
+        <source>No folder is chosen.</source>
+        <translation>Kein Ordner ist gewählt.</translation>
     </message>
     <message>
         <source>Written: %1.</source>
@@ -978,15 +978,15 @@
         <translation>%1 über der Fläche</translation>
     </message>
     <message>
-        <source>Nothing is known of the face yet</source>
-        <translation>Von der Fläche ist noch nichts bekannt</translation>
+        <source>No data for the face yet</source>
+        <translation>Noch keine Daten zur Fläche</translation>
     </message>
     <message>
         <source>Along the finger, from the base (mm)</source>
         <translation>Längs des Fingers, vom Fuß (mm)</translation>
     </message>
     <message>
-        <source>Along the picture, from the left (mm)</source>
+        <source>Along the image, from the left (mm)</source>
         <translation>Längs des Bildes, von links (mm)</translation>
     </message>
     <message>
@@ -1008,8 +1008,8 @@
         <translation>Noch nicht kalibriert</translation>
     </message>
     <message>
-        <source>Calibrated; how well is not kept</source>
-        <translation>Kalibriert; wie gut, ist nicht festgehalten</translation>
+        <source>Calibrated; quality not stored</source>
+        <translation>Kalibriert; Güte nicht gespeichert</translation>
     </message>
     <message>
         <source>Calibrated %1</source>
@@ -1032,7 +1032,7 @@
         <translation>Fällig: eine Prüfung</translation>
     </message>
     <message>
-        <source>Drifting: look at the last check</source>
+        <source>Drifting: see the last check</source>
         <translation>Driftet: die letzte Prüfung ansehen</translation>
     </message>
     <message>
@@ -1071,8 +1071,8 @@
         <translation>kalibriert %1</translation>
     </message>
     <message>
-        <source>checked %1, %2 off</source>
-        <translation>geprüft %1, %2 Abweichung</translation>
+        <source>checked %1, error %2</source>
+        <translation>geprüft %1, Fehler %2</translation>
     </message>
     <message>
         <source>Due: more presses</source>
@@ -1106,7 +1106,7 @@
         <translation>Finger</translation>
     </message>
     <message>
-        <source>Worth</source>
+        <source>Quality</source>
         <translation>Güte</translation>
     </message>
     <message>
@@ -1134,7 +1134,7 @@
         <translation>Ö&amp;ffnen</translation>
     </message>
     <message>
-        <source>&amp;Look into another folder…</source>
+        <source>&amp;Look in another folder…</source>
         <translation>In einem anderen &amp;Ordner suchen…</translation>
     </message>
     <message>
@@ -1142,8 +1142,8 @@
         <translation>S&amp;chließen</translation>
     </message>
     <message>
-        <source>Looking at the fingers&apos; folders…</source>
-        <translation>Die Ordner der Finger werden angesehen…</translation>
+        <source>Reading the fingers&apos; folders…</source>
+        <translation>Ordner der Finger werden gelesen…</translation>
     </message>
     <message numerus="yes">
         <source>%n finger(s), </source>
@@ -1153,15 +1153,15 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>something is due with %n</source>
+        <source>%n with something due</source>
         <translation>
             <numerusform>bei %n ist etwas fällig</numerusform>
             <numerusform>bei %n ist etwas fällig</numerusform>
         </translation>
     </message>
     <message>
-        <source>Folder with fingers in it</source>
-        <translation>Ordner mit Fingern darin</translation>
+        <source>Folder with fingers</source>
+        <translation>Ordner mit Fingern</translation>
     </message>
 </context>
 <context>
@@ -1198,7 +1198,7 @@
 <context>
     <name>alltact::FingerPage</name>
     <message>
-        <source>A flat, rigid sensor with a layer of %1 mm, %2 mm before the camera.</source>
+        <source>A flat, rigid sensor with a layer of %1 mm, %2 mm from the camera.</source>
         <translation>Ein ebener, starrer Sensor mit einer Schicht von %1 mm, %2 mm vor der Kamera.</translation>
     </message>
     <message>
@@ -1210,8 +1210,8 @@
         <translation>Geometrie</translation>
     </message>
     <message>
-        <source>What it looks like untouched</source>
-        <translation>Wie er unberührt aussieht</translation>
+        <source>Untouched finger</source>
+        <translation>Unberührter Finger</translation>
     </message>
     <message>
         <source>&amp;Make the finger&apos;s folder…</source>
@@ -1226,8 +1226,8 @@
         <translation>&amp;Zu Aufnehmen</translation>
     </message>
     <message>
-        <source>Take the &amp;untouched picture now</source>
-        <translation>&amp;Unberührtes Bild jetzt aufnehmen</translation>
+        <source>Take the &amp;untouched image now</source>
+        <translation>Jetzt &amp;unberührt aufnehmen</translation>
     </message>
     <message>
         <source>The finger is being loaded.</source>
@@ -1238,31 +1238,31 @@
         <translation>Der Finger braucht einen eigenen Ordner: Legen Sie einen an oder öffnen Sie einen.</translation>
     </message>
     <message>
-        <source>Its untouched picture is missing.</source>
-        <translation>Sein unberührtes Bild fehlt.</translation>
+        <source>The untouched image is missing: take it.</source>
+        <translation>Das Bild ohne Berührung fehlt: Nehmen Sie es auf.</translation>
     </message>
     <message>
-        <source>Its reference recording is missing: record it bending, untouched.</source>
-        <translation>Seine Referenzaufnahme fehlt: Nehmen Sie ihn beim Biegen auf, unberührt.</translation>
+        <source>The reference recording is missing: record the finger bending, untouched.</source>
+        <translation>Die Referenzaufnahme fehlt: Nehmen Sie den unberührten Finger beim Biegen auf.</translation>
     </message>
     <message>
-        <source>Width and layer are measured with a caliper, dots are counted. All that is known of one finger is kept in one folder.</source>
-        <translation>Breite und Schicht werden mit dem Messschieber gemessen, Punkte gezählt. Alles, was von einem Finger bekannt ist, liegt in einem Ordner.</translation>
+        <source>Measure width and layer with a caliper, and count the dots. One folder holds all data of one finger.</source>
+        <translation>Messen Sie Breite und Schicht mit dem Messschieber und zählen Sie die Punkte. Ein Ordner enthält alle Daten eines Fingers.</translation>
     </message>
     <message>
-        <source>Its untouched picture is there.</source>
-        <translation>Sein unberührtes Bild ist da.</translation>
+        <source>The untouched image is available.</source>
+        <translation>Das Bild ohne Berührung ist vorhanden.</translation>
     </message>
     <message>
-        <source>Its reference recording is installed.</source>
-        <translation>Seine Referenzaufnahme ist eingerichtet.</translation>
+        <source>The reference recording is installed.</source>
+        <translation>Die Referenzaufnahme ist eingerichtet.</translation>
     </message>
     <message>
-        <source>Every press is compared with one picture of the untouched face.</source>
+        <source>Every press is compared with one image of the untouched face.</source>
         <translation>Jeder Eindruck wird mit einem Bild der unberührten Fläche verglichen.</translation>
     </message>
     <message>
-        <source>Every press is compared with a picture of the finger bent alike and not touched. Record it bending in all directions, then install the recording.</source>
+        <source>Every press is compared with an image of the finger in the same bend, untouched. Record the finger bending in all directions, then install the recording.</source>
         <translation>Jeder Eindruck wird mit einem Bild des gleich gebogenen, unberührten Fingers verglichen. Nehmen Sie ihn beim Biegen in alle Richtungen auf und richten Sie die Aufnahme ein.</translation>
     </message>
     <message>
@@ -1278,11 +1278,11 @@
         <translation>Breite der Fläche</translation>
     </message>
     <message>
-        <source>&amp;Layer&apos;s thickness</source>
+        <source>&amp;Layer thickness</source>
         <translation>&amp;Dicke der Schicht</translation>
     </message>
     <message>
-        <source>Thickness of the layer</source>
+        <source>Layer thickness</source>
         <translation>Dicke der Schicht</translation>
     </message>
     <message>
@@ -1294,7 +1294,7 @@
         <translation>Ä&amp;ndern</translation>
     </message>
     <message>
-        <source>A calibrated finger has to be calibrated again then.</source>
+        <source>A calibrated finger then needs a new calibration.</source>
         <translation>Ein kalibrierter Finger muss danach neu kalibriert werden.</translation>
     </message>
     <message>
@@ -1312,8 +1312,8 @@
 <context>
     <name>alltact::FingerSummary</name>
     <message>
-        <source>What is known of this finger</source>
-        <translation>Was von diesem Finger bekannt ist</translation>
+        <source>Summary of this finger</source>
+        <translation>Übersicht über diesen Finger</translation>
     </message>
     <message>
         <source>Go to Record</source>
@@ -1343,40 +1343,40 @@
         <translation>Wie &amp;gemessen</translation>
     </message>
     <message>
-        <source>Forces count from the model&apos;s own zero again.</source>
-        <translation>Kräfte zählen wieder vom eigenen Nullpunkt des Modells an.</translation>
+        <source>Forces use the model&apos;s own zero again.</source>
+        <translation>Kräfte beziehen sich wieder auf den Nullpunkt des Modells.</translation>
     </message>
     <message>
         <source>Force now</source>
         <translation>Kraft jetzt</translation>
     </message>
     <message>
-        <source>From which zero forces count</source>
-        <translation>Von welchem Nullpunkt an Kräfte zählen</translation>
+        <source>Zero of the forces</source>
+        <translation>Nullpunkt der Kräfte</translation>
     </message>
     <message>
         <source>Force over the last half minute</source>
         <translation>Kraft in der letzten halben Minute</translation>
     </message>
     <message>
-        <source>The force model was trained with nothing like this picture.</source>
-        <translation>Das Kraftmodell wurde mit nichts trainiert, was diesem Bild gleicht.</translation>
+        <source>The force model was not trained on images like this one.</source>
+        <translation>Das Kraftmodell wurde nicht mit ähnlichen Bildern trainiert.</translation>
     </message>
     <message>
         <source>A recording is shown as it was measured.</source>
         <translation>Eine Aufnahme wird gezeigt, wie sie gemessen wurde.</translation>
     </message>
     <message>
-        <source>The mean of the last half second counts as no force from now on.</source>
-        <translation>Der Mittelwert der letzten halben Sekunde zählt von jetzt an als keine Kraft.</translation>
+        <source>From now on, the mean of the last half second is the zero.</source>
+        <translation>Von jetzt an ist der Mittelwert der letzten halben Sekunde der Nullpunkt.</translation>
     </message>
     <message>
-        <source>There is no reading in range that could count as zero.</source>
-        <translation>Es gibt keinen Messwert im Bereich, der als Null gelten könnte.</translation>
+        <source>No reading in range can serve as zero.</source>
+        <translation>Kein Messwert im Bereich eignet sich als Nullpunkt.</translation>
     </message>
     <message>
-        <source>No force is told of this picture.</source>
-        <translation>Zu diesem Bild wird keine Kraft genannt.</translation>
+        <source>No force is estimated for this image.</source>
+        <translation>Für dieses Bild wird keine Kraft geschätzt.</translation>
     </message>
     <message>
         <source>%1 N</source>
@@ -1395,8 +1395,8 @@
         <translation>Nullpunkt: der eigene des Modells.</translation>
     </message>
     <message>
-        <source>Zero: the reading of %1, while something touched the finger.</source>
-        <translation>Nullpunkt: der Messwert von %1, während etwas den Finger berührte.</translation>
+        <source>Zero: the reading of %1, with the finger in contact.</source>
+        <translation>Nullpunkt: der Messwert von %1, bei Kontakt am Finger.</translation>
     </message>
     <message>
         <source>Zero: the reading of %1.</source>
@@ -1425,20 +1425,20 @@
         <translation>Öffnen Sie einen Finger, um seine Kräfte zu sehen.</translation>
     </message>
     <message>
-        <source>A finger without markers tells no forces.</source>
-        <translation>Ein Finger ohne Marken nennt keine Kräfte.</translation>
+        <source>Forces need a finger with markers.</source>
+        <translation>Kräfte erfordern einen Finger mit Marken.</translation>
     </message>
     <message>
-        <source>Forces are told once there is a reference recording.</source>
-        <translation>Kräfte werden genannt, sobald es eine Referenzaufnahme gibt.</translation>
+        <source>Forces need a reference recording: record one.</source>
+        <translation>Kräfte erfordern eine Referenzaufnahme: Nehmen Sie eine auf.</translation>
     </message>
     <message>
-        <source>No force is told of this picture.</source>
-        <translation>Zu diesem Bild wird keine Kraft genannt.</translation>
+        <source>No force is estimated for this image.</source>
+        <translation>Für dieses Bild wird keine Kraft geschätzt.</translation>
     </message>
     <message>
-        <source>This finger has no force model yet. A table of its markers beside a gauge&apos;s forces trains one:</source>
-        <translation>Dieser Finger hat noch kein Kraftmodell. Eine Tabelle seiner Marken neben den Kräften eines Kraftmessers trainiert eines:</translation>
+        <source>This finger has no force model yet. Train one with a table of its markers and a gauge&apos;s forces:</source>
+        <translation>Dieser Finger hat noch kein Kraftmodell. Trainieren Sie eines mit einer Tabelle seiner Marken und der Kräfte eines Kraftmessers:</translation>
     </message>
 </context>
 <context>
@@ -1475,40 +1475,40 @@
         <translation>%1 im Greifer</translation>
     </message>
     <message>
-        <source>Where the camera of %1 sits in the gripper&apos;s frame: its place, and how it is turned about the gripper&apos;s axes, first x, then y, then z. A camera that is not turned looks along the gripper&apos;s z, with x along its picture and y across it.</source>
-        <translation>Wo die Kamera von %1 im Koordinatensystem des Greifers sitzt: ihr Ort, und wie sie um die Achsen des Greifers gedreht ist, erst x, dann y, dann z. Eine Kamera, die nicht gedreht ist, blickt entlang z des Greifers, mit x längs und y quer zu ihrem Bild.</translation>
+        <source>Pose of the camera of %1 in the gripper&apos;s frame: its position and its rotation about the gripper&apos;s axes, first x, then y, then z. A camera without rotation looks along the gripper&apos;s z; x runs along its image, y across it.</source>
+        <translation>Lage der Kamera von %1 im Koordinatensystem des Greifers: ihre Position und ihre Drehung um die Achsen des Greifers, erst x, dann y, dann z. Ohne Drehung blickt die Kamera entlang z des Greifers; x verläuft längs, y quer zu ihrem Bild.</translation>
     </message>
     <message>
-        <source>&amp;Place</source>
-        <translation>&amp;Ort</translation>
+        <source>&amp;Position</source>
+        <translation>&amp;Position</translation>
     </message>
     <message>
-        <source>&amp;Turned about</source>
-        <translation>&amp;Gedreht um</translation>
+        <source>Ro&amp;tation about</source>
+        <translation>&amp;Drehung um</translation>
     </message>
     <message>
-        <source>Place, x</source>
-        <translation>Ort, x</translation>
+        <source>Position, x</source>
+        <translation>Position, x</translation>
     </message>
     <message>
-        <source>Place, y</source>
-        <translation>Ort, y</translation>
+        <source>Position, y</source>
+        <translation>Position, y</translation>
     </message>
     <message>
-        <source>Place, z</source>
-        <translation>Ort, z</translation>
+        <source>Position, z</source>
+        <translation>Position, z</translation>
     </message>
     <message>
-        <source>Turned about x</source>
-        <translation>Gedreht um x</translation>
+        <source>Rotation about x</source>
+        <translation>Drehung um x</translation>
     </message>
     <message>
-        <source>Turned about y</source>
-        <translation>Gedreht um y</translation>
+        <source>Rotation about y</source>
+        <translation>Drehung um y</translation>
     </message>
     <message>
-        <source>Turned about z</source>
-        <translation>Gedreht um z</translation>
+        <source>Rotation about z</source>
+        <translation>Drehung um z</translation>
     </message>
     <message>
         <source> mm</source>
@@ -1527,8 +1527,8 @@
         <translation>&amp;Nicht bekannt</translation>
     </message>
     <message>
-        <source>Takes the place out of the finger&apos;s file.</source>
-        <translation>Nimmt den Ort aus der Datei des Fingers heraus.</translation>
+        <source>Removes the pose from the finger&apos;s file.</source>
+        <translation>Entfernt die Lage aus der Datei des Fingers.</translation>
     </message>
 </context>
 <context>
@@ -1539,7 +1539,7 @@
     </message>
     <message>
         <source>Enough presses: another would hardly help.</source>
-        <translation>Genug Eindrücke: ein weiterer hülfe kaum.</translation>
+        <translation>Genug Eindrücke: Ein weiterer bringt kaum etwas.</translation>
     </message>
     <message>
         <source>now %1 mm: deeper</source>
@@ -1554,12 +1554,12 @@
         <translation>jetzt %1 mm: zu tief</translation>
     </message>
     <message>
-        <source>now %1 mm, %2 mm away from there</source>
-        <translation>jetzt %1 mm, %2 mm von dort entfernt</translation>
+        <source>now %1 mm, %2 mm from the target</source>
+        <translation>jetzt %1 mm, %2 mm vom Ziel entfernt</translation>
     </message>
     <message>
-        <source>It is taken as soon as ball and finger are held still.</source>
-        <translation>Er wird aufgenommen, sobald Kugel und Finger stillgehalten werden.</translation>
+        <source>The press is taken once ball and finger are held still.</source>
+        <translation>Der Eindruck wird aufgenommen, sobald Kugel und Finger stillgehalten werden.</translation>
     </message>
     <message>
         <source>Not taken: ball and finger were not held still. Hold them still for half a second.</source>
@@ -1605,8 +1605,8 @@
         <translation>&amp;Hilfe</translation>
     </message>
     <message>
-        <source>&amp;Help on this place</source>
-        <translation>&amp;Hilfe zu diesem Ort</translation>
+        <source>&amp;Help on this page</source>
+        <translation>&amp;Hilfe zu dieser Seite</translation>
     </message>
     <message>
         <source>&amp;About AllTact Studio</source>
@@ -1621,12 +1621,12 @@
 
 Turns a clear silicone finger with a camera inside into a measuring instrument.
 
-Its own source is under the BSD-3-Clause licence; with the libraries it uses, the program as a whole is under the GPL, version 3.</source>
+Its own source is under the BSD-3-Clause licence; with the libraries it uses, the entire program is under the GPL, version 3.</source>
         <translation>## AllTact Studio %1
 
 Macht aus einem klaren Silikonfinger mit einer Kamera darin ein Messgerät.
 
-Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bibliotheken steht das Programm als Ganzes unter der GPL, Version 3.</translation>
+Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bibliotheken steht das gesamte Programm unter der GPL, Version 3.</translation>
     </message>
     <message>
         <source>&amp;Close</source>
@@ -1645,8 +1645,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Kurzanleitung speichern</translation>
     </message>
     <message>
-        <source>Pages to print (*.pdf)</source>
-        <translation>Seiten zum Drucken (*.pdf)</translation>
+        <source>PDF files (*.pdf)</source>
+        <translation>PDF-Dateien (*.pdf)</translation>
     </message>
 </context>
 <context>
@@ -1675,8 +1675,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
 <context>
     <name>alltact::HistogramPlot</name>
     <message>
-        <source>Spread of the errors</source>
-        <translation>Streuung der Fehler</translation>
+        <source>Distribution of errors</source>
+        <translation>Verteilung der Fehler</translation>
     </message>
     <message>
         <source>95 % of the errors are below %1 mm.</source>
@@ -1731,12 +1731,12 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
 <context>
     <name>alltact::ImageView</name>
     <message>
-        <source>Picture</source>
+        <source>Image</source>
         <translation>Bild</translation>
     </message>
     <message>
-        <source>The camera&apos;s picture. The wheel or + and - zoom, 0 shows all of it, 1 its own size. Drag or use the arrow keys to move it; Shift and the arrow keys move the probe.</source>
-        <translation>Das Bild der Kamera. Rad oder + und - vergrößern, 0 zeigt alles, 1 die eigene Größe. Ziehen oder Pfeiltasten verschieben es; Umschalt und Pfeiltasten bewegen die Sonde.</translation>
+        <source>The camera&apos;s image. The wheel or + and - zoom, 0 shows all of it, 1 its original size. Drag or use the arrow keys to move it; Shift and the arrow keys move the probe.</source>
+        <translation>Das Bild der Kamera. Rad oder + und - zoomen, 0 zeigt alles, 1 die Originalgröße. Ziehen oder Pfeiltasten verschieben es; Umschalt und Pfeiltasten bewegen die Sonde.</translation>
     </message>
 </context>
 <context>
@@ -1754,8 +1754,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>In diesem Bild gibt es nichts zum Vergleichen.</translation>
     </message>
     <message>
-        <source>It is being measured a second time, to be compared.</source>
-        <translation>Es wird zum Vergleich ein zweites Mal gemessen.</translation>
+        <source>The frame is being measured again for the comparison.</source>
+        <translation>Das Bild wird zum Vergleich noch einmal gemessen.</translation>
     </message>
 </context>
 <context>
@@ -1777,11 +1777,11 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Was gespeichert wurde</translation>
     </message>
     <message>
-        <source>put point B</source>
+        <source>set point B</source>
         <translation>Punkt B setzen</translation>
     </message>
     <message>
-        <source>put point A</source>
+        <source>set point A</source>
         <translation>Punkt A setzen</translation>
     </message>
     <message>
@@ -1793,11 +1793,11 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Gezeigt: %1</translation>
     </message>
     <message>
-        <source>The finger is not calibrated yet, so brightness cannot be told as depth.</source>
-        <translation>Der Finger ist noch nicht kalibriert; Helligkeit lässt sich nicht als Tiefe angeben.</translation>
+        <source>The finger is not calibrated yet, so brightness gives no depth.</source>
+        <translation>Der Finger ist noch nicht kalibriert; aus der Helligkeit lässt sich keine Tiefe bestimmen.</translation>
     </message>
     <message>
-        <source>The face was not found in this picture.</source>
+        <source>The face was not found in this image.</source>
         <translation>In diesem Bild wurde die Fläche nicht gefunden.</translation>
     </message>
     <message>
@@ -1805,8 +1805,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Der Finger wird geladen.</translation>
     </message>
     <message>
-        <source>Nothing can be shown; above stands why.</source>
-        <translation>Es kann nichts gezeigt werden; oben steht, warum.</translation>
+        <source>Nothing can be shown; the reason is above.</source>
+        <translation>Es kann nichts angezeigt werden; der Grund steht oben.</translation>
     </message>
     <message>
         <source>The recording is being opened.</source>
@@ -1814,14 +1814,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>No source is open. Choose one above, or open a recording.</source>
-        <translation>Keine Quelle ist offen. Wählen Sie oben eine, oder öffnen Sie eine Aufnahme.</translation>
+        <translation>Keine Quelle ist geöffnet. Wählen Sie oben eine, oder öffnen Sie eine Aufnahme.</translation>
     </message>
     <message>
-        <source>No finger is open. Open the one that is seen, above.</source>
-        <translation>Kein Finger ist offen. Öffnen Sie oben den, der zu sehen ist.</translation>
+        <source>No finger is open. Open the visible finger above.</source>
+        <translation>Kein Finger ist geöffnet. Öffnen Sie oben den sichtbaren Finger.</translation>
     </message>
     <message>
-        <source>Waiting for the first picture.</source>
+        <source>Waiting for the first image.</source>
         <translation>Warten auf das erste Bild.</translation>
     </message>
     <message>
@@ -1833,12 +1833,12 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Videos (*.mkv *.avi *.mp4)</translation>
     </message>
     <message>
-        <source>Open a folder of pictures</source>
+        <source>Open a folder of images</source>
         <translation>Ordner mit Bildern öffnen</translation>
     </message>
     <message>
         <source>Save what is shown</source>
-        <translation>Gezeigtes speichern</translation>
+        <translation>Anzeige speichern</translation>
     </message>
     <message>
         <source>Saved: %1</source>
@@ -1857,8 +1857,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>%1 prüfen</translation>
     </message>
     <message>
-        <source>go on with what was inspected</source>
-        <translation>mit dem Geprüften weitermachen</translation>
+        <source>continue the last inspection</source>
+        <translation>die letzte Prüfung fortsetzen</translation>
     </message>
     <message>
         <source>inspect the live finger</source>
@@ -1869,24 +1869,24 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>1: %1, 2: %2, im Koordinatensystem X, Y, Z des Greifers</translation>
     </message>
     <message>
-        <source>place %1 in the gripper</source>
-        <translation>Ort von %1 im Greifer</translation>
+        <source>pose of %1 in the gripper</source>
+        <translation>Lage von %1 im Greifer</translation>
     </message>
     <message>
-        <source>Where the camera of %1 sits in the gripper is not known, so the two fingers are shown each in its own camera&apos;s frame.</source>
-        <translation>Wo die Kamera von %1 im Greifer sitzt, ist nicht bekannt; deshalb wird jeder der beiden Finger im Koordinatensystem seiner eigenen Kamera gezeigt.</translation>
+        <source>The camera pose of %1 in the gripper is not known, so each finger is shown in its own camera&apos;s frame.</source>
+        <translation>Die Lage der Kamera von %1 im Greifer ist nicht bekannt; deshalb wird jeder Finger im Koordinatensystem seiner eigenen Kamera gezeigt.</translation>
     </message>
     <message>
-        <source>Tell its place and how it is turned.</source>
-        <translation>Ihren Ort und ihre Drehung angeben.</translation>
+        <source>Enter its position and rotation.</source>
+        <translation>Geben Sie ihre Position und Drehung an.</translation>
     </message>
     <message>
-        <source>Place of &amp;2…</source>
-        <translation>Ort von &amp;2…</translation>
+        <source>Pose of &amp;2…</source>
+        <translation>Lage von &amp;2…</translation>
     </message>
     <message>
-        <source>Place of &amp;1…</source>
-        <translation>Ort von &amp;1…</translation>
+        <source>Pose of &amp;1…</source>
+        <translation>Lage von &amp;1…</translation>
     </message>
     <message>
         <source>show a second finger</source>
@@ -1909,11 +1909,11 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Kontakt</translation>
     </message>
     <message>
-        <source>What touches the finger</source>
+        <source>Contacts on the finger</source>
         <translation>Was den Finger berührt</translation>
     </message>
     <message>
-        <source>No picture yet.</source>
+        <source>No image yet.</source>
         <translation>Noch kein Bild.</translation>
     </message>
     <message>
@@ -1921,7 +1921,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Vide&amp;o…</translation>
     </message>
     <message>
-        <source>Folder of p&amp;ictures…</source>
+        <source>Folder of &amp;images…</source>
         <translation>Ordner mit B&amp;ildern…</translation>
     </message>
     <message>
@@ -1937,16 +1937,16 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Gezeigt</translation>
     </message>
     <message>
-        <source>Shown less: %1</source>
+        <source>Shown minus: %1</source>
         <translation>Gezeigt minus: %1</translation>
     </message>
     <message>
-        <source>Not calibrated yet: the shape of the whole finger, without depth</source>
+        <source>Not calibrated yet: the shape of the entire finger, without depth</source>
         <translation>Noch nicht kalibriert: die Form des ganzen Fingers, ohne Tiefe</translation>
     </message>
     <message>
-        <source>Point at the face: what lies there is told here.</source>
-        <translation>Auf die Fläche zeigen: was dort liegt, steht dann hier.</translation>
+        <source>Point at the face to see its values here.</source>
+        <translation>Zeigen Sie auf die Fläche, um ihre Werte hier zu sehen.</translation>
     </message>
 </context>
 <context>
@@ -1990,11 +1990,11 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Dimmer der Lampe</translation>
     </message>
     <message>
-        <source>Look</source>
+        <source>Search</source>
         <translation>Suchen</translation>
     </message>
     <message>
-        <source>Look for dimmers</source>
+        <source>Search for dimmers</source>
         <translation>Nach Dimmern suchen</translation>
     </message>
     <message>
@@ -2014,8 +2014,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>MCP2221A, Pin GP3</translation>
     </message>
     <message>
-        <source>A report, described</source>
-        <translation>Ein Report, beschrieben</translation>
+        <source>Custom report</source>
+        <translation>Eigener Report</translation>
     </message>
     <message>
         <source>Report that sets the brightness</source>
@@ -2038,16 +2038,16 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>keiner</translation>
     </message>
     <message>
-        <source>Set to %1 %. Every picture tells it.</source>
-        <translation>Auf %1 % gesetzt. Jedes Bild trägt den Wert.</translation>
+        <source>Set to %1 %. Every image records it.</source>
+        <translation>Auf %1 % gesetzt. Jedes Bild enthält den Wert.</translation>
     </message>
     <message>
-        <source>The dimmer is being told.</source>
+        <source>The dimmer is being set.</source>
         <translation>Der Dimmer wird gesetzt.</translation>
     </message>
     <message>
-        <source>Choose the device that dims the finger&apos;s lamp, where there is one.</source>
-        <translation>Das Gerät wählen, das die Lampe des Fingers dimmt, wenn es eines gibt.</translation>
+        <source>Choose the device that dims the finger&apos;s lamp, if there is one.</source>
+        <translation>Wählen Sie das Gerät, das die Lampe des Fingers dimmt, falls es eines gibt.</translation>
     </message>
 </context>
 <context>
@@ -2078,7 +2078,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>an der Grenze der Schicht</translation>
     </message>
     <message>
-        <source>beyond what was calibrated</source>
+        <source>beyond the calibrated range</source>
         <translation>jenseits des Kalibrierten</translation>
     </message>
     <message>
@@ -2086,8 +2086,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>zweifelhaftes Licht</translation>
     </message>
     <message>
-        <source>steep: its place matters</source>
-        <translation>steil: der Ort ist entscheidend</translation>
+        <source>steep: position matters</source>
+        <translation>steil: Position entscheidend</translation>
     </message>
 </context>
 <context>
@@ -2141,15 +2141,15 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Objektiv</translation>
     </message>
     <message>
-        <source>usual (Brown)</source>
-        <translation>üblich (Brown)</translation>
+        <source>standard (Brown)</source>
+        <translation>Standard (Brown)</translation>
     </message>
     <message>
         <source>fisheye</source>
         <translation>Fischauge</translation>
     </message>
     <message>
-        <source>Finger&apos;s distance</source>
+        <source>Finger distance</source>
         <translation>Abstand des Fingers</translation>
     </message>
     <message>
@@ -2161,31 +2161,31 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Der Finger liegt hinter einem Fenster</translation>
     </message>
     <message>
-        <source>Tick it where the finger is seen through a plate into silicone and the board was seen in air</source>
-        <translation>Ankreuzen, wenn der Finger durch eine Platte in Silikon gesehen wird und die Tafel in Luft gesehen wurde</translation>
+        <source>Tick this if the finger is seen through a plate into silicone, but the board was in air</source>
+        <translation>Ankreuzen, wenn der Finger durch eine Platte in Silikon zu sehen ist, die Tafel aber in Luft war</translation>
     </message>
     <message>
-        <source>Air before it</source>
-        <translation>Luft davor</translation>
+        <source>Air gap</source>
+        <translation>Luftspalt</translation>
     </message>
     <message>
         <source>Air between lens and window</source>
         <translation>Luft zwischen Objektiv und Fenster</translation>
     </message>
     <message>
-        <source>Its thickness</source>
-        <translation>Seine Dicke</translation>
+        <source>Window thickness</source>
+        <translation>Fensterdicke</translation>
     </message>
     <message>
         <source>Thickness of the window</source>
         <translation>Dicke des Fensters</translation>
     </message>
     <message>
-        <source>Its index</source>
-        <translation>Sein Brechungsindex</translation>
+        <source>Window index</source>
+        <translation>Index des Fensters</translation>
     </message>
     <message>
-        <source>Index of refraction of the window</source>
+        <source>Refractive index of the window</source>
         <translation>Brechungsindex des Fensters</translation>
     </message>
     <message>
@@ -2193,7 +2193,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Index dahinter</translation>
     </message>
     <message>
-        <source>Index of refraction behind the window</source>
+        <source>Refractive index behind the window</source>
         <translation>Brechungsindex hinter dem Fenster</translation>
     </message>
     <message>
@@ -2232,7 +2232,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Aus einer Kameradatei</translation>
     </message>
     <message>
-        <source>Or measured with pictures of a board</source>
+        <source>Or measured with images of a board</source>
         <translation>Oder mit Bildern einer Tafel gemessen</translation>
     </message>
     <message>
@@ -2240,8 +2240,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Kameradatei</translation>
     </message>
     <message>
-        <source>camera.yaml, as the lens calibration writes it</source>
-        <translation>camera.yaml, wie die Objektivkalibrierung sie schreibt</translation>
+        <source>camera.yaml from the lens calibration</source>
+        <translation>camera.yaml aus der Objektivkalibrierung</translation>
     </message>
     <message>
         <source>&amp;Choose…</source>
@@ -2256,11 +2256,11 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Objektiv der simulierten Kamera &amp;verwenden</translation>
     </message>
     <message>
-        <source>&amp;Pictures</source>
+        <source>Ima&amp;ges</source>
         <translation>&amp;Bilder</translation>
     </message>
     <message>
-        <source>Folder of board pictures, or a recording</source>
+        <source>Folder of board images, or a recording</source>
         <translation>Ordner mit Tafelbildern oder eine Aufnahme</translation>
     </message>
     <message>
@@ -2268,7 +2268,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Wählen…</translation>
     </message>
     <message>
-        <source>Choose the folder of board pictures</source>
+        <source>Choose the folder of board images</source>
         <translation>Ordner der Tafelbilder wählen</translation>
     </message>
     <message>
@@ -2292,8 +2292,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Ergebnis der Objektivkalibrierung</translation>
     </message>
     <message>
-        <source>The lens has to be known first: choose a camera file, or measure one.</source>
-        <translation>Zuerst muss das Objektiv bekannt sein: Wählen Sie eine Kameradatei oder messen Sie es.</translation>
+        <source>The lens is not known yet: choose a camera file, or measure the lens.</source>
+        <translation>Das Objektiv ist noch nicht bekannt: Wählen Sie eine Kameradatei oder messen Sie es.</translation>
     </message>
     <message>
         <source>This finger&apos;s camera has %1</source>
@@ -2304,20 +2304,20 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Die Kamera hat %1</translation>
     </message>
     <message>
-        <source>A finger measures through its camera&apos;s lens, so the lens comes first. It is measured once for each camera, with ten to twenty pictures of a flat board from all sides.</source>
-        <translation>Ein Finger misst durch das Objektiv seiner Kamera, darum kommt es zuerst. Es wird für jede Kamera einmal gemessen, mit zehn bis zwanzig Bildern einer ebenen Tafel von allen Seiten.</translation>
+        <source>A finger measures through its camera&apos;s lens, so the lens comes first. Measure it once for each camera, with ten to twenty images of a flat board from all sides.</source>
+        <translation>Ein Finger misst durch das Objektiv seiner Kamera, darum kommt es zuerst. Messen Sie es für jede Kamera einmal, mit zehn bis zwanzig Bildern einer ebenen Tafel von allen Seiten.</translation>
     </message>
     <message>
         <source>Camera (*.yaml *.yml)</source>
         <translation>Kamera (*.yaml *.yml)</translation>
     </message>
     <message>
-        <source>Folder of board pictures</source>
+        <source>Folder of board images</source>
         <translation>Ordner mit Tafelbildern</translation>
     </message>
     <message>
-        <source>No folder of pictures is named.</source>
-        <translation>Es ist kein Ordner mit Bildern genannt.</translation>
+        <source>No folder of images is specified.</source>
+        <translation>Es ist kein Ordner mit Bildern angegeben.</translation>
     </message>
     <message>
         <source>Written to %1.</source>
@@ -2328,20 +2328,20 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Objektiv</translation>
     </message>
     <message>
-        <source>With a board before the camera</source>
-        <translation>Mit einer Tafel vor der Kamera</translation>
+        <source>Or live, with a board</source>
+        <translation>Oder live mit einer Tafel</translation>
     </message>
     <message>
         <source>&amp;Take this board (Space)</source>
         <translation>Diese &amp;Tafel aufnehmen (Leertaste)</translation>
     </message>
     <message>
-        <source>By &amp;itself where it is new and still</source>
-        <translation>Von &amp;selbst, wo sie neu ist und stillsteht</translation>
+        <source>Automat&amp;ically when new and still</source>
+        <translation>Automati&amp;sch, wenn neu und ruhig</translation>
     </message>
     <message>
-        <source>Takes the board whenever it is held still in a place, or tilted in a way, that was not taken yet</source>
-        <translation>Nimmt die Tafel auf, sobald sie an einer Stelle oder in einer Neigung stillgehalten wird, die noch fehlt</translation>
+        <source>Takes the board when it is held still at a new position or tilt</source>
+        <translation>Nimmt die Tafel auf, sobald sie in einer neuen Position oder Neigung stillgehalten wird</translation>
     </message>
     <message>
         <source>How to hold the board</source>
@@ -2356,8 +2356,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Gewählte Ansicht auslassen</translation>
     </message>
     <message>
-        <source>Blue: straight lines of the world, as this lens shows them.</source>
-        <translation>Blau: gerade Linien der Welt, wie dieses Objektiv sie zeigt.</translation>
+        <source>Blue: straight lines, as this lens shows them.</source>
+        <translation>Blau: gerade Linien, wie dieses Objektiv sie zeigt.</translation>
     </message>
     <message>
         <source>Still better with: %1.</source>
@@ -2376,20 +2376,20 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Tafel %1</translation>
     </message>
     <message>
-        <source>Open the camera as source, and boards can be taken live.</source>
-        <translation>Die Kamera als Quelle öffnen, dann können Tafeln live aufgenommen werden.</translation>
+        <source>Open the camera as source to take boards live.</source>
+        <translation>Öffnen Sie die Kamera als Quelle, um Tafeln live aufzunehmen.</translation>
     </message>
     <message>
         <source>Looking for the board.</source>
         <translation>Die Tafel wird gesucht.</translation>
     </message>
     <message>
-        <source>The board is blurred: hold it still, or further away.</source>
-        <translation>Die Tafel ist unscharf: stillhalten oder weiter weg halten.</translation>
+        <source>The board is blurred: hold it still or further away.</source>
+        <translation>Die Tafel ist unscharf: Halten Sie sie still oder weiter weg.</translation>
     </message>
     <message>
-        <source>This place is taken: move the board, or tilt it.</source>
-        <translation>Diese Stelle ist schon da: die Tafel verschieben oder neigen.</translation>
+        <source>Position already captured: move or tilt the board.</source>
+        <translation>Diese Position ist schon erfasst: Tafel verschieben oder neigen.</translation>
     </message>
     <message>
         <source>Hold it still.</source>
@@ -2404,8 +2404,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Es fehlt noch: %1.</translation>
     </message>
     <message>
-        <source>%1 mm a pixel</source>
-        <translation>%1 mm je Pixel</translation>
+        <source>%1 mm per pixel</source>
+        <translation>%1 mm pro Pixel</translation>
     </message>
     <message>
         <source>focal length %1 px</source>
@@ -2427,7 +2427,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Z&amp;weiter Finger…</translation>
     </message>
     <message>
-        <source>Close it</source>
+        <source>Close</source>
         <translation>Schließen</translation>
     </message>
     <message>
@@ -2443,36 +2443,36 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Motorstellung in Umdrehungen</translation>
     </message>
     <message>
-        <source>Where the gripper&apos;s motor stands: the figures hold for this position.</source>
-        <translation>Wo der Motor des Greifers steht: Die Zahlen gelten für diese Stellung.</translation>
+        <source>Position of the gripper&apos;s motor; the figures apply to this position.</source>
+        <translation>Stellung des Greifermotors; die Zahlen gelten für diese Stellung.</translation>
     </message>
     <message>
         <source>Gap and width</source>
         <translation>Spalt und Breite</translation>
     </message>
     <message>
-        <source>Whether both pictures are of one moment</source>
-        <translation>Ob beide Bilder aus einem Augenblick stammen</translation>
+        <source>Synchronization of both images</source>
+        <translation>Gleichzeitigkeit beider Bilder</translation>
     </message>
     <message>
-        <source>Waiting for the second picture.</source>
+        <source>Waiting for the second image.</source>
         <translation>Auf das zweite Bild wird gewartet.</translation>
     </message>
     <message>
-        <source>Without times of capture: the newest of both.</source>
-        <translation>Ohne Zeiten der Aufnahme: das neueste Bild von beiden.</translation>
+        <source>No capture times: the newest image of each camera.</source>
+        <translation>Ohne Aufnahmezeiten: das jeweils neueste Bild beider Kameras.</translation>
     </message>
     <message>
-        <source>In time: 2 was taken %1 ms after 1.</source>
+        <source>In sync: 2 was captured %1 ms after 1.</source>
         <translation>Gleichzeitig: 2 entstand %1 ms nach 1.</translation>
     </message>
     <message>
-        <source>Not in time: 2 was taken %1 ms after 1, more than half a frame.</source>
+        <source>Not in sync: 2 was captured %1 ms after 1, more than half a frame.</source>
         <translation>Nicht gleichzeitig: 2 entstand %1 ms nach 1, mehr als eine halbe Bilddauer.</translation>
     </message>
     <message>
-        <source>With a gripper.yaml, the gap between the faces and the width of what is held are told here.</source>
-        <translation>Mit einer gripper.yaml werden hier der Spalt zwischen den Flächen und die Breite des Gehaltenen genannt.</translation>
+        <source>With a gripper.yaml, the gap between the faces and the width of the held object appear here.</source>
+        <translation>Mit einer gripper.yaml erscheinen hier der Spalt zwischen den Flächen und die Breite des gegriffenen Objekts.</translation>
     </message>
     <message>
         <source>Measuring…</source>
@@ -2487,16 +2487,16 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Spalt</translation>
     </message>
     <message>
-        <source>Held width</source>
-        <translation>Gehaltene Breite</translation>
+        <source>Object width</source>
+        <translation>Objektbreite</translation>
     </message>
     <message>
-        <source>No gap is told: both faces need depth.</source>
-        <translation>Kein Spalt wird genannt: Beide Flächen brauchen Tiefe.</translation>
+        <source>Gap unknown: both faces need depth.</source>
+        <translation>Spalt unbekannt: Beide Flächen brauchen Tiefe.</translation>
     </message>
     <message>
-        <source>Nothing is held by both.</source>
-        <translation>Nichts wird von beiden gehalten.</translation>
+        <source>No jointly held object.</source>
+        <translation>Kein gemeinsam gehaltenes Objekt.</translation>
     </message>
 </context>
 <context>
@@ -2514,8 +2514,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Tiefenfarben ändern</translation>
     </message>
     <message>
-        <source>Over the picture</source>
-        <translation>Über dem Bild</translation>
+        <source>Image overlays</source>
+        <translation>Überlagerungen</translation>
     </message>
     <message>
         <source>&amp;Edges of the face</source>
@@ -2538,8 +2538,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>&amp;Zu dunkel oder zu hell</translation>
     </message>
     <message>
-        <source>A ring: the marker is seen. A dashed diamond: its place is an estimate.</source>
-        <translation>Ring: Die Marke ist zu sehen. Gestrichelte Raute: Ihr Ort ist geschätzt.</translation>
+        <source>Ring: visible marker. Dashed diamond: estimated position.</source>
+        <translation>Ring: sichtbare Marke. Gestrichelte Raute: geschätzte Position.</translation>
     </message>
     <message>
         <source>Stripes falling to the right: too bright to measure. Stripes falling to the left: too dark.</source>
@@ -2566,8 +2566,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Kontakt</translation>
     </message>
     <message>
-        <source>Time of a frame</source>
-        <translation>Zeit für ein Bild</translation>
+        <source>Time per frame</source>
+        <translation>Zeit pro Bild</translation>
     </message>
     <message>
         <source>change %1</source>
@@ -2582,7 +2582,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Helligkeit entsperren</translation>
     </message>
     <message>
-        <source>No picture yet.</source>
+        <source>No image yet.</source>
         <translation>Noch kein Bild.</translation>
     </message>
     <message>
@@ -2618,8 +2618,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Kontakte</translation>
     </message>
     <message>
-        <source>All together</source>
-        <translation>Alles zusammen</translation>
+        <source>Total</source>
+        <translation>Gesamt</translation>
     </message>
     <message>
         <source>Live</source>
@@ -2630,8 +2630,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>&amp;Live</translation>
     </message>
     <message>
-        <source>What touches the finger</source>
-        <translation>Was den Finger berührt</translation>
+        <source>Contacts on the finger</source>
+        <translation>Kontakte am Finger</translation>
     </message>
     <message>
         <source>Force</source>
@@ -2689,8 +2689,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>&amp;Vollbild</translation>
     </message>
     <message>
-        <source>go on with the last session</source>
-        <translation>mit der letzten Sitzung weitermachen</translation>
+        <source>continue the last session</source>
+        <translation>die letzte Sitzung fortsetzen</translation>
     </message>
     <message>
         <source>finger %1</source>
@@ -2705,12 +2705,12 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Aufnahme %1</translation>
     </message>
     <message>
-        <source>A recording is under way</source>
+        <source>A recording is running</source>
         <translation>Eine Aufnahme läuft</translation>
     </message>
     <message>
-        <source>A recording is under way. Quitting ends it; what was recorded until then is kept.</source>
-        <translation>Eine Aufnahme läuft. Beim Beenden endet sie; was bis dahin aufgenommen ist, bleibt erhalten.</translation>
+        <source>A recording is running. Quitting ends it; the recording up to then is saved.</source>
+        <translation>Eine Aufnahme läuft. Beim Beenden endet sie; das bis dahin Aufgenommene bleibt gespeichert.</translation>
     </message>
     <message>
         <source>&amp;End it and quit</source>
@@ -2728,12 +2728,12 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>&amp;Anhalten</translation>
     </message>
     <message>
-        <source>Keeps the best solution so far</source>
-        <translation>Behält die bisher beste Lösung</translation>
+        <source>Retains the best solution so far</source>
+        <translation>Behält die bisher beste Lösung bei</translation>
     </message>
     <message>
-        <source>What has been done</source>
-        <translation>Was getan wurde</translation>
+        <source>Calibration log</source>
+        <translation>Kalibrierprotokoll</translation>
     </message>
     <message>
         <source>Progress of the calibration</source>
@@ -2741,14 +2741,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>Depth over brightness difference</source>
-        <translation>Tiefe über dem Helligkeitsunterschied</translation>
+        <translation>Tiefe über Helligkeitsunterschied</translation>
     </message>
     <message>
         <source>Error of every press, worst first</source>
         <translation>Fehler jedes Eindrucks, der größte zuerst</translation>
     </message>
     <message>
-        <source>The calibration is being made.</source>
+        <source>The calibration is running.</source>
         <translation>Die Kalibrierung läuft.</translation>
     </message>
     <message>
@@ -2771,16 +2771,16 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         </translation>
     </message>
     <message>
-        <source>This finger is calibrated. Calibrating again shows the figures.</source>
-        <translation>Dieser Finger ist kalibriert. Neu kalibrieren zeigt die Abbildungen.</translation>
+        <source>This finger is calibrated. Calibrate again to show the figures.</source>
+        <translation>Dieser Finger ist kalibriert. Kalibrieren Sie neu, um die Diagramme zu zeigen.</translation>
     </message>
     <message>
-        <source>With one press or more, what every pixel&apos;s darkening means in mm is learnt from the shape of the ball.</source>
-        <translation>Mit einem Eindruck oder mehreren wird aus der Form der Kugel gelernt, was die Verdunkelung jedes Pixels in mm bedeutet.</translation>
+        <source>From one press on, the program learns from the ball&apos;s shape what each pixel&apos;s darkening means in mm.</source>
+        <translation>Ab einem Eindruck lernt das Programm aus der Form der Kugel, wie viele mm die Verdunkelung jedes Pixels bedeutet.</translation>
     </message>
     <message>
-        <source>What every pixel&apos;s darkening means in mm is learnt from the shape of the ball, with all presses together. Each press is left out once to see how well the others foretell it.</source>
-        <translation>Was die Verdunkelung jedes Pixels in mm bedeutet, wird aus der Form der Kugel gelernt, mit allen Eindrücken zusammen. Jeder Eindruck wird einmal ausgelassen, um zu sehen, wie gut die anderen ihn vorhersagen.</translation>
+        <source>From the ball&apos;s shape in all presses, the program learns what each pixel&apos;s darkening means in mm. It leaves out each press once to test how well the others predict it.</source>
+        <translation>Aus der Form der Kugel in allen Eindrücken lernt das Programm, wie viele mm die Verdunkelung jedes Pixels bedeutet. Jeder Eindruck wird einmal ausgelassen, um zu prüfen, wie gut die anderen ihn vorhersagen.</translation>
     </message>
     <message>
         <source>Mapping: %1.</source>
@@ -2791,28 +2791,28 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Abbildung</translation>
     </message>
     <message>
-        <source>The presses are read again to show what each pixel says.</source>
-        <translation>Die Eindrücke werden neu gelesen, um zu zeigen, was jedes Pixel sagt.</translation>
+        <source>The presses are read again to show the result of each pixel.</source>
+        <translation>Die Eindrücke werden neu gelesen, um das Ergebnis jedes Pixels zu zeigen.</translation>
     </message>
     <message>
-        <source>What these presses would come to; not in use yet.</source>
-        <translation>Was diese Eindrücke ergäben; noch nicht in Gebrauch.</translation>
+        <source>Result with these presses; not in use yet.</source>
+        <translation>Ergebnis mit diesen Eindrücken; noch nicht in Gebrauch.</translation>
     </message>
     <message>
         <source>S&amp;how this press</source>
         <translation>Diesen Eindruck &amp;zeigen</translation>
     </message>
     <message>
-        <source>Click a bar or a circle: which points are this press&apos;s, and where.</source>
-        <translation>Ein Klick auf einen Balken oder Kreis zeigt, welche Punkte von diesem Eindruck sind und wo er liegt.</translation>
+        <source>Click a bar or circle to show this press&apos;s points and position.</source>
+        <translation>Balken oder Kreis anklicken, um Punkte und Position des Eindrucks zu zeigen.</translation>
     </message>
     <message>
-        <source>%1 is taken out: the next calibration goes without it.</source>
-        <translation>%1 ist herausgenommen: Die nächste Kalibrierung kommt ohne ihn aus.</translation>
+        <source>%1 is left out: the next calibration does not use it.</source>
+        <translation>%1 ist ausgelassen: Die nächste Kalibrierung verwendet ihn nicht.</translation>
     </message>
     <message>
         <source>%1: its points are marked +, its circle is bold.</source>
-        <translation>%1: Seine Punkte sind mit + bezeichnet, sein Kreis ist fett.</translation>
+        <translation>%1: Seine Punkte sind mit + markiert, sein Kreis ist fett.</translation>
     </message>
 </context>
 <context>
@@ -2846,7 +2846,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Helligkeitsunterschied x (ohne Einheit)</translation>
     </message>
     <message>
-        <source>Brightness difference x (share of the untouched brightness)</source>
+        <source>Brightness difference x (fraction of the untouched brightness)</source>
         <translation>Helligkeitsunterschied x (Anteil der unberührten Helligkeit)</translation>
     </message>
     <message>
@@ -2865,11 +2865,11 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
 <context>
     <name>alltact::MoreDataBox</name>
     <message>
-        <source>What more would bring</source>
-        <translation>Was mehr brächte</translation>
+        <source>Benefit of more data</source>
+        <translation>Nutzen weiterer Daten</translation>
     </message>
     <message>
-        <source>Progress of working it out</source>
+        <source>Progress of the computation</source>
         <translation>Fortschritt der Berechnung</translation>
     </message>
     <message>
@@ -2877,16 +2877,16 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Sto&amp;pp</translation>
     </message>
     <message>
-        <source>&amp;Work it out</source>
+        <source>Compute no&amp;w</source>
         <translation>&amp;Ausrechnen</translation>
     </message>
     <message>
-        <source>One more press, more pictures of each, one more minute: told by balls painted into this finger&apos;s own pictures, which calibrate it anew.</source>
-        <translation>Ein Eindruck mehr, mehr Bilder von jedem, eine Minute mehr: ermittelt an Kugeln, die in eigene Bilder dieses Fingers gemalt werden und ihn neu kalibrieren.</translation>
+        <source>Benefit of one more press, more images of each, one more minute. The program paints balls into this finger&apos;s images and calibrates it with them.</source>
+        <translation>Nutzen eines weiteren Eindrucks, weiterer Bilder pro Eindruck oder einer weiteren Minute. Das Programm zeichnet Kugeln in Bilder dieses Fingers und kalibriert ihn damit neu.</translation>
     </message>
     <message>
-        <source>Nothing that was tried brings more.</source>
-        <translation>Nichts, was versucht wurde, bringt mehr.</translation>
+        <source>No tested option improves the result.</source>
+        <translation>Keine geprüfte Möglichkeit verbessert das Ergebnis.</translation>
     </message>
 </context>
 <context>
@@ -2896,7 +2896,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Neuer Finger</translation>
     </message>
     <message>
-        <source>&amp;Folder to make</source>
+        <source>New &amp;folder</source>
         <translation>Neuer &amp;Ordner</translation>
     </message>
     <message>
@@ -2936,15 +2936,15 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Flacher, starrer Sensor</translation>
     </message>
     <message>
-        <source>found out by the reference recording</source>
+        <source>detected in the reference recording</source>
         <translation>wird aus der Referenzaufnahme erkannt</translation>
     </message>
     <message>
-        <source>brighter than around them</source>
+        <source>brighter than surroundings</source>
         <translation>heller als ihre Umgebung</translation>
     </message>
     <message>
-        <source>darker than around them</source>
+        <source>darker than surroundings</source>
         <translation>dunkler als ihre Umgebung</translation>
     </message>
     <message>
@@ -2972,7 +2972,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Folder to make</source>
+        <source>New folder</source>
         <translation>Neuer Ordner</translation>
     </message>
     <message>
@@ -2984,30 +2984,30 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Kamera (*.yaml *.yml)</translation>
     </message>
     <message>
-        <source>No folder is named.</source>
+        <source>No folder is chosen.</source>
         <translation>Es ist kein Ordner angegeben.</translation>
     </message>
     <message>
-        <source>No camera file is named.</source>
+        <source>No camera file is specified.</source>
         <translation>Es ist keine Kameradatei angegeben.</translation>
     </message>
     <message>
-        <source>Measure width and layer with a caliper, and count the dots. The camera file comes from the lens calibration, the first step of Calibrate.</source>
-        <translation>Breite und Schicht mit dem Messschieber messen, die Punkte zählen. Die Kameradatei kommt aus der Objektivkalibrierung, dem ersten Schritt von Kalibrieren.</translation>
+        <source>Measure width and layer with a caliper, and count the dots. The camera file comes from the lens calibration, the first step of the Calibrate page.</source>
+        <translation>Messen Sie Breite und Schicht mit dem Messschieber, und zählen Sie die Punkte. Die Kameradatei kommt aus der Objektivkalibrierung, dem ersten Schritt der Seite Kalibrieren.</translation>
     </message>
     <message>
-        <source>The first step of Calibrate makes one.</source>
-        <translation>Der erste Schritt von Kalibrieren erzeugt sie.</translation>
+        <source>The first step of the Calibrate page creates it.</source>
+        <translation>Der erste Schritt der Seite Kalibrieren erzeugt sie.</translation>
     </message>
 </context>
 <context>
     <name>alltact::OutlineEditor</name>
     <message>
-        <source>Picture with the ball&apos;s outline</source>
+        <source>Image with the ball&apos;s outline</source>
         <translation>Bild mit dem Umriss der Kugel</translation>
     </message>
     <message>
-        <source>Drag the outline&apos;s centre or rim onto the ball. Arrow keys move it by a tenth of a pixel, Page Up and Page Down change its size, with Shift by a whole pixel. Ctrl and the arrow keys move the picture; the wheel zooms, over the rim it changes the size.</source>
+        <source>Drag the outline&apos;s centre or rim onto the ball. Arrow keys move it by a tenth of a pixel, Page Up and Page Down change its size, with Shift by one pixel. Ctrl and the arrow keys move the image; the wheel zooms, over the rim it changes the size.</source>
         <translation>Mitte oder Rand des Umrisses auf die Kugel ziehen. Pfeiltasten verschieben ihn um ein Zehntelpixel, Bild auf und Bild ab ändern die Größe, mit Umschalt um ein ganzes Pixel. Strg und Pfeiltasten verschieben das Bild; das Rad zoomt, über dem Rand ändert es die Größe.</translation>
     </message>
     <message>
@@ -3026,64 +3026,64 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Zweiter Fin&amp;ger…</translation>
     </message>
     <message>
-        <source>Close it</source>
+        <source>Close</source>
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>Place of 1…</source>
-        <translation>Ort von 1…</translation>
+        <source>Pose of 1…</source>
+        <translation>Lage von 1…</translation>
     </message>
     <message>
-        <source>Place of 2…</source>
-        <translation>Ort von 2…</translation>
+        <source>Pose of 2…</source>
+        <translation>Lage von 2…</translation>
     </message>
     <message>
-        <source>Place of the first finger in the gripper</source>
-        <translation>Ort des ersten Fingers im Greifer</translation>
+        <source>Pose of the first finger in the gripper</source>
+        <translation>Lage des ersten Fingers im Greifer</translation>
     </message>
     <message>
-        <source>Place of the second finger in the gripper</source>
-        <translation>Ort des zweiten Fingers im Greifer</translation>
+        <source>Pose of the second finger in the gripper</source>
+        <translation>Lage des zweiten Fingers im Greifer</translation>
     </message>
     <message>
-        <source>Where this finger&apos;s camera sits in the gripper.</source>
-        <translation>Wo die Kamera dieses Fingers im Greifer sitzt.</translation>
+        <source>Pose of this finger&apos;s camera in the gripper.</source>
+        <translation>Lage der Kamera dieses Fingers im Greifer.</translation>
     </message>
     <message>
         <source>Distance between the faces</source>
         <translation>Abstand der Flächen</translation>
     </message>
     <message>
-        <source>How the two recordings are joined</source>
-        <translation>Wie die beiden Aufnahmen verbunden sind</translation>
+        <source>Matching of the two recordings</source>
+        <translation>Zuordnung der beiden Aufnahmen</translation>
     </message>
     <message>
-        <source>Open a recording first; a second one can be joined to it.</source>
-        <translation>Zuerst eine Aufnahme öffnen; mit ihr kann eine zweite verbunden werden.</translation>
+        <source>Open a recording first; then you can add a second one.</source>
+        <translation>Öffnen Sie zuerst eine Aufnahme; danach können Sie eine zweite hinzufügen.</translation>
     </message>
     <message>
-        <source>Joined by time stamps; 2 was taken %1 ms after 1.</source>
-        <translation>Nach Zeitstempeln verbunden; 2 entstand %1 ms nach 1.</translation>
+        <source>Matched by time stamps; 2 was captured %1 ms after 1.</source>
+        <translation>Nach Zeitstempeln zugeordnet; 2 entstand %1 ms nach 1.</translation>
     </message>
     <message>
-        <source>Recorded at different times: their beginnings count as one moment; 2 was taken %1 ms after 1.</source>
-        <translation>Zu verschiedenen Zeiten aufgenommen: Ihre Anfänge gelten als ein Augenblick; 2 entstand %1 ms nach 1.</translation>
+        <source>Recorded at different times, aligned at their starts; 2 was captured %1 ms after 1.</source>
+        <translation>Zu verschiedenen Zeiten aufgenommen, an den Anfängen ausgerichtet; 2 entstand %1 ms nach 1.</translation>
     </message>
     <message>
-        <source>Without time stamps: joined by the number of the frame.</source>
-        <translation>Ohne Zeitstempel: nach der Nummer des Bildes verbunden.</translation>
+        <source>No time stamps: matched by frame number.</source>
+        <translation>Ohne Zeitstempel: nach Bildnummer zugeordnet.</translation>
     </message>
     <message>
         <source>Measuring the distance…</source>
         <translation>Der Abstand wird gemessen…</translation>
     </message>
     <message>
-        <source>&lt;b&gt;The faces touch or cross.&lt;/b&gt;</source>
+        <source>&lt;b&gt;The faces touch or intersect.&lt;/b&gt;</source>
         <translation>&lt;b&gt;Die Flächen berühren oder durchdringen sich.&lt;/b&gt;</translation>
     </message>
     <message>
-        <source>&lt;b&gt;%1 mm&lt;/b&gt; between the faces where they are nearest, around X %2, Y %3, Z %4 mm</source>
-        <translation>&lt;b&gt;%1 mm&lt;/b&gt; zwischen den Flächen, wo sie sich am nächsten sind, um X %2, Y %3, Z %4 mm</translation>
+        <source>&lt;b&gt;%1 mm&lt;/b&gt; shortest distance between the faces, near X %2, Y %3, Z %4 mm</source>
+        <translation>&lt;b&gt;%1 mm&lt;/b&gt; kleinster Abstand der Flächen, nahe X %2, Y %3, Z %4 mm</translation>
     </message>
 </context>
 <context>
@@ -3116,20 +3116,20 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Verkleinern</translation>
     </message>
     <message>
-        <source>Show the whole picture</source>
-        <translation>Das ganze Bild zeigen</translation>
+        <source>Show the entire image</source>
+        <translation>Gesamtes Bild zeigen</translation>
     </message>
     <message>
-        <source>Show the picture in its own size</source>
-        <translation>Das Bild in eigener Größe zeigen</translation>
+        <source>Show the image at original size</source>
+        <translation>Bild in Originalgröße zeigen</translation>
     </message>
     <message>
         <source>1:1</source>
         <translation>1:1</translation>
     </message>
     <message>
-        <source>Under the probe</source>
-        <translation>Unter der Sonde</translation>
+        <source>Values at the probe</source>
+        <translation>Werte an der Sonde</translation>
     </message>
     <message>
         <source>Zoom</source>
@@ -3140,16 +3140,16 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Die Quelle wird geöffnet.</translation>
     </message>
     <message>
-        <source>The source could not be opened; above stands why.</source>
-        <translation>Die Quelle konnte nicht geöffnet werden; oben steht, warum.</translation>
+        <source>The source could not be opened; the reason is above.</source>
+        <translation>Die Quelle konnte nicht geöffnet werden; der Grund steht oben.</translation>
     </message>
     <message>
         <source>No source is open. Choose a camera, a recording or the simulated finger.</source>
-        <translation>Keine Quelle ist offen. Wählen Sie eine Kamera, eine Aufnahme oder den simulierten Finger.</translation>
+        <translation>Keine Quelle ist geöffnet. Wählen Sie eine Kamera, eine Aufnahme oder den simulierten Finger.</translation>
     </message>
     <message>
-        <source>Waiting for the first picture.</source>
-        <translation>Warten auf das erste Bild.</translation>
+        <source>Waiting for the first image.</source>
+        <translation>Auf das erste Bild wird gewartet.</translation>
     </message>
     <message>
         <source>Point at a pixel, or press Shift and an arrow key.</source>
@@ -3160,20 +3160,20 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>Freeze the picture</source>
+        <source>Freeze the image</source>
         <translation>Bild anhalten</translation>
     </message>
     <message>
-        <source>Freeze: keep looking at this picture; measuring goes on</source>
-        <translation>Anhalten: dieses Bild weiter ansehen; gemessen wird weiter</translation>
+        <source>Freeze this image; measuring continues</source>
+        <translation>Dieses Bild anhalten; die Messung läuft weiter</translation>
     </message>
     <message>
-        <source>Save the picture</source>
+        <source>Save the image</source>
         <translation>Bild speichern</translation>
     </message>
     <message>
-        <source>Save the picture, with or without what is drawn over it</source>
-        <translation>Das Bild speichern, mit oder ohne das darüber Gezeichnete</translation>
+        <source>Save the image, with or without its overlays</source>
+        <translation>Bild speichern, mit oder ohne Überlagerungen</translation>
     </message>
     <message>
         <source>Frozen</source>
@@ -3183,8 +3183,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
 <context>
     <name>alltact::PageHint</name>
     <message>
-        <source>What this place is for</source>
-        <translation>Wozu dieser Ort da ist</translation>
+        <source>Purpose of this page</source>
+        <translation>Zweck dieser Seite</translation>
     </message>
     <message>
         <source>How it is &amp;done (F1)</source>
@@ -3202,7 +3202,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Punkt A verschieben</translation>
     </message>
     <message>
-        <source>take the points away</source>
+        <source>remove the points</source>
         <translation>die Punkte entfernen</translation>
     </message>
     <message>
@@ -3246,12 +3246,12 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Punkt B, quer zum Finger</translation>
     </message>
     <message>
-        <source>Along the face from its base. A point stays there on the finger while that moves.</source>
-        <translation>Längs der Fläche, von ihrer Basis an. Ein Punkt bleibt dort auf dem Finger, während dieser sich bewegt.</translation>
+        <source>Along the face from its base. The point stays there on the finger when the finger moves.</source>
+        <translation>Längs der Fläche, von ihrem Fuß an. Der Punkt bleibt dort auf dem Finger, auch wenn dieser sich bewegt.</translation>
     </message>
     <message>
-        <source>Across the face from its middle.</source>
-        <translation>Quer zur Fläche, von ihrer Mitte an.</translation>
+        <source>Across the face from its centre line.</source>
+        <translation>Quer zur Fläche, von ihrer Mittellinie an.</translation>
     </message>
     <message>
         <source> mm</source>
@@ -3270,8 +3270,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Leeren</translation>
     </message>
     <message>
-        <source>Takes both points away.</source>
-        <translation>Nimmt beide Punkte weg.</translation>
+        <source>Removes both points.</source>
+        <translation>Entfernt beide Punkte.</translation>
     </message>
     <message>
         <source>Across</source>
@@ -3287,7 +3287,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>From base to tip, through A or the deepest point.</source>
-        <translation>Von der Basis zur Spitze, durch A oder den tiefsten Punkt.</translation>
+        <translation>Vom Fuß zur Spitze, durch A oder den tiefsten Punkt.</translation>
     </message>
     <message>
         <source>Measured at the points</source>
@@ -3321,12 +3321,12 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Kugel von %1 suchen</translation>
     </message>
     <message>
-        <source>take out %1</source>
-        <translation>%1 herausnehmen</translation>
+        <source>leave out %1</source>
+        <translation>%1 auslassen</translation>
     </message>
     <message>
         <source>put back %1</source>
-        <translation>%1 zurücknehmen</translation>
+        <translation>%1 wieder nutzen</translation>
     </message>
     <message>
         <source>take %1</source>
@@ -3337,14 +3337,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>%1 entfernen</translation>
     </message>
     <message numerus="yes">
-        <source>add %n picture(s)</source>
+        <source>add %n image(s)</source>
         <translation>
             <numerusform>%n Bild hinzufügen</numerusform>
             <numerusform>%n Bilder hinzufügen</numerusform>
         </translation>
     </message>
     <message>
-        <source>There are presses of these names already: %1.</source>
+        <source>Presses with these names exist already: %1.</source>
         <translation>Eindrücke mit diesen Namen gibt es schon: %1.</translation>
     </message>
     <message>
@@ -3357,11 +3357,11 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>&amp;Put back</source>
-        <translation>Zurück&amp;nehmen</translation>
+        <translation>Wieder &amp;nutzen</translation>
     </message>
     <message>
-        <source>Take &amp;out</source>
-        <translation>&amp;Herausnehmen</translation>
+        <source>Leave &amp;out</source>
+        <translation>A&amp;uslassen</translation>
     </message>
 </context>
 <context>
@@ -3416,8 +3416,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Abbildung − Kugel, mm</translation>
     </message>
     <message>
-        <source>as the calibration puts it: %1</source>
-        <translation>wie die Kalibrierung ihn ansetzt: %1</translation>
+        <source>at the calibrated position: %1</source>
+        <translation>an der kalibrierten Position: %1</translation>
     </message>
     <message>
         <source>%1 mm</source>
@@ -3440,14 +3440,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>&amp;Its ball</source>
-        <translation>&amp;Ihre Kugel</translation>
+        <translation>Se&amp;ine Kugel</translation>
     </message>
     <message>
-        <source>Radius of this press&apos; ball</source>
+        <source>Radius of this press&apos;s ball</source>
         <translation>Radius der Kugel dieses Eindrucks</translation>
     </message>
     <message>
-        <source>Where this press was made with a ball of another radius</source>
+        <source>If this press was made with a ball of another radius</source>
         <translation>Falls dieser Eindruck mit einer Kugel von anderem Radius gemacht wurde</translation>
     </message>
     <message>
@@ -3463,8 +3463,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>nicht gemessen</translation>
     </message>
     <message>
-        <source>How deep the ball was pressed in, normal to the face, from where it first touches, as a stage or a feeler gauge tells it</source>
-        <translation>Wie tief die Kugel eingedrückt wurde, senkrecht zur Fläche, von ihrer ersten Berührung an, wie es ein Verschiebetisch oder eine Fühlerlehre sagt</translation>
+        <source>Indentation depth of the ball from first contact, normal to the face, measured with a stage or a feeler gauge</source>
+        <translation>Eindrucktiefe der Kugel ab der ersten Berührung, senkrecht zur Fläche, mit Verschiebetisch oder Fühlerlehre gemessen</translation>
     </message>
     <message>
         <source>&amp;Give or take</source>
@@ -3475,8 +3475,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Standardabweichung der gemessenen Tiefe</translation>
     </message>
     <message>
-        <source>How well the depth is known: the standard deviation of measuring it</source>
-        <translation>Wie genau die Tiefe bekannt ist: die Standardabweichung ihrer Messung</translation>
+        <source>Uncertainty of the depth: the standard deviation of its measurement</source>
+        <translation>Unsicherheit der Tiefe: die Standardabweichung ihrer Messung</translation>
     </message>
     <message>
         <source>&amp;Step of a punch</source>
@@ -3491,8 +3491,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>eine Kugel</translation>
     </message>
     <message>
-        <source>Height of the step of a flat punch that was pressed in instead of a ball; no ball is looked for then</source>
-        <translation>Höhe der Stufe eines flachen Stempels, der statt einer Kugel eingedrückt wurde; eine Kugel wird dann nicht gesucht</translation>
+        <source>Step height of a flat punch pressed in instead of a ball; the program then searches for no ball</source>
+        <translation>Stufenhöhe eines flachen Stempels, der statt einer Kugel eingedrückt wurde; dann wird keine Kugel gesucht</translation>
     </message>
 </context>
 <context>
@@ -3517,20 +3517,20 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
 <context>
     <name>alltact::PressModel</name>
     <message>
-        <source>taken out</source>
-        <translation>herausgenommen</translation>
+        <source>left out</source>
+        <translation>ausgelassen</translation>
     </message>
     <message>
-        <source>taken out: %1</source>
-        <translation>herausgenommen: %1</translation>
+        <source>left out: %1</source>
+        <translation>ausgelassen: %1</translation>
     </message>
     <message>
-        <source>ball put by hand</source>
-        <translation>Kugel von Hand gelegt</translation>
+        <source>ball set by hand</source>
+        <translation>Kugel von Hand gesetzt</translation>
     </message>
     <message>
-        <source>being looked at</source>
-        <translation>wird angesehen</translation>
+        <source>being analysed</source>
+        <translation>wird ausgewertet</translation>
     </message>
     <message>
         <source>ball found</source>
@@ -3541,20 +3541,20 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>der Radius der Kugel fehlt</translation>
     </message>
     <message>
-        <source>a step of %1 mm reads %2 mm</source>
-        <translation>eine Stufe von %1 mm misst %2 mm</translation>
+        <source>%1 mm step measured as %2 mm</source>
+        <translation>Stufe von %1 mm, gemessen %2 mm</translation>
     </message>
     <message>
         <source>a punch with a step of %1 mm</source>
         <translation>ein Stempel mit einer Stufe von %1 mm</translation>
     </message>
     <message>
-        <source>measured %1 mm deep, the solution has %2 mm</source>
-        <translation>gemessen %1 mm tief, die Lösung hat %2 mm</translation>
+        <source>depth measured %1 mm, fitted %2 mm</source>
+        <translation>Tiefe gemessen %1 mm, berechnet %2 mm</translation>
     </message>
     <message>
-        <source>no face seen</source>
-        <translation>keine Fläche zu sehen</translation>
+        <source>no face found</source>
+        <translation>keine Fläche gefunden</translation>
     </message>
     <message>
         <source>not comparable</source>
@@ -3581,7 +3581,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>über den Rand hinaus</translation>
     </message>
     <message>
-        <source>no ball&apos;s disc</source>
+        <source>no disc of a ball</source>
         <translation>keine Kugelscheibe</translation>
     </message>
     <message>
@@ -3593,8 +3593,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>%1 mm tief, Fehler %2 mm: %3</translation>
     </message>
     <message>
-        <source>not written to the disk</source>
-        <translation>nicht auf die Platte geschrieben</translation>
+        <source>not saved to disk</source>
+        <translation>nicht auf Platte gespeichert</translation>
     </message>
     <message>
         <source>%1 mm deep, error unknown</source>
@@ -3608,7 +3608,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Eindrücke</translation>
     </message>
     <message>
-        <source>&amp;Add pictures…</source>
+        <source>&amp;Add images…</source>
         <translation>Bilder &amp;hinzufügen…</translation>
     </message>
     <message>
@@ -3616,11 +3616,11 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>&amp;Entfernen</translation>
     </message>
     <message>
-        <source>Takes the press and its picture away (undo brings them back)</source>
-        <translation>Entfernt den Eindruck und sein Bild (Rückgängig bringt sie zurück)</translation>
+        <source>Removes the press and its image (undo restores them)</source>
+        <translation>Entfernt den Eindruck und sein Bild (Rückgängig stellt sie wieder her)</translation>
     </message>
     <message>
-        <source>&amp;Live picture</source>
+        <source>&amp;Live image</source>
         <translation>&amp;Livebild</translation>
     </message>
     <message>
@@ -3664,8 +3664,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Eindruck auf&amp;nehmen (Leertaste)</translation>
     </message>
     <message>
-        <source>By &amp;itself when it holds still</source>
-        <translation>Von &amp;selbst, sobald er stillhält</translation>
+        <source>Automat&amp;ically when still</source>
+        <translation>Automati&amp;sch im Stillstand</translation>
     </message>
     <message>
         <source>Takes a press as soon as a contact holds still for half a second; both hands stay free</source>
@@ -3676,16 +3676,16 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Kugel neu &amp;suchen</translation>
     </message>
     <message>
-        <source>Forgets where the outline was put by hand</source>
-        <translation>Vergisst, wohin der Umriss von Hand gelegt wurde</translation>
+        <source>Discards the outline position set by hand</source>
+        <translation>Verwirft die von Hand gesetzte Position des Umrisses</translation>
     </message>
     <message>
-        <source>Yellow: the ball&apos;s outline, dashed as the program found it, whole where a hand put it. Blue: where the ball meets the untouched face, about the dark disc.</source>
-        <translation>Gelb: der Umriss der Kugel, gestrichelt, wie das Programm ihn fand, durchgezogen, wo eine Hand ihn hinlegte. Blau: wo die Kugel die unberührte Fläche trifft, etwa die dunkle Scheibe.</translation>
+        <source>Yellow: the ball&apos;s outline, dashed if found by the program, solid if set by hand. Blue: where the ball meets the untouched face, roughly the dark disc.</source>
+        <translation>Gelb: der Umriss der Kugel, gestrichelt, wenn das Programm ihn fand, durchgezogen, wenn er von Hand gesetzt ist. Blau: wo die Kugel die unberührte Fläche schneidet, etwa die dunkle Scheibe.</translation>
     </message>
     <message>
-        <source>Place of the ball</source>
-        <translation>Ort der Kugel</translation>
+        <source>Position of the ball</source>
+        <translation>Position der Kugel</translation>
     </message>
     <message>
         <source>The presses are being read.</source>
@@ -3696,15 +3696,15 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Der Radius der Kugel fehlt.</translation>
     </message>
     <message>
-        <source>Take a press first; six at different places are good.</source>
-        <translation>Nehmen Sie zuerst einen Eindruck auf; sechs an verschiedenen Stellen sind gut.</translation>
+        <source>Take a press first, best six at different positions.</source>
+        <translation>Nehmen Sie zuerst einen Eindruck auf, am besten sechs an verschiedenen Positionen.</translation>
     </message>
     <message>
-        <source>In no press a ball was found yet.</source>
-        <translation>In keinem Eindruck wurde bisher eine Kugel gefunden.</translation>
+        <source>No ball was found in any press yet.</source>
+        <translation>Bisher wurde in keinem Eindruck eine Kugel gefunden.</translation>
     </message>
     <message>
-        <source>There is no live picture: choose a source.</source>
+        <source>There is no live image: choose a source.</source>
         <translation>Es gibt kein Livebild: Wählen Sie eine Quelle.</translation>
     </message>
     <message>
@@ -3712,15 +3712,15 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Der Finger kann nicht mit seiner Referenz verglichen werden.</translation>
     </message>
     <message>
-        <source>The live picture does not fit this finger.</source>
+        <source>The live image does not match this finger.</source>
         <translation>Das Livebild passt nicht zu diesem Finger.</translation>
     </message>
     <message>
-        <source>Pictures of presses</source>
+        <source>Images of presses</source>
         <translation>Bilder von Eindrücken</translation>
     </message>
     <message>
-        <source>Pictures (*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.pgm)</source>
+        <source>Images (*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.pgm)</source>
         <translation>Bilder (*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.pgm)</translation>
     </message>
     <message>
@@ -3732,27 +3732,27 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Oder ziehen Sie den Umriss auf die Kugel.</translation>
     </message>
     <message>
-        <source>As it lies now it is pressed in by %1 mm.</source>
-        <translation>So, wie sie jetzt liegt, ist sie %1 mm eingedrückt.</translation>
+        <source>At this position, it is pressed in by %1 mm.</source>
+        <translation>In dieser Position ist sie %1 mm eingedrückt.</translation>
     </message>
     <message>
-        <source>As it lies now it does not touch the face.</source>
-        <translation>So, wie sie jetzt liegt, berührt sie die Fläche nicht.</translation>
+        <source>At this position, it does not touch the face.</source>
+        <translation>In dieser Position berührt sie die Fläche nicht.</translation>
     </message>
     <message>
         <source>Chosen &amp;press</source>
         <translation>&amp;Gewählter Eindruck</translation>
     </message>
     <message>
-        <source>A press that is taken out stays with the finger and is not used</source>
-        <translation>Ein herausgenommener Eindruck bleibt beim Finger und wird nicht verwendet</translation>
+        <source>A press that is left out stays with the finger and is not used</source>
+        <translation>Ein ausgelassener Eindruck bleibt beim Finger und wird nicht verwendet</translation>
     </message>
     <message>
-        <source>The picture is being read.</source>
+        <source>The image is being read.</source>
         <translation>Das Bild wird gelesen.</translation>
     </message>
     <message>
-        <source>Centre u %1 px, v %2 px, radius %3 px, %4 mm before the camera</source>
+        <source>Centre u %1 px, v %2 px, radius %3 px, %4 mm from the camera</source>
         <translation>Mitte u %1 px, v %2 px, Radius %3 px, %4 mm vor der Kamera</translation>
     </message>
     <message>
@@ -3760,8 +3760,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Hier ist keine Kugel gezeichnet.</translation>
     </message>
     <message>
-        <source>No press yet. Press the ball in at different places and depths, base, middle and tip.</source>
-        <translation>Noch kein Eindruck. Drücken Sie die Kugel an verschiedenen Stellen und verschieden tief ein: Fuß, Mitte und Spitze.</translation>
+        <source>No press yet. Press the ball in at different positions and depths: base, middle and tip.</source>
+        <translation>Noch kein Eindruck. Drücken Sie die Kugel an verschiedenen Positionen und verschieden tief ein: Fuß, Mitte und Spitze.</translation>
     </message>
     <message numerus="yes">
         <source>%n press(es), </source>
@@ -3778,59 +3778,59 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         </translation>
     </message>
     <message>
-        <source>%1 is taken: the mean of %2 pictures held still.</source>
-        <translation>%1 ist aufgenommen: das Mittel von %2 stillgehaltenen Bildern.</translation>
+        <source>%1 is taken: the mean of %2 still images.</source>
+        <translation>%1 ist aufgenommen: das Mittel von %2 ruhigen Bildern.</translation>
     </message>
     <message>
-        <source>%1 is taken from a single picture; hold ball and finger still for half a second, and its noise falls to a quarter.</source>
-        <translation>%1 ist aus einem einzigen Bild; halten Sie Kugel und Finger eine halbe Sekunde still, und das Rauschen sinkt auf ein Viertel.</translation>
+        <source>%1 comes from a single image. Hold ball and finger still for half a second to reduce its noise to a quarter.</source>
+        <translation>%1 stammt aus einem einzigen Bild. Halten Sie Kugel und Finger eine halbe Sekunde still; dann sinkt das Rauschen auf ein Viertel.</translation>
     </message>
     <message>
         <source>&amp;Error under the ball</source>
         <translation>&amp;Fehler unter der Kugel</translation>
     </message>
     <message>
-        <source>In colours, where the mapping reads deeper (red) or less deep (blue) than the ball is</source>
-        <translation>In Farben, wo die Abbildung tiefer (rot) oder weniger tief (blau) misst, als die Kugel ist</translation>
+        <source>Shows in colour where the mapping is deeper (red) or shallower (blue) than the ball</source>
+        <translation>Zeigt in Farbe, wo die Abbildung tiefer (rot) oder flacher (blau) misst als die Kugel</translation>
     </message>
     <message>
-        <source>Where to press next</source>
-        <translation>Wo als Nächstes eindrücken</translation>
+        <source>Next press position</source>
+        <translation>Nächste Position</translation>
     </message>
     <message>
-        <source>Measured, or another ball</source>
-        <translation>Gemessen, andere Kugel</translation>
+        <source>Depth, ball or punch</source>
+        <translation>Tiefe, Kugel, Stempel</translation>
     </message>
     <message>
         <source>Press %1</source>
         <translation>Eindruck %1</translation>
     </message>
     <message>
-        <source>Waiting: it cannot be seen whether the face is touched.</source>
-        <translation>Warten: es ist nicht zu sehen, ob die Fläche berührt wird.</translation>
+        <source>Waiting: it is unknown whether something touches the face.</source>
+        <translation>Warten: Es ist unklar, ob etwas die Fläche berührt.</translation>
     </message>
     <message>
-        <source>Waiting: nothing presses yet.</source>
-        <translation>Warten: noch drückt nichts.</translation>
+        <source>Waiting: no contact yet.</source>
+        <translation>Warten: noch kein Kontakt.</translation>
     </message>
     <message>
-        <source>Waiting: the contact still moves, or is pressed in deeper.</source>
-        <translation>Warten: der Kontakt bewegt sich noch oder wird tiefer.</translation>
+        <source>Waiting: the contact still moves or gets deeper.</source>
+        <translation>Warten: Der Kontakt bewegt sich noch oder wird tiefer.</translation>
     </message>
     <message>
-        <source>Taken. Lift the ball, or move it by 2 mm, for the next one.</source>
-        <translation>Aufgenommen. Die Kugel für den nächsten abheben oder um 2 mm versetzen.</translation>
+        <source>Taken. For the next one, lift the ball or move it by 2 mm.</source>
+        <translation>Aufgenommen. Heben Sie die Kugel für den nächsten ab oder versetzen Sie sie um 2 mm.</translation>
     </message>
     <message>
         <source>Holds still.</source>
-        <translation>Steht still.</translation>
+        <translation>Hält still.</translation>
     </message>
 </context>
 <context>
     <name>alltact::PressesPlot</name>
     <message>
-        <source>Error of depth by the number of presses</source>
-        <translation>Fehler der Tiefe über der Zahl der Eindrücke</translation>
+        <source>Depth error by number of presses</source>
+        <translation>Tiefenfehler nach Zahl der Eindrücke</translation>
     </message>
     <message numerus="yes">
         <source>%n press(es): %1 µm</source>
@@ -3840,16 +3840,16 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         </translation>
     </message>
     <message>
-        <source>Nothing is worked out yet</source>
-        <translation>Noch ist nichts ausgerechnet</translation>
+        <source>Nothing is computed yet</source>
+        <translation>Noch nichts berechnet</translation>
     </message>
     <message>
         <source>painted balls, whisker to 95 %</source>
-        <translation>gemalte Kugeln, Strich bis 95 %</translation>
+        <translation>gezeichnete Kugeln, Strich bis 95 %</translation>
     </message>
     <message>
-        <source>presses there are now</source>
-        <translation>Eindrücke, die da sind</translation>
+        <source>current presses</source>
+        <translation>vorhandene Eindrücke</translation>
     </message>
     <message>
         <source>real presses left out</source>
@@ -3860,8 +3860,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Eindrücke</translation>
     </message>
     <message>
-        <source>Error of depth (µm)</source>
-        <translation>Fehler der Tiefe (µm)</translation>
+        <source>Depth error (µm)</source>
+        <translation>Tiefenfehler (µm)</translation>
     </message>
 </context>
 <context>
@@ -3871,19 +3871,19 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Das Programm endete das letzte Mal unerwartet.</translation>
     </message>
     <message>
-        <source>What was worked on is kept.</source>
-        <translation>Woran gearbeitet wurde, ist erhalten.</translation>
+        <source>Your work is saved.</source>
+        <translation>Ihre Arbeit ist gespeichert.</translation>
     </message>
     <message>
         <source>&amp;Go on with it</source>
         <translation>Damit &amp;weitermachen</translation>
     </message>
     <message>
-        <source>The foot pedal is not heard now.</source>
-        <translation>Das Fußpedal ist gerade nicht zu hören.</translation>
+        <source>The foot pedal sends no signal now.</source>
+        <translation>Das Fußpedal sendet gerade kein Signal.</translation>
     </message>
     <message>
-        <source>The source has ended; its last picture is shown.</source>
+        <source>The source has ended; its last image is shown.</source>
         <translation>Die Quelle ist zu Ende; ihr letztes Bild wird gezeigt.</translation>
     </message>
     <message>
@@ -3947,7 +3947,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         </translation>
     </message>
     <message>
-        <source>Show the newest alone</source>
+        <source>Show only the newest</source>
         <translation>Nur die neueste zeigen</translation>
     </message>
     <message>
@@ -3996,12 +3996,12 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Wölbung an der Grenze der Schicht</translation>
     </message>
     <message>
-        <source>beyond what was calibrated</source>
-        <translation>jenseits des Kalibrierten</translation>
+        <source>beyond the calibrated range</source>
+        <translation>außerhalb des Kalibrierbereichs</translation>
     </message>
     <message>
-        <source>steep: a pixel sideways changes it by more</source>
-        <translation>steil: ein Pixel daneben ändert sie stärker</translation>
+        <source>steep: one pixel further changes it by more</source>
+        <translation>steil: ein Pixel weiter ändert sie stärker</translation>
     </message>
     <message>
         <source>doubtful light</source>
@@ -4013,19 +4013,19 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>&lt;b&gt;%1&lt;/b&gt;: off the face</source>
-        <translation>&lt;b&gt;%1&lt;/b&gt;: neben der Fläche</translation>
+        <translation>&lt;b&gt;%1&lt;/b&gt;: außerhalb der Fläche</translation>
     </message>
     <message>
         <source>&lt;b&gt;%1&lt;/b&gt;: x %2, y %3, z %4 mm</source>
         <translation>&lt;b&gt;%1&lt;/b&gt;: x %2, y %3, z %4 mm</translation>
     </message>
     <message>
-        <source>&lt;b&gt;A to B&lt;/b&gt;: %1 mm straight, %2 mm over the face</source>
-        <translation>&lt;b&gt;A nach B&lt;/b&gt;: %1 mm gerade, %2 mm über die Fläche</translation>
+        <source>&lt;b&gt;A to B&lt;/b&gt;: %1 mm straight, %2 mm along the face</source>
+        <translation>&lt;b&gt;A nach B&lt;/b&gt;: %1 mm gerade, %2 mm entlang der Fläche</translation>
     </message>
     <message>
-        <source>by x %1, y %2, z %3 mm</source>
-        <translation>um x %1, y %2, z %3 mm</translation>
+        <source>offset x %1, y %2, z %3 mm</source>
+        <translation>Versatz x %1, y %2, z %3 mm</translation>
     </message>
     <message>
         <source>Deepest %1 mm; contact at x %2, y %3, z %4 mm.</source>
@@ -4059,16 +4059,16 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Aufnahme</translation>
     </message>
     <message>
-        <source>What was recorded</source>
-        <translation>Was aufgenommen wurde</translation>
+        <source>Recorded video</source>
+        <translation>Aufgenommenes Video</translation>
     </message>
     <message>
         <source>&amp;File</source>
         <translation>&amp;Datei</translation>
     </message>
     <message>
-        <source>File to record to</source>
-        <translation>Datei für die Aufnahme</translation>
+        <source>Recording file</source>
+        <translation>Aufnahmedatei</translation>
     </message>
     <message>
         <source>&amp;Choose…</source>
@@ -4084,7 +4084,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>Stops the installation; nothing is changed.</source>
-        <translation>Hält die Einrichtung an; nichts wird geändert.</translation>
+        <translation>Bricht die Einrichtung ab; nichts wird geändert.</translation>
     </message>
     <message>
         <source>Progress of the installation</source>
@@ -4095,23 +4095,23 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Weggelassene Bilder mit Grund</translation>
     </message>
     <message>
-        <source>Tick frames that were untouched, and install again.</source>
-        <translation>Bilder ankreuzen, die unberührt waren, und neu installieren.</translation>
+        <source>Tick untouched frames, and install again.</source>
+        <translation>Unberührte Bilder ankreuzen und neu einrichten.</translation>
     </message>
     <message>
-        <source>It was cleaned, painted or replaced: the last reference then does not tell what pressed on it.</source>
-        <translation>Sie wurde gereinigt, gestrichen oder ersetzt: Dann sagt die letzte Referenz nicht, was auf sie drückte.</translation>
+        <source>If it was cleaned, painted or replaced, the last reference cannot show what pressed on it.</source>
+        <translation>Wurde sie gereinigt, gestrichen oder ersetzt, zeigt die letzte Referenz nicht, was auf sie drückte.</translation>
     </message>
     <message>
         <source>The &amp;skin was changed since the last reference</source>
         <translation>Die &amp;Haut wurde seit der letzten Referenz verändert</translation>
     </message>
     <message>
-        <source>The markers have to be seen to tell how it bends.</source>
-        <translation>Um die Biegung zu erkennen, müssen die Marken zu sehen sein.</translation>
+        <source>The markers must be visible to measure its bending.</source>
+        <translation>Um die Biegung zu messen, müssen die Marken sichtbar sein.</translation>
     </message>
     <message>
-        <source>Enough: all directions are reached.</source>
+        <source>Enough: all directions reached.</source>
         <translation>Genug: Alle Richtungen sind erreicht.</translation>
     </message>
     <message>
@@ -4123,11 +4123,11 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Was in der Aufnahme gefunden wurde</translation>
     </message>
     <message>
-        <source>A picture shows what was found in the recording, and what was not.</source>
+        <source>An image shows what was found in the recording, and what was not.</source>
         <translation>Ein Bild zeigt, was in der Aufnahme gefunden wurde und was nicht.</translation>
     </message>
     <message>
-        <source>Show the picture</source>
+        <source>Show the image</source>
         <translation>Bild zeigen</translation>
     </message>
     <message>
@@ -4135,16 +4135,16 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Ruhelage se&amp;tzen</translation>
     </message>
     <message>
-        <source>The finger hangs free now: all bending is told from here.</source>
-        <translation>Der Finger hängt jetzt frei: jede Biegung zählt von hier.</translation>
+        <source>Click when the finger hangs free; bending is measured from here.</source>
+        <translation>Klicken, wenn der Finger frei hängt; die Biegung wird ab hier gemessen.</translation>
     </message>
     <message>
-        <source>Bending is told from the rest pose that was set.</source>
-        <translation>Die Biegung zählt von der gesetzten Ruhelage.</translation>
+        <source>Bending is measured from the rest pose that was set.</source>
+        <translation>Die Biegung wird ab der gesetzten Ruhelage gemessen.</translation>
     </message>
     <message>
-        <source>Bending is told from the middle of all poses.</source>
-        <translation>Die Biegung zählt von der Mitte aller Lagen.</translation>
+        <source>Bending is measured from the middle of all poses.</source>
+        <translation>Die Biegung wird ab der Mitte aller Lagen gemessen.</translation>
     </message>
     <message>
         <source>Record to</source>
@@ -4197,11 +4197,11 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Öffnen Sie zuerst den Finger, der aufgenommen wurde.</translation>
     </message>
     <message>
-        <source>A flat sensor has one untouched picture instead of a recording.</source>
+        <source>A flat sensor has one untouched image instead of a recording.</source>
         <translation>Ein flacher Sensor hat statt einer Aufnahme ein einziges unberührtes Bild.</translation>
     </message>
     <message>
-        <source>A recording is under way.</source>
+        <source>A recording is running.</source>
         <translation>Eine Aufnahme läuft.</translation>
     </message>
     <message>
@@ -4216,10 +4216,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n frame(s) never came from the source.</source>
+        <source>%n frame(s) did not arrive from the source.</source>
         <translation>
-            <numerusform>%n Bild kam nie von der Quelle.</numerusform>
-            <numerusform>%n Bilder kamen nie von der Quelle.</numerusform>
+            <numerusform>%n Bild kam nicht von der Quelle an.</numerusform>
+            <numerusform>%n Bilder kamen nicht von der Quelle an.</numerusform>
         </translation>
     </message>
     <message>
@@ -4256,7 +4256,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         </translation>
     </message>
     <message>
-        <source>Try another disk, or a smaller picture.</source>
+        <source>Try another disk, or a smaller image.</source>
         <translation>Versuchen Sie einen anderen Datenträger oder ein kleineres Bild.</translation>
     </message>
     <message>
@@ -4269,34 +4269,34 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>Choose a file on another disk, or make room.</source>
-        <translation>Eine Datei auf einem anderen Datenträger wählen oder Platz schaffen.</translation>
+        <translation>Wählen Sie eine Datei auf einem anderen Datenträger, oder schaffen Sie Platz.</translation>
     </message>
     <message>
         <source>Start &amp;recording</source>
         <translation>Aufnahme &amp;starten</translation>
     </message>
     <message>
-        <source>What it leaves open: half of the references made from it are off by less than %1 mm, 95 % by less than %2 mm.</source>
-        <translation>Was offen bleibt: Die Hälfte der daraus gebildeten Referenzen weicht um weniger als %1 mm ab, 95 % um weniger als %2 mm.</translation>
+        <source>Remaining error: half of the references made from it are off by less than %1 mm, 95 % by less than %2 mm.</source>
+        <translation>Restfehler: Die Hälfte der daraus gebildeten Referenzen weicht um weniger als %1 mm ab, 95 % um weniger als %2 mm.</translation>
     </message>
     <message numerus="yes">
-        <source>%n frame(s) showed a pose that others show as well.</source>
+        <source>%n frame(s) repeated a pose of other frames.</source>
         <translation>
-            <numerusform>%n Bild zeigte eine Haltung, die auch andere zeigen.</numerusform>
-            <numerusform>%n Bilder zeigten eine Haltung, die auch andere zeigen.</numerusform>
+            <numerusform>%n Bild wiederholte eine Haltung anderer Bilder.</numerusform>
+            <numerusform>%n Bilder wiederholten eine Haltung anderer Bilder.</numerusform>
         </translation>
     </message>
     <message>
-        <source>It cannot be seen whether the contact face is touched.</source>
-        <translation>Es ist nicht zu sehen, ob die Kontaktfläche berührt wird.</translation>
+        <source>It is unknown whether something touches the contact face.</source>
+        <translation>Es ist unklar, ob etwas die Kontaktfläche berührt.</translation>
     </message>
     <message>
-        <source>Open the finger that belongs to this source, and keep both edges of its face in the picture.</source>
+        <source>Open the finger that belongs to this source, and keep both edges of its face in the image.</source>
         <translation>Öffnen Sie den Finger, der zu dieser Quelle gehört, und halten Sie beide Kanten seiner Fläche im Bild.</translation>
     </message>
     <message>
-        <source>Before there is a reference, touching is told from the frames before.</source>
-        <translation>Solange es keine Referenz gibt, werden Berührungen an den Bildern davor erkannt.</translation>
+        <source>Without a reference, contact is detected from the preceding frames.</source>
+        <translation>Ohne Referenz werden Berührungen an den vorherigen Bildern erkannt.</translation>
     </message>
     <message>
         <source>Begin with nothing on the contact face.</source>
@@ -4319,8 +4319,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Nehmen Sie ihn beim Biegen auf, ohne etwas auf der Kontaktfläche.</translation>
     </message>
     <message>
-        <source>It was not twisted; twist it, too, if it is in use.</source>
-        <translation>Er wurde nicht verdreht; auch das tun, wenn es im Gebrauch vorkommt.</translation>
+        <source>It was not twisted; twist it, too, if it twists in use.</source>
+        <translation>Er wurde nicht verdreht; verdrehen Sie ihn auch, wenn das im Einsatz vorkommt.</translation>
     </message>
     <message>
         <source>Files</source>
@@ -4328,7 +4328,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>&amp;Keep for later</source>
-        <translation>&amp;Für später behalten</translation>
+        <translation>&amp;Für später aufheben</translation>
     </message>
     <message>
         <source>The video stays where it is, and the finger stays as it is.</source>
@@ -4339,12 +4339,12 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Noch e&amp;inmal aufnehmen</translation>
     </message>
     <message>
-        <source>Puts this video into the waste bin and records another one.</source>
-        <translation>Legt dieses Video in den Papierkorb und nimmt ein neues auf.</translation>
+        <source>Moves this video to the trash and records a new one.</source>
+        <translation>Verschiebt dieses Video in den Papierkorb und nimmt ein neues auf.</translation>
     </message>
     <message>
-        <source>Install a &amp;video that is there…</source>
-        <translation>Ein vorhandenes &amp;Video installieren…</translation>
+        <source>Install an existing &amp;video…</source>
+        <translation>Vorhandenes &amp;Video einrichten…</translation>
     </message>
     <message>
         <source>Follow the outline: %1</source>
@@ -4359,53 +4359,53 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Videos (*.mkv *.avi *.mp4 *.mov)</translation>
     </message>
     <message numerus="yes">
-        <source>Touched in %n frame(s), which are left out.</source>
+        <source>%n frame(s) with contact are left out.</source>
         <translation>
-            <numerusform>In %n Bild berührt, das ausgelassen wird.</numerusform>
-            <numerusform>In %n Bildern berührt, die ausgelassen werden.</numerusform>
+            <numerusform>%n Bild mit Berührung wird ausgelassen.</numerusform>
+            <numerusform>%n Bilder mit Berührung werden ausgelassen.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>What it would bring is being worked out, about %n second(s).</source>
+        <source>The expected error is being computed, about %n second(s).</source>
         <translation>
-            <numerusform>Was sie brächte, wird ausgerechnet, noch etwa %n Sekunde.</numerusform>
-            <numerusform>Was sie brächte, wird ausgerechnet, noch etwa %n Sekunden.</numerusform>
+            <numerusform>Der erwartete Fehler wird berechnet, noch etwa %n Sekunde.</numerusform>
+            <numerusform>Der erwartete Fehler wird berechnet, noch etwa %n Sekunden.</numerusform>
         </translation>
     </message>
     <message>
-        <source>What it would bring is being worked out.</source>
-        <translation>Was sie brächte, wird ausgerechnet.</translation>
+        <source>The expected error is being computed.</source>
+        <translation>Der erwartete Fehler wird berechnet.</translation>
     </message>
     <message>
         <source>It cannot be installed: %1</source>
-        <translation>Sie kann nicht installiert werden: %1</translation>
+        <translation>Sie kann nicht eingerichtet werden: %1</translation>
     </message>
     <message numerus="yes">
-        <source>It would bring: half of the references off by less than %1 mm, 95 % by less than %2 mm, from %n frame(s).</source>
+        <source>Expected error: half of the references off by less than %1 mm, 95 % by less than %2 mm, from %n frame(s).</source>
         <translation>
-            <numerusform>Sie brächte: die Hälfte der Referenzen weniger als %1 mm daneben, 95 % weniger als %2 mm, aus %n Bild.</numerusform>
-            <numerusform>Sie brächte: die Hälfte der Referenzen weniger als %1 mm daneben, 95 % weniger als %2 mm, aus %n Bildern.</numerusform>
+            <numerusform>Erwarteter Fehler: die Hälfte der Referenzen unter %1 mm, 95 % unter %2 mm, aus %n Bild.</numerusform>
+            <numerusform>Erwarteter Fehler: die Hälfte der Referenzen unter %1 mm, 95 % unter %2 mm, aus %n Bildern.</numerusform>
         </translation>
     </message>
     <message>
-        <source>Kept: %1</source>
-        <translation>Behalten: %1</translation>
+        <source>Saved: %1</source>
+        <translation>Gespeichert: %1</translation>
     </message>
     <message>
         <source>Ctrl+R, or Space</source>
         <translation>Strg+R oder Leertaste</translation>
     </message>
     <message>
-        <source>The contact face is touched; such frames are left out.</source>
-        <translation>Die Kontaktfläche wird berührt; solche Bilder werden ausgelassen.</translation>
+        <source>Something touches the contact face; such frames are left out.</source>
+        <translation>Etwas berührt die Kontaktfläche; solche Bilder werden ausgelassen.</translation>
     </message>
     <message>
         <source>&amp;Go to Calibrate</source>
         <translation>&amp;Weiter zu Kalibrieren</translation>
     </message>
     <message>
-        <source>The finger is being read with its new reference.</source>
-        <translation>Der Finger wird mit seiner neuen Referenz eingelesen.</translation>
+        <source>The finger is being loaded with its new reference.</source>
+        <translation>Der Finger wird mit seiner neuen Referenz geladen.</translation>
     </message>
     <message numerus="yes">
         <source>room for about %n minute(s)</source>
@@ -4419,7 +4419,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <name>alltact::RigCheckBox</name>
     <message>
         <source>Focus at the base</source>
-        <translation>Schärfe an der Basis</translation>
+        <translation>Schärfe am Fuß</translation>
     </message>
     <message>
         <source>Focus at the tip</source>
@@ -4446,15 +4446,15 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>%1: %2.</translation>
     </message>
     <message>
-        <source>Camera: nothing sets itself.</source>
-        <translation>Kamera: nichts stellt sich von selbst.</translation>
+        <source>Camera: all modes are manual.</source>
+        <translation>Kamera: Keine Automatik ist an.</translation>
     </message>
     <message>
-        <source>Camera: %1 is on and changes the brightness that is measured. Lock brightness in Live, or switch it off there.</source>
-        <translation>Kamera: %1 ist an und ändert die Helligkeit, die gemessen wird. Die Helligkeit in Live sperren oder es dort abschalten.</translation>
+        <source>Camera: %1 is on and changes the measured brightness. Lock brightness on the Live page, or switch it off there.</source>
+        <translation>Kamera: %1 ist an und ändert die gemessene Helligkeit. Sperren Sie auf der Seite Live die Helligkeit, oder schalten Sie dort diese Automatik ab.</translation>
     </message>
     <message numerus="yes">
-        <source>Before the first recording: %n to mend</source>
+        <source>Before the first recording: %n to fix</source>
         <translation>
             <numerusform>Vor der ersten Aufnahme: %n zu beheben</numerusform>
             <numerusform>Vor der ersten Aufnahme: %n zu beheben</numerusform>
@@ -4484,8 +4484,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Video in 3D, MKV</translation>
     </message>
     <message>
-        <source>What is saved</source>
-        <translation>Was gespeichert wird</translation>
+        <source>Content to save</source>
+        <translation>Zu speichernder Inhalt</translation>
     </message>
     <message>
         <source>&amp;Save…</source>
@@ -4500,7 +4500,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Fortschritt des Speicherns</translation>
     </message>
     <message>
-        <source>Picture, PNG (300 dpi)</source>
+        <source>Image, PNG (300 dpi)</source>
         <translation>Bild, PNG (300 dpi)</translation>
     </message>
     <message>
@@ -4523,8 +4523,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Ordner des zweiten Fingers</translation>
     </message>
     <message>
-        <source>What shows the second finger</source>
-        <translation>Was den zweiten Finger zeigt</translation>
+        <source>Source of the second finger</source>
+        <translation>Quelle für den zweiten Finger</translation>
     </message>
     <message>
         <source>Videos and scenes (*.mkv *.avi *.mp4 *.yaml *.yml)</source>
@@ -4543,8 +4543,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Zweiter Finger</translation>
     </message>
     <message>
-        <source>Another finger of the same gripper with its own camera. Both pictures are shown as of one moment; with a gripper.yaml the gap between the faces and the width of what is held are told, too.</source>
-        <translation>Ein anderer Finger desselben Greifers mit eigener Kamera. Beide Bilder werden wie aus einem Augenblick gezeigt; mit einer gripper.yaml werden auch der Spalt zwischen den Flächen und die Breite des Gehaltenen genannt.</translation>
+        <source>Another finger of the same gripper with its own camera. Both images are shown for the same moment. With a gripper.yaml, the gap between the faces and the width of the held object are shown, too.</source>
+        <translation>Ein anderer Finger desselben Greifers mit eigener Kamera. Beide Bilder werden zum selben Zeitpunkt gezeigt. Mit einer gripper.yaml werden auch der Spalt zwischen den Flächen und die Breite des gegriffenen Objekts angezeigt.</translation>
     </message>
     <message>
         <source>&amp;Finger&apos;s folder</source>
@@ -4607,8 +4607,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Wählen Sie den Ordner des Fingers.</translation>
     </message>
     <message>
-        <source>Choose the camera that watches it.</source>
-        <translation>Wählen Sie die Kamera, die ihn beobachtet.</translation>
+        <source>Choose its camera.</source>
+        <translation>Wählen Sie seine Kamera.</translation>
     </message>
 </context>
 <context>
@@ -4622,16 +4622,16 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Video des zweiten Fingers</translation>
     </message>
     <message>
-        <source>The second finger&apos;s folder of pictures</source>
-        <translation>Ordner mit Bildern des zweiten Fingers</translation>
+        <source>Image folder of the second finger</source>
+        <translation>Bilderordner des zweiten Fingers</translation>
     </message>
     <message>
         <source>Second finger</source>
         <translation>Zweiter Finger</translation>
     </message>
     <message>
-        <source>Another finger of the same gripper, with what it recorded at the same time. Both are shown in the gripper&apos;s frame; their frames are joined by the times of capture.</source>
-        <translation>Ein anderer Finger desselben Greifers, mit dem, was er zur selben Zeit aufgenommen hat. Beide werden im Koordinatensystem des Greifers gezeigt; ihre Bilder werden nach den Zeiten der Aufnahme verbunden.</translation>
+        <source>Another finger of the same gripper, with its recording from the same time. Both are shown in the gripper&apos;s coordinate frame; their frames are matched by capture time.</source>
+        <translation>Ein anderer Finger desselben Greifers, mit seiner zur selben Zeit entstandenen Aufnahme. Beide werden im Koordinatensystem des Greifers gezeigt; ihre Bilder werden nach Aufnahmezeit zugeordnet.</translation>
     </message>
     <message>
         <source>&amp;Finger&apos;s folder</source>
@@ -4662,7 +4662,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Video…</translation>
     </message>
     <message>
-        <source>Pictures…</source>
+        <source>Images…</source>
         <translation>Bilder…</translation>
     </message>
     <message>
@@ -4682,8 +4682,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Wählen Sie den Ordner des Fingers.</translation>
     </message>
     <message>
-        <source>Choose what it recorded.</source>
-        <translation>Wählen Sie, was er aufgenommen hat.</translation>
+        <source>Choose its recording.</source>
+        <translation>Wählen Sie seine Aufnahme.</translation>
     </message>
 </context>
 <context>
@@ -4697,8 +4697,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Zwei Punkte wählen, A und B</translation>
     </message>
     <message>
-        <source>From A over the face (mm)</source>
-        <translation>Von A über die Fläche (mm)</translation>
+        <source>From A along the face (mm)</source>
+        <translation>Von A entlang der Fläche (mm)</translation>
     </message>
     <message>
         <source>Depth (mm)</source>
@@ -4706,7 +4706,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>shown</source>
-        <translation>gezeigt</translation>
+        <translation>angezeigt</translation>
     </message>
 </context>
 <context>
@@ -4732,7 +4732,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Sprache</translation>
     </message>
     <message>
-        <source>As the system</source>
+        <source>Follow system</source>
         <translation>Wie das System</translation>
     </message>
     <message>
@@ -4760,8 +4760,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>&amp;Keines</translation>
     </message>
     <message>
-        <source>Listens to no pedal any more.</source>
-        <translation>Hört auf kein Pedal mehr.</translation>
+        <source>Stops using the pedal.</source>
+        <translation>Verwendet kein Pedal mehr.</translation>
     </message>
     <message>
         <source>&amp;Stop</source>
@@ -4769,98 +4769,98 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>&amp;Learn by pressing it…</source>
-        <translation>Durch Drücken &amp;lernen…</translation>
+        <translation>Durch Drücken an&amp;lernen…</translation>
     </message>
     <message>
         <source>Stop learning the foot pedal</source>
-        <translation>Das Lernen des Fußpedals anhalten</translation>
+        <translation>Das Anlernen des Fußpedals abbrechen</translation>
     </message>
     <message>
         <source>Learn the foot pedal by pressing it</source>
-        <translation>Das Fußpedal durch Drücken lernen</translation>
+        <translation>Das Fußpedal durch Drücken anlernen</translation>
     </message>
     <message>
-        <source>None. A pedal takes presses in Calibrate, and starts and stops in Record.</source>
-        <translation>Keines. Ein Pedal nimmt unter „Kalibrieren“ Eindrücke auf; unter „Aufnahme“ beginnt und beendet es die Aufnahme.</translation>
+        <source>None. A pedal takes presses on Calibrate; on Record it starts and stops.</source>
+        <translation>Keines. Ein Pedal nimmt auf der Seite „Kalibrieren“ Eindrücke auf; auf „Aufnahme“ startet und beendet es die Aufnahme.</translation>
     </message>
     <message>
-        <source>%1: not heard now</source>
-        <translation>%1: gerade nicht zu hören</translation>
+        <source>%1: no signal</source>
+        <translation>%1: kein Signal</translation>
     </message>
 </context>
 <context>
     <name>alltact::SettingsWords</name>
     <message>
         <source>every pixel</source>
-        <translation>jeder Bildpunkt</translation>
+        <translation>jedes Pixel</translation>
     </message>
     <message>
-        <source>half the pixels a side</source>
-        <translation>halb so viele Bildpunkte je Seite</translation>
+        <source>half the pixels per side</source>
+        <translation>halb so viele Pixel je Seite</translation>
     </message>
     <message>
-        <source>a quarter of the pixels a side</source>
-        <translation>ein Viertel der Bildpunkte je Seite</translation>
+        <source>a quarter of the pixels per side</source>
+        <translation>ein Viertel der Pixel je Seite</translation>
     </message>
     <message numerus="yes">
-        <source>%n picture(s) averaged</source>
+        <source>%n image(s) averaged</source>
         <translation>
             <numerusform>%n Bild gemittelt</numerusform>
             <numerusform>%n Bilder gemittelt</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>reference from %n picture(s)</source>
+        <source>reference from %n image(s)</source>
         <translation>
             <numerusform>Referenz aus %n Bild</numerusform>
             <numerusform>Referenz aus %n Bildern</numerusform>
         </translation>
     </message>
     <message>
-        <source>edges at whole pixels</source>
-        <translation>Ränder auf ganze Bildpunkte</translation>
+        <source>integer-pixel edges</source>
+        <translation>Kanten auf ganze Pixel</translation>
     </message>
     <message>
-        <source>edges between pixels</source>
-        <translation>Ränder zwischen Bildpunkten</translation>
+        <source>subpixel edges</source>
+        <translation>Kanten subpixelgenau</translation>
     </message>
     <message numerus="yes">
         <source>edges from %n column(s)</source>
         <translation>
-            <numerusform>Ränder aus %n Spalte</numerusform>
-            <numerusform>Ränder aus %n Spalten</numerusform>
+            <numerusform>Kanten aus %n Spalte</numerusform>
+            <numerusform>Kanten aus %n Spalten</numerusform>
         </translation>
     </message>
     <message>
         <source>edge curve of degree %1</source>
-        <translation>Randkurve vom Grad %1</translation>
+        <translation>Kantenkurve vom Grad %1</translation>
     </message>
     <message>
         <source>markers as two sorted rows</source>
-        <translation>Marker als zwei sortierte Reihen</translation>
+        <translation>Marken als zwei sortierte Reihen</translation>
     </message>
     <message>
         <source>markers found by a network</source>
-        <translation>Marker von einem Netz gefunden</translation>
+        <translation>Marken von einem Netz gefunden</translation>
     </message>
     <message>
-        <source>markers followed as spots</source>
-        <translation>Marker als Flecken verfolgt</translation>
+        <source>markers tracked as spots</source>
+        <translation>Marken als Flecken verfolgt</translation>
     </message>
     <message>
-        <source>compared with the picture at rest</source>
+        <source>compared with the image at rest</source>
         <translation>verglichen mit dem Bild in Ruhe</translation>
     </message>
     <message>
-        <source>compared with the nearest picture</source>
-        <translation>verglichen mit dem nächsten Bild</translation>
+        <source>compared with the nearest image</source>
+        <translation>verglichen mit dem ähnlichsten Bild</translation>
     </message>
     <message>
-        <source>compared with several pictures</source>
+        <source>compared with several images</source>
         <translation>verglichen mit mehreren Bildern</translation>
     </message>
     <message>
-        <source>light taken as recorded</source>
+        <source>light as recorded</source>
         <translation>Licht wie in der Aufnahme</translation>
     </message>
     <message>
@@ -4876,8 +4876,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Glättung von %1 px</translation>
     </message>
     <message>
-        <source>lens taken as one that bends nothing</source>
-        <translation>Objektiv als eines genommen, das nichts verzeichnet</translation>
+        <source>lens assumed distortion-free</source>
+        <translation>Objektiv als verzeichnungsfrei angenommen</translation>
     </message>
     <message>
         <source>lens corrected at every point</source>
@@ -4895,8 +4895,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
 <context>
     <name>alltact::SheetWords</name>
     <message>
-        <source>Finger %1: what its calibration is worth</source>
-        <translation>Finger %1: was seine Kalibrierung wert ist</translation>
+        <source>Finger %1: verdict on its calibration</source>
+        <translation>Finger %1: Urteil über die Kalibrierung</translation>
     </message>
     <message numerus="yes">
         <source>%1, ball of radius %2 mm, %n press(es), AllTact %3</source>
@@ -4918,8 +4918,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Von der Helligkeit zur Tiefe: jeder Punkt ist ein Block von Pixeln unter einer Kugel.</translation>
     </message>
     <message>
-        <source>Where on the face, and how far the mapping is off there.</source>
-        <translation>Wo auf der Fläche, und wie weit die Abbildung dort daneben liegt.</translation>
+        <source>Position on the face, and the mapping&apos;s error there.</source>
+        <translation>Position auf der Fläche und Fehler der Abbildung dort.</translation>
     </message>
     <message>
         <source>Press</source>
@@ -4934,10 +4934,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Fehler (mm)</translation>
     </message>
     <message numerus="yes">
-        <source>And %n press(es) more, in the report.</source>
+        <source>%n more press(es) in the report.</source>
         <translation>
-            <numerusform>Und %n weiterer Eindruck, im Bericht.</numerusform>
-            <numerusform>Und %n weitere Eindrücke, im Bericht.</numerusform>
+            <numerusform>%n weiterer Eindruck im Bericht.</numerusform>
+            <numerusform>%n weitere Eindrücke im Bericht.</numerusform>
         </translation>
     </message>
     <message>
@@ -4980,7 +4980,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Gewählt: %1</translation>
     </message>
     <message>
-        <source>Chosen less in use</source>
+        <source>Chosen minus in use</source>
         <translation>Gewählt minus verwendet</translation>
     </message>
     <message>
@@ -4989,22 +4989,22 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>Measuring…</source>
-        <translation>Es wird gemessen…</translation>
+        <translation>Messung läuft…</translation>
     </message>
     <message>
         <source>Open a camera or a recording first.</source>
         <translation>Zuerst eine Kamera oder eine Aufnahme öffnen.</translation>
     </message>
     <message>
-        <source>One of them tells no depth in this picture.</source>
-        <translation>Eine von beiden ergibt in diesem Bild keine Tiefe.</translation>
+        <source>One setting gives no depth in this image.</source>
+        <translation>Eine Einstellung ergibt in diesem Bild keine Tiefe.</translation>
     </message>
     <message>
         <source>Difference (mm)</source>
         <translation>Unterschied (mm)</translation>
     </message>
     <message>
-        <source>This picture: %1 ms with the setting in use, %2 ms with the chosen one.</source>
+        <source>This image: %1 ms with the setting in use, %2 ms with the chosen one.</source>
         <translation>Dieses Bild: %1 ms mit der verwendeten Einstellung, %2 ms mit der gewählten.</translation>
     </message>
     <message>
@@ -5012,27 +5012,27 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Wo etwas drückt, weicht die Hälfte aller Punkte um weniger als %1 µm ab, 95 % um weniger als %2 µm.</translation>
     </message>
     <message>
-        <source>Nothing presses: touch the finger to see depths differ.</source>
-        <translation>Nichts drückt: den Finger berühren, um Tiefen verschieden zu sehen.</translation>
+        <source>No contact: touch the finger to compare depths.</source>
+        <translation>Kein Kontakt: den Finger berühren, um die Tiefen zu vergleichen.</translation>
     </message>
 </context>
 <context>
     <name>alltact::SnapshotWords</name>
     <message>
-        <source>Save the picture</source>
+        <source>Save the image</source>
         <translation>Bild speichern</translation>
     </message>
     <message>
-        <source>As it is shown (*.png)</source>
-        <translation>Wie es gezeigt wird (*.png)</translation>
+        <source>As shown (*.png)</source>
+        <translation>Wie angezeigt (*.png)</translation>
     </message>
     <message>
-        <source>The camera&apos;s picture alone (*.png)</source>
+        <source>Only the camera&apos;s image (*.png)</source>
         <translation>Nur das Bild der Kamera (*.png)</translation>
     </message>
     <message>
-        <source>%1 could not be written. Choose another folder, or make room on the disk.</source>
-        <translation>%1 konnte nicht geschrieben werden. Einen anderen Ordner wählen oder Platz auf der Platte schaffen.</translation>
+        <source>%1 could not be written. Choose another folder, or free some disk space.</source>
+        <translation>%1 konnte nicht geschrieben werden. Einen anderen Ordner wählen oder Speicherplatz freigeben.</translation>
     </message>
 </context>
 <context>
@@ -5058,7 +5058,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>&amp;Videodatei…</translation>
     </message>
     <message>
-        <source>Folder of &amp;pictures…</source>
+        <source>Folder of &amp;images…</source>
         <translation>Ordner mit &amp;Bildern…</translation>
     </message>
     <message>
@@ -5078,7 +5078,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Videos (*.mkv *.avi *.mp4)</translation>
     </message>
     <message>
-        <source>Open a folder of pictures</source>
+        <source>Open a folder of images</source>
         <translation>Ordner mit Bildern öffnen</translation>
     </message>
     <message>
@@ -5093,12 +5093,12 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
 <context>
     <name>alltact::StartPanel</name>
     <message>
-        <source>What shall be shown?</source>
-        <translation>Was soll gezeigt werden?</translation>
+        <source>Choose a source</source>
+        <translation>Quelle wählen</translation>
     </message>
     <message>
-        <source>Choose where pictures come from. A finger can be opened before or after.</source>
-        <translation>Wählen Sie, woher die Bilder kommen. Ein Finger kann davor oder danach geöffnet werden.</translation>
+        <source>The source supplies the images. Open a finger before or after.</source>
+        <translation>Die Quelle liefert die Bilder. Ein Finger lässt sich davor oder danach öffnen.</translation>
     </message>
     <message>
         <source>&amp;Simulated finger</source>
@@ -5109,7 +5109,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>&amp;Videodatei…</translation>
     </message>
     <message>
-        <source>Folder of &amp;pictures…</source>
+        <source>Folder of &amp;images…</source>
         <translation>Ordner mit &amp;Bildern…</translation>
     </message>
     <message>
@@ -5145,16 +5145,16 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Mit simuliertem Finger &amp;ausprobieren</translation>
     </message>
     <message>
-        <source>A whole day in five minutes: record, press, calibrate and check a finger that is computed</source>
-        <translation>Ein ganzer Tag in fünf Minuten: einen Finger aufnehmen, eindrücken, kalibrieren und prüfen, der berechnet wird</translation>
+        <source>A full day in five minutes: record, press, calibrate and check a simulated finger</source>
+        <translation>Ein ganzer Tag in fünf Minuten: einen simulierten Finger aufnehmen, eindrücken, kalibrieren und prüfen</translation>
     </message>
     <message>
         <source>&amp;All fingers…</source>
         <translation>&amp;Alle Finger…</translation>
     </message>
     <message>
-        <source>What each is worth, and what is due, in one list</source>
-        <translation>Was jeder wert ist und was fällig ist, in einer Liste</translation>
+        <source>Verdict and due steps of each, in one list</source>
+        <translation>Urteil und fällige Schritte für jeden, in einer Liste</translation>
     </message>
     <message>
         <source>A finger from its side: camera and lamps at its base, and a ball that presses</source>
@@ -5172,16 +5172,16 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Verlorene Bilder</translation>
     </message>
     <message>
-        <source>Time of a frame</source>
+        <source>Time per frame</source>
         <translation>Zeit für ein Bild</translation>
     </message>
     <message>
-        <source>%1 ms a frame</source>
+        <source>%1 ms per frame</source>
         <translation>%1 ms je Bild</translation>
     </message>
     <message>
-        <source>%1 frames/s, %2 delivered, %3 shown a second</source>
-        <translation>%1 Bilder/s, %2 geliefert, %3 je Sekunde gezeigt</translation>
+        <source>%1 frames/s, %2 delivered, %3 shown per second</source>
+        <translation>%1 Bilder/s, %2 geliefert, %3 je Sekunde angezeigt</translation>
     </message>
     <message numerus="yes">
         <source>%n frame(s) lost</source>
@@ -5198,8 +5198,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>fertig</translation>
     </message>
     <message>
-        <source>look again</source>
-        <translation>nachsehen</translation>
+        <source>check again</source>
+        <translation>neu prüfen</translation>
     </message>
     <message>
         <source>to do</source>
@@ -5230,8 +5230,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Zwischen den Punkten gemessen</translation>
     </message>
     <message>
-        <source>Two points make a box: a ball&apos;s radius, area, volume, roughness; the distance, the step and the angle from A to B.</source>
-        <translation>Zwei Punkte bilden einen Kasten: Radius, Fläche, Volumen und Rauheit einer Kugel; Abstand, Stufe und Winkel von A nach B.</translation>
+        <source>Two points span a box: a ball&apos;s radius, area, volume and roughness inside; distance, step and angle from A to B.</source>
+        <translation>Zwei Punkte bilden einen Kasten: Kugelradius, Fläche, Volumen und Rauheit darin; Abstand, Stufe und Winkel von A nach B.</translation>
     </message>
     <message>
         <source>Copy as text</source>
@@ -5265,7 +5265,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Stufe von A nach B</translation>
     </message>
     <message>
-        <source>Angle of A to B</source>
+        <source>Angle from A to B</source>
         <translation>Winkel von A nach B</translation>
     </message>
     <message>
@@ -5284,16 +5284,16 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Bild der Aufnahme</translation>
     </message>
     <message>
-        <source>Number of the frame</source>
-        <translation>Nummer des Bildes</translation>
+        <source>Frame number</source>
+        <translation>Bildnummer</translation>
     </message>
     <message>
         <source>of %1</source>
         <translation>von %1</translation>
     </message>
     <message>
-        <source>Name of the frame</source>
-        <translation>Name des Bildes</translation>
+        <source>Frame name</source>
+        <translation>Bildname</translation>
     </message>
     <message>
         <source>Pause</source>
@@ -5332,7 +5332,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>Go to &amp;Record</source>
-        <translation>Zu &amp;Aufnehmen</translation>
+        <translation>Zur &amp;Aufnahme</translation>
     </message>
     <message>
         <source>Go to &amp;Inspect</source>
@@ -5348,11 +5348,11 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>Record it for half a minute while it bends, then install the recording.</source>
-        <translation>Nehmen Sie ihn eine halbe Minute beim Biegen auf und richten Sie die Aufnahme dann ein.</translation>
+        <translation>Nehmen Sie ihn eine halbe Minute beim Biegen auf und richten Sie die Aufnahme dann als Referenz ein.</translation>
     </message>
     <message>
-        <source>Tell the ball&apos;s radius, 4 mm, and press Space whenever the ball is in: six times.</source>
-        <translation>Geben Sie den Radius der Kugel an, 4 mm, und drücken Sie jedes Mal die Leertaste, wenn die Kugel eingedrückt ist: sechsmal.</translation>
+        <source>Enter the ball&apos;s radius, 4 mm, and press Space each time the ball is in: six times.</source>
+        <translation>Geben Sie den Radius der Kugel ein, 4 mm, und drücken Sie jedes Mal die Leertaste, wenn die Kugel eingedrückt ist: sechsmal.</translation>
     </message>
     <message>
         <source>Calibrate with these presses and read the verdict.</source>
@@ -5363,7 +5363,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Prüfen Sie ihn mit drei Eindrücken, wie jede Woche.</translation>
     </message>
     <message>
-        <source>That was a finger&apos;s whole day. Look at its contacts in 3D.</source>
+        <source>That was a finger&apos;s full day. View its contacts in 3D.</source>
         <translation>Das war der ganze Tag eines Fingers. Sehen Sie sich seine Kontakte in 3D an.</translation>
     </message>
 </context>
@@ -5429,8 +5429,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Nach Zonen der Fläche: %1.</translation>
     </message>
     <message>
-        <source>Nothing can be said about it with these presses.</source>
-        <translation>Mit diesen Eindrücken lässt sich dazu nichts sagen.</translation>
+        <source>These presses give no information on this.</source>
+        <translation>Diese Eindrücke geben darüber keinen Aufschluss.</translation>
     </message>
     <message>
         <source>press here next</source>
@@ -5445,24 +5445,24 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>&amp;Drucken…</translation>
     </message>
     <message>
-        <source>One sheet to keep beside the finger, on paper or as PDF</source>
+        <source>One sheet to store with the finger, on paper or as PDF</source>
         <translation>Ein Blatt, das beim Finger bleibt, auf Papier oder als PDF</translation>
     </message>
     <message>
         <source>Remarks (%1)</source>
-        <translation>Bemerkungen (%1)</translation>
+        <translation>Anmerkungen (%1)</translation>
     </message>
     <message>
-        <source>With the presses as they are now there is no calibration: %1</source>
-        <translation>Mit den Eindrücken, wie sie jetzt sind, gibt es keine Kalibrierung: %1</translation>
+        <source>The current presses give no calibration: %1</source>
+        <translation>Die jetzigen Eindrücke ergeben keine Kalibrierung: %1</translation>
     </message>
     <message>
-        <source>What the presses come to now is being worked out.</source>
-        <translation>Was die Eindrücke jetzt ergeben, wird ausgerechnet.</translation>
+        <source>The result of the current presses is being computed.</source>
+        <translation>Das Ergebnis der jetzigen Eindrücke wird berechnet.</translation>
     </message>
     <message>
-        <source>With the presses as they are now: %1 mm, %2</source>
-        <translation>Mit den Eindrücken, wie sie jetzt sind: %1 mm, %2</translation>
+        <source>With the current presses: %1 mm, %2</source>
+        <translation>Mit den jetzigen Eindrücken: %1 mm, %2</translation>
     </message>
     <message>
         <source>%1 (in use: %2 mm).</source>
@@ -5493,8 +5493,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Neu &amp;kalibrieren</translation>
     </message>
     <message>
-        <source>Calibrated; how well is not stored</source>
-        <translation>Kalibriert; wie gut, ist nicht gespeichert</translation>
+        <source>Calibrated; accuracy not stored</source>
+        <translation>Kalibriert; Genauigkeit nicht gespeichert</translation>
     </message>
     <message>
         <source>• %1</source>
@@ -5502,10 +5502,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>• %1</translation>
     </message>
     <message numerus="yes">
-        <source>• And %n more, first of the remarks.</source>
+        <source>• %n more at the top of the remarks.</source>
         <translation>
-            <numerusform>• Und %n weiterer Punkt, am Anfang der Bemerkungen.</numerusform>
-            <numerusform>• Und %n weitere Punkte, am Anfang der Bemerkungen.</numerusform>
+            <numerusform>• %n weiterer Punkt am Anfang der Anmerkungen.</numerusform>
+            <numerusform>• %n weitere Punkte am Anfang der Anmerkungen.</numerusform>
         </translation>
     </message>
     <message>
@@ -5513,11 +5513,11 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>• Die Eindrücke haben sich seither geändert: Kalibrieren Sie neu.</translation>
     </message>
     <message>
-        <source>So far ±%1 mm are to be expected.</source>
-        <translation>Bisher sind ±%1 mm zu erwarten.</translation>
+        <source>Expected error so far: ±%1 mm.</source>
+        <translation>Bisher erwarteter Fehler: ±%1 mm.</translation>
     </message>
     <message>
-        <source>It rests on: %1.</source>
+        <source>Based on: %1.</source>
         <translation>Grundlage: %1.</translation>
     </message>
     <message>
@@ -5540,7 +5540,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>&amp;Zeigen</translation>
     </message>
     <message>
-        <source>Look f&amp;rom</source>
+        <source>View f&amp;rom</source>
         <translation>Blick v&amp;on</translation>
     </message>
     <message>
@@ -5560,16 +5560,16 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Bild&amp;nummer</translation>
     </message>
     <message>
-        <source>&amp;Colours end at</source>
-        <translation>&amp;Farben enden bei</translation>
+        <source>&amp;Colours up to</source>
+        <translation>&amp;Farben bis</translation>
     </message>
     <message>
         <source>Differe&amp;nce up to</source>
         <translation>&amp;Unterschied bis</translation>
     </message>
     <message>
-        <source>&amp;Draw depth</source>
-        <translation>&amp;Tiefe zeichnen</translation>
+        <source>Scale &amp;depth</source>
+        <translation>&amp;Tiefe überhöhen</translation>
     </message>
     <message>
         <source>Fin&amp;ger&apos;s body</source>
@@ -5600,7 +5600,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>als Höhenkarte</translation>
     </message>
     <message>
-        <source>3D needs OpenGL 3.2, which this screen does not offer.</source>
+        <source>3D needs OpenGL 3.2, which this screen does not support.</source>
         <translation>3D braucht OpenGL 3.2, das dieser Bildschirm nicht bietet.</translation>
     </message>
     <message>
@@ -5620,8 +5620,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>der Seite</translation>
     </message>
     <message>
-        <source>with nothing</source>
-        <translation>mit nichts</translation>
+        <source>no comparison</source>
+        <translation>kein Vergleich</translation>
     </message>
     <message>
         <source>side by side</source>
@@ -5640,8 +5640,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>einem anderen Bild</translation>
     </message>
     <message>
-        <source>The paper&apos;s own formulas or another setting measure the same frame of the same finger a second time; of another frame the same places of the face are compared.</source>
-        <translation>Die Formeln der Quellarbeit oder eine andere Einstellung messen dasselbe Bild desselben Fingers ein zweites Mal; von einem anderen Bild werden dieselben Stellen der Fläche verglichen.</translation>
+        <source>The paper&apos;s formulas or another setting measure the same frame again. With another frame, the same positions on the face are compared.</source>
+        <translation>Die Formeln der Quellarbeit oder eine andere Einstellung messen dasselbe Bild erneut. Mit einem anderen Bild werden dieselben Positionen der Fläche verglichen.</translation>
     </message>
     <message>
         <source> mm</source>
@@ -5649,27 +5649,27 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>Depth at which the colours end</source>
-        <translation>Tiefe, bei der die Farben enden</translation>
+        <translation>Tiefe am Ende der Farbskala</translation>
     </message>
     <message>
-        <source>Difference at which its colours end, to both sides</source>
-        <translation>Unterschied, bei dem seine Farben enden, nach beiden Seiten</translation>
+        <source>Difference at both ends of the colour scale</source>
+        <translation>Unterschied an beiden Enden der Farbskala</translation>
     </message>
     <message>
         <source> times</source>
         <translation>-mal</translation>
     </message>
     <message>
-        <source>Times that depth is drawn larger than it is</source>
-        <translation>Wievielmal die Tiefe größer gezeichnet wird, als sie ist</translation>
+        <source>Factor by which depth is drawn larger</source>
+        <translation>Faktor, um den die Tiefe überhöht wird</translation>
     </message>
     <message>
         <source>show as %1</source>
         <translation>%1 zeigen</translation>
     </message>
     <message>
-        <source>look from: %1</source>
-        <translation>Blick: %1</translation>
+        <source>view from: %1</source>
+        <translation>Blick von: %1</translation>
     </message>
     <message>
         <source>change the depth colours</source>
@@ -5680,8 +5680,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>die Farben des Unterschieds ändern</translation>
     </message>
     <message>
-        <source>draw depth larger</source>
-        <translation>die Tiefe größer zeichnen</translation>
+        <source>scale the depth</source>
+        <translation>die Tiefe überhöhen</translation>
     </message>
     <message>
         <source>show %1</source>
@@ -5769,11 +5769,11 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
 <context>
     <name>alltact::en</name>
     <message>
-        <source>{} x {} px is no picture size; a side must have 16 to 16384</source>
-        <translation>{} x {} px ist keine Bildgröße; eine Seite muss 16 bis 16384 haben</translation>
+        <source>{} x {} px is no image size; each side must be 16 to 16384</source>
+        <translation>{} x {} px ist keine Bildgröße; jede Seite muss 16 bis 16384 haben</translation>
     </message>
     <message>
-        <source>the size of the camera&apos;s pictures, [width, height]</source>
+        <source>the size of the camera&apos;s images, [width, height]</source>
         <translation>die Größe der Kamerabilder, [Breite, Höhe]</translation>
     </message>
     <message>
@@ -5797,7 +5797,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>muss eine Zahl von {} bis {} sein</translation>
     </message>
     <message>
-        <source>the picture&apos;s centre, or run &apos;alltact lens&apos;</source>
+        <source>the image&apos;s centre, or run &apos;alltact lens&apos;</source>
         <translation>die Bildmitte, oder &apos;alltact lens&apos; ausführen</translation>
     </message>
     <message>
@@ -5825,16 +5825,16 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>&apos;alltact lens&apos; ausführen</translation>
     </message>
     <message>
-        <source>belongs to a perspective camera; an orthographic one sees no nearer through it</source>
-        <translation>gehört zu einer perspektivischen Kamera; eine orthografische sieht dadurch nicht näher</translation>
+        <source>belongs to a perspective camera; an orthographic one does not need it</source>
+        <translation>gehört zu einer perspektivischen Kamera; eine orthografische braucht es nicht</translation>
     </message>
     <message>
         <source>leave it out</source>
         <translation>weglassen</translation>
     </message>
     <message>
-        <source>the distortion folds over inside the picture: near its border two directions would be seen in one pixel</source>
-        <translation>die Verzeichnung faltet sich im Bild: Nahe seinem Rand würden zwei Richtungen in einem Pixel gesehen</translation>
+        <source>the distortion folds over inside the image: near its border, one pixel would see two directions</source>
+        <translation>die Verzeichnung faltet sich im Bild: Nahe am Rand sähe ein Pixel zwei Richtungen</translation>
     </message>
     <message>
         <source>run &apos;alltact lens&apos; with boards that reach into the corners, or with fewer coefficients</source>
@@ -5877,7 +5877,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>&apos;{}&apos;, sonst {}</translation>
     </message>
     <message>
-        <source>must be two whole numbers</source>
+        <source>must be two integers</source>
         <translation>muss aus zwei ganzen Zahlen bestehen</translation>
     </message>
     <message>
@@ -5885,8 +5885,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>[Breite, Höhe] in Pixeln</translation>
     </message>
     <message>
-        <source>the air between lens and window in mm</source>
-        <translation>die Luft zwischen Objektiv und Fenster in mm</translation>
+        <source>the lens-to-window air gap in mm</source>
+        <translation>der Luftspalt zwischen Objektiv und Fenster in mm</translation>
     </message>
     <message>
         <source>the window&apos;s thickness in mm</source>
@@ -5897,7 +5897,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>der Brechungsindex des Fensters</translation>
     </message>
     <message>
-        <source>the index of what lies behind it</source>
+        <source>the index of refraction behind it</source>
         <translation>der Brechungsindex dahinter</translation>
     </message>
     <message>
@@ -5921,12 +5921,12 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>&apos;{}&apos; ist keine Zahl</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; holds a mark between thousands: write {}</source>
+        <source>&apos;{}&apos; contains a thousands separator: write {}</source>
         <translation>&apos;{}&apos; enthält ein Tausendertrennzeichen: {} schreiben</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; has &apos;{}&apos; behind the number: leave that out</source>
-        <translation>&apos;{}&apos; enthält &apos;{}&apos; hinter der Zahl: weglassen</translation>
+        <source>&apos;{}&apos; has &apos;{}&apos; after the number: remove it</source>
+        <translation>&apos;{}&apos; enthält &apos;{}&apos; nach der Zahl: weglassen</translation>
     </message>
     <message>
         <source>&apos;{}&apos; is in &apos;{}&apos;: give the number in {}</source>
@@ -5934,18 +5934,18 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>&apos;{}&apos; is too large or too small a number</source>
-        <translation>&apos;{}&apos; ist eine zu große oder zu kleine Zahl</translation>
+        <translation>die Zahl &apos;{}&apos; ist zu groß oder zu klein</translation>
     </message>
     <message>
         <source>&apos;{0}&apos; can mean {1} or {2}: write {1} or {2}</source>
         <translation>&apos;{0}&apos; kann {1} oder {2} bedeuten: {1} oder {2} schreiben</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; has too many digits behind the decimal mark (at most {})</source>
+        <source>&apos;{}&apos; has too many digits after the decimal mark (at most {})</source>
         <translation>&apos;{}&apos; hat zu viele Nachkommastellen (höchstens {})</translation>
     </message>
     <message>
-        <source>a comma parts the entries here, and &apos;{}&apos; is none</source>
+        <source>a comma separates entries here, and &apos;{}&apos; is none</source>
         <translation>ein Komma trennt hier die Einträge, und &apos;{}&apos; ist keiner</translation>
     </message>
     <message>
@@ -5957,15 +5957,15 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>muss eine Zahl von {} bis {}{} sein</translation>
     </message>
     <message>
-        <source>must be a whole number from {} to {}</source>
+        <source>must be an integer from {} to {}</source>
         <translation>muss eine ganze Zahl von {} bis {} sein</translation>
     </message>
     <message>
-        <source>{:g} {} is more than usual for {} ({:g} to {:g} {}): check the decimal mark</source>
+        <source>{:g} {} is more than typical for {} ({:g} to {:g} {}): check the decimal mark</source>
         <translation>{} {} ist mehr als üblich für {} ({} bis {} {}): das Dezimalzeichen prüfen</translation>
     </message>
     <message>
-        <source>{:g} {} is less than usual for {} ({:g} to {:g} {}): check the decimal mark</source>
+        <source>{:g} {} is less than typical for {} ({:g} to {:g} {}): check the decimal mark</source>
         <translation>{} {} ist weniger als üblich für {} ({} bis {} {}): das Dezimalzeichen prüfen</translation>
     </message>
     <message>
@@ -5993,7 +5993,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>die Tiefe eines Eindrucks</translation>
     </message>
     <message>
-        <source>how well a depth is known</source>
+        <source>the uncertainty of a depth</source>
         <translation>die Unsicherheit einer Tiefe</translation>
     </message>
     <message>
@@ -6017,15 +6017,15 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>der Abstand der beiden Kanten der Fläche in mm</translation>
     </message>
     <message>
-        <source>a fin_ray needs a camera with perspective: its shape comes from it</source>
-        <translation>ein fin_ray braucht eine perspektivische Kamera: Seine Form kommt daraus</translation>
+        <source>a fin_ray needs a perspective camera: its shape is computed from it</source>
+        <translation>ein fin_ray braucht eine perspektivische Kamera: Seine Form wird daraus berechnet</translation>
     </message>
     <message>
         <source>pinhole, brown or fisheye</source>
         <translation>pinhole, brown oder fisheye</translation>
     </message>
     <message>
-        <source>must be above 0 and at most 10000: the face lies before the camera</source>
+        <source>must be above 0 and at most 10000: the face is in front of the camera</source>
         <translation>muss über 0 und höchstens 10000 sein: Die Fläche liegt vor der Kamera</translation>
     </message>
     <message>
@@ -6045,7 +6045,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>den Block &apos;markers&apos; entfernen</translation>
     </message>
     <message>
-        <source>must be a whole number from 0 to 64</source>
+        <source>must be an integer from 0 to 64</source>
         <translation>muss eine ganze Zahl von 0 bis 64 sein</translation>
     </message>
     <message>
@@ -6073,7 +6073,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>muss eine Zahl von 0 bis 1000 sein</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; is no file inside the finger&apos;s folder</source>
+        <source>&apos;{}&apos; is not a file in the finger&apos;s folder</source>
         <translation>&apos;{}&apos; ist keine Datei im Ordner des Fingers</translation>
     </message>
     <message>
@@ -6081,11 +6081,11 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>die Datei in den Ordner kopieren und nur ihren Namen angeben</translation>
     </message>
     <message>
-        <source>must be a column of the picture and a step of 0.001 to 500 mm</source>
+        <source>must be a column of the image and a step of 0.001 to 500 mm</source>
         <translation>muss eine Spalte des Bildes und ein Schritt von 0.001 bis 500 mm sein</translation>
     </message>
     <message>
-        <source>there is either a video with its markers or one picture, not both</source>
+        <source>there is either a video with its markers or one image, not both</source>
         <translation>es gibt entweder ein Video mit seinen Marken oder ein Bild, nicht beides</translation>
     </message>
     <message>
@@ -6098,11 +6098,11 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>holds {} positions, but there are {} markers</source>
-        <translation>enthält {} Orte, aber es gibt {} Marken</translation>
+        <translation>enthält {} Positionen, aber es gibt {} Marken</translation>
     </message>
     <message>
-        <source>holds a position far outside the picture</source>
-        <translation>enthält einen Ort weit außerhalb des Bildes</translation>
+        <source>holds a position far outside the image</source>
+        <translation>enthält eine Position weit außerhalb des Bildes</translation>
     </message>
     <message>
         <source>must be three numbers from -10000 to 10000</source>
@@ -6121,7 +6121,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>[1.0, 0.0, 0.0, 0.0] für eine nicht gedrehte Kamera</translation>
     </message>
     <message>
-        <source>must be a text of 1 to 200 letters</source>
+        <source>must be a text of 1 to 200 characters</source>
         <translation>muss ein Text von 1 bis 200 Zeichen sein</translation>
     </message>
     <message>
@@ -6129,8 +6129,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>was auf dem Finger steht</translation>
     </message>
     <message>
-        <source>says how a mapping was made, but there is none</source>
-        <translation>sagt, wie eine Abbildung entstand, aber es gibt keine</translation>
+        <source>states how a mapping was made, but there is none</source>
+        <translation>nennt die Herkunft einer Abbildung, aber es gibt keine</translation>
     </message>
     <message>
         <source>calibrate</source>
@@ -6145,7 +6145,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>ein Abstand in mm</translation>
     </message>
     <message>
-        <source>must be a list of whole numbers</source>
+        <source>must be a list of integers</source>
         <translation>muss eine Liste ganzer Zahlen sein</translation>
     </message>
     <message>
@@ -6165,12 +6165,12 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>diese Zeile entfernen: Sie ist nur zum Lesen da</translation>
     </message>
     <message>
-        <source>a part of the depth</source>
-        <translation>ein Teil der Tiefe</translation>
+        <source>a fraction of the depth</source>
+        <translation>ein Bruchteil der Tiefe</translation>
     </message>
     <message>
         <source>must be two numbers: mm along and across the face</source>
-        <translation>müssen zwei Zahlen sein: mm längs und quer zur Fläche</translation>
+        <translation>müssen zwei Zahlen sein: mm längs und quer auf der Fläche</translation>
     </message>
     <message>
         <source>must be two numbers, the first of them 0</source>
@@ -6294,14 +6294,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>another folder, or moving that one away</source>
-        <translation>ein anderer Ordner, oder diesen wegräumen</translation>
+        <translation>ein anderer Ordner, oder diesen verschieben</translation>
     </message>
     <message>
         <source>could not write the file</source>
         <translation>die Datei ließ sich nicht schreiben</translation>
     </message>
     <message>
-        <source>could not make sure that the folder is on the disk</source>
+        <source>could not confirm that the folder is on the disk</source>
         <translation>es ließ sich nicht sicherstellen, dass der Ordner auf dem Datenträger ist</translation>
     </message>
     <message>
@@ -6309,7 +6309,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>ihr Ordner existiert nicht</translation>
     </message>
     <message>
-        <source>make the folder first, or check the path for typing errors</source>
+        <source>create the folder first, or check the path for typing errors</source>
         <translation>zuerst den Ordner anlegen, oder den Pfad auf Tippfehler prüfen</translation>
     </message>
     <message>
@@ -6325,36 +6325,36 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>prüfen, ob es die richtige Datei ist</translation>
     </message>
     <message>
-        <source>could not make the folder</source>
+        <source>could not create the folder</source>
         <translation>der Ordner ließ sich nicht anlegen</translation>
     </message>
     <message>
-        <source>a shorter USB cable or another port; if it stays, another format or a lower rate</source>
-        <translation>ein kürzeres USB-Kabel oder ein anderer Anschluss; wenn es bleibt, ein anderes Format oder eine kleinere Bildrate</translation>
+        <source>a shorter USB cable or another port; if it persists, another format or a lower rate</source>
+        <translation>ein kürzeres USB-Kabel oder ein anderer Anschluss; wenn das nicht hilft, ein anderes Format oder eine kleinere Bildrate</translation>
     </message>
     <message>
-        <source>a picture came with {} of {} bytes</source>
-        <translation>ein Bild kam mit {} von {} Bytes</translation>
+        <source>a frame arrived with {} of {} bytes</source>
+        <translation>ein Bild kam mit {} von {} Bytes an</translation>
     </message>
     <message>
-        <source>a picture came that is no JPEG</source>
-        <translation>ein Bild kam, das kein JPEG ist</translation>
+        <source>a frame arrived that is no JPEG</source>
+        <translation>ein Bild kam an, das kein JPEG ist</translation>
     </message>
     <message>
-        <source>a picture of {}x{} came where {}x{} was agreed</source>
-        <translation>ein Bild von {}x{} kam, wo {}x{} vereinbart war</translation>
+        <source>a {}x{} frame arrived instead of {}x{}</source>
+        <translation>ein Bild mit {}x{} kam an statt {}x{}</translation>
     </message>
     <message>
-        <source>a JPEG came that is truncated or damaged</source>
-        <translation>ein JPEG kam, das abgeschnitten oder beschädigt ist</translation>
+        <source>a JPEG arrived truncated or damaged</source>
+        <translation>ein JPEG kam abgeschnitten oder beschädigt an</translation>
     </message>
     <message>
         <source>another program</source>
         <translation>ein anderes Programm</translation>
     </message>
     <message>
-        <source>somebody else is at work here: {0}</source>
-        <translation>hier arbeitet schon jemand: {0}</translation>
+        <source>already in use by {0}</source>
+        <translation>schon in Gebrauch durch {0}</translation>
     </message>
     <message>
         <source>waiting until that is done</source>
@@ -6365,19 +6365,19 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>ließ sich nicht schreiben</translation>
     </message>
     <message>
-        <source>could not be held</source>
-        <translation>ließ sich nicht belegen</translation>
+        <source>could not be locked</source>
+        <translation>ließ sich nicht sperren</translation>
     </message>
     <message>
-        <source>the picture says it is {} x {} px; a side must have 1 to {}</source>
+        <source>the image header gives {} x {} px; a side must have 1 to {}</source>
         <translation>das Bild gibt {} x {} px an; eine Seite muss 1 bis {} haben</translation>
     </message>
     <message>
-        <source>a smaller picture, or copy it again if that size is wrong</source>
+        <source>a smaller image, or copy it again if that size is wrong</source>
         <translation>ein kleineres Bild, oder noch einmal kopieren, wenn diese Größe falsch ist</translation>
     </message>
     <message>
-        <source>the picture is damaged or cut short</source>
+        <source>the image is damaged or truncated</source>
         <translation>das Bild ist beschädigt oder abgeschnitten</translation>
     </message>
     <message>
@@ -6385,31 +6385,31 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>noch einmal kopieren oder aufnehmen</translation>
     </message>
     <message>
-        <source>the picture has {} bits per channel (floating point); 8 are needed</source>
+        <source>the image has {} bits per channel (floating point); 8 are needed</source>
         <translation>das Bild hat {} Bit je Kanal (Gleitkomma); 8 sind nötig</translation>
     </message>
     <message>
-        <source>the picture has {} bits per channel; 8 are needed</source>
+        <source>the image has {} bits per channel; 8 are needed</source>
         <translation>das Bild hat {} Bit je Kanal; 8 sind nötig</translation>
     </message>
     <message>
-        <source>the camera&apos;s 8-bit pictures</source>
+        <source>the camera&apos;s 8-bit images</source>
         <translation>die 8-Bit-Bilder der Kamera</translation>
     </message>
     <message>
-        <source>the picture has transparent parts; a camera takes none</source>
-        <translation>das Bild hat durchsichtige Teile; eine Kamera macht keine</translation>
+        <source>the image has transparent parts; a camera image has none</source>
+        <translation>das Bild hat durchsichtige Teile; ein Kamerabild hat keine</translation>
     </message>
     <message>
-        <source>the picture as the camera took it, without an alpha channel</source>
+        <source>the image as the camera took it, without an alpha channel</source>
         <translation>das Bild, wie die Kamera es aufnahm, ohne Alphakanal</translation>
     </message>
     <message>
-        <source>the picture has {} channels; 1 or 3 are needed</source>
+        <source>the image has {} channels; 1 or 3 are needed</source>
         <translation>das Bild hat {} Kanäle; 1 oder 3 sind nötig</translation>
     </message>
     <message>
-        <source>the picture as the camera took it</source>
+        <source>the image as the camera took it</source>
         <translation>das Bild, wie die Kamera es aufnahm</translation>
     </message>
     <message>
@@ -6417,39 +6417,39 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>leer</translation>
     </message>
     <message>
-        <source>cannot write this kind of picture ({}) under that name</source>
+        <source>cannot write this kind of image ({}) under that name</source>
         <translation>diese Art von Bild ({}) lässt sich unter diesem Namen nicht schreiben</translation>
     </message>
     <message>
-        <source>&apos;.png&apos; for 8-bit pictures, &apos;.tiff&apos; for floating point</source>
+        <source>&apos;.png&apos; for 8-bit images, &apos;.tiff&apos; for floating point</source>
         <translation>&apos;.png&apos; für 8-Bit-Bilder, &apos;.tiff&apos; für Gleitkomma</translation>
     </message>
     <message>
-        <source>could not encode the picture</source>
+        <source>could not encode the image</source>
         <translation>das Bild ließ sich nicht kodieren</translation>
     </message>
     <message>
-        <source>a smaller picture</source>
+        <source>a smaller image</source>
         <translation>ein kleineres Bild</translation>
     </message>
     <message>
-        <source>the picture is of a kind that cannot be used ({})</source>
-        <translation>das Bild ist von einer Art, die nicht verwendet werden kann ({})</translation>
+        <source>this kind of image cannot be used ({})</source>
+        <translation>diese Art von Bild lässt sich nicht verwenden ({})</translation>
     </message>
     <message>
-        <source>8-bit grey pictures</source>
+        <source>8-bit grey images</source>
         <translation>8-Bit-Graubilder</translation>
     </message>
     <message>
-        <source>the picture is in colour: its channels differ from grey by {:.0f} %</source>
+        <source>the image is in colour: its channels differ from grey by {:.0f} %</source>
         <translation>das Bild ist farbig: Seine Kanäle weichen um {} % von Grau ab</translation>
     </message>
     <message>
-        <source>a picture of the finger under white light</source>
+        <source>an image of the finger under white light</source>
         <translation>ein Bild des Fingers unter weißem Licht</translation>
     </message>
     <message>
-        <source>the picture is all black</source>
+        <source>the image is all black</source>
         <translation>das Bild ist ganz schwarz</translation>
     </message>
     <message>
@@ -6457,48 +6457,48 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>das Licht einschalten, oder den Objektivdeckel abnehmen</translation>
     </message>
     <message>
-        <source>the picture is no TIFF of 32-bit floating point with 1 or 3 channels</source>
+        <source>the image is no 32-bit floating-point TIFF with 1 or 3 channels</source>
         <translation>das Bild ist kein TIFF mit 32-Bit-Gleitkomma und 1 oder 3 Kanälen</translation>
     </message>
     <message>
-        <source>a depth or points picture written by this program</source>
+        <source>a depth or points image written by this program</source>
         <translation>ein Tiefen- oder Punktebild, das dieses Programm schrieb</translation>
     </message>
     <message>
-        <source>the picture is cut short</source>
+        <source>the image is truncated</source>
         <translation>das Bild ist abgeschnitten</translation>
     </message>
     <message>
-        <source>the picture is damaged</source>
+        <source>the image is damaged</source>
         <translation>das Bild ist beschädigt</translation>
     </message>
     <message>
         <source>it does not begin with its header</source>
-        <translation>es beginnt nicht mit seinem Kopf</translation>
+        <translation>es beginnt nicht mit seinem Dateikopf</translation>
     </message>
     <message>
         <source>a check sum is wrong</source>
         <translation>eine Prüfsumme stimmt nicht</translation>
     </message>
     <message>
-        <source>its parts do not join</source>
+        <source>its parts do not match</source>
         <translation>seine Teile passen nicht zusammen</translation>
     </message>
     <message>
         <source>it has no header</source>
-        <translation>es hat keinen Kopf</translation>
+        <translation>es hat keinen Dateikopf</translation>
     </message>
     <message>
-        <source>its header is of a kind no longer in use</source>
-        <translation>sein Kopf ist von einer Art, die nicht mehr gebräuchlich ist</translation>
+        <source>its header is of an obsolete kind</source>
+        <translation>sein Dateikopf ist von einer veralteten Art</translation>
     </message>
     <message>
         <source>its width is negative</source>
         <translation>seine Breite ist negativ</translation>
     </message>
     <message>
-        <source>its header holds something that is no number</source>
-        <translation>sein Kopf enthält etwas, das keine Zahl ist</translation>
+        <source>its header contains something that is no number</source>
+        <translation>sein Dateikopf enthält etwas, das keine Zahl ist</translation>
     </message>
     <message>
         <source>its white is not 255</source>
@@ -6509,8 +6509,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>die Datei ist leer</translation>
     </message>
     <message>
-        <source>the file is no picture of a kind that is known here</source>
-        <translation>die Datei ist kein Bild einer hier bekannten Art</translation>
+        <source>the file is not an image of a known kind</source>
+        <translation>die Datei ist kein Bild einer bekannten Art</translation>
     </message>
     <message>
         <source>PNG, JPEG, BMP, binary PGM or TIFF</source>
@@ -6537,8 +6537,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Platz schaffen, oder einen Ordner auf einem anderen Datenträger wählen</translation>
     </message>
     <message>
-        <source>your share of the disk is used up</source>
-        <translation>Ihr Anteil am Datenträger ist aufgebraucht</translation>
+        <source>your disk quota is used up</source>
+        <translation>Ihr Speicherkontingent ist aufgebraucht</translation>
     </message>
     <message>
         <source>free some space, or choose another disk</source>
@@ -6601,7 +6601,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>der Datenträger meldet einen Fehler</translation>
     </message>
     <message>
-        <source>another disk, and look after this one</source>
+        <source>another disk, and check this one</source>
         <translation>ein anderer Datenträger, und diesen prüfen</translation>
     </message>
     <message>
@@ -6621,8 +6621,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>das Archiv ließ sich nicht schreiben</translation>
     </message>
     <message>
-        <source>another name for the file that is meant</source>
-        <translation>ein anderer Name für die gemeinte Datei</translation>
+        <source>another name for this file</source>
+        <translation>ein anderer Name für diese Datei</translation>
     </message>
     <message>
         <source>packing {}</source>
@@ -6649,8 +6649,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>{}: {}</translation>
     </message>
     <message>
-        <source>this file that comes with the program is not there</source>
-        <translation>diese Datei, die zum Programm gehört, ist nicht da</translation>
+        <source>this file of the program is missing</source>
+        <translation>diese Datei des Programms fehlt</translation>
     </message>
     <message>
         <source>installing the program again</source>
@@ -6665,8 +6665,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Bild {} ist älter als Bild {}</translation>
     </message>
     <message>
-        <source>move this file away: the video&apos;s own times count then</source>
-        <translation>schieben Sie diese Datei beiseite: dann gelten die Zeiten des Videos selbst</translation>
+        <source>move this file away to use the video&apos;s own times</source>
+        <translation>diese Datei verschieben, um die Zeiten des Videos selbst zu verwenden</translation>
     </message>
     <message>
         <source>play it in a video player; if that fails too, record it again</source>
@@ -6681,8 +6681,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>das Video lässt sich nicht öffnen</translation>
     </message>
     <message>
-        <source>its kind of picture has no brightness</source>
-        <translation>seine Bildart hat keine Helligkeit</translation>
+        <source>its pixel format has no brightness</source>
+        <translation>sein Pixelformat hat keine Helligkeit</translation>
     </message>
     <message>
         <source>a grey or colour video</source>
@@ -6693,7 +6693,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>das Video ließ sich nicht schreiben</translation>
     </message>
     <message>
-        <source>it is being recorded or mended right now</source>
+        <source>it is being recorded or repaired right now</source>
         <translation>sie wird gerade aufgenommen oder repariert</translation>
     </message>
     <message>
@@ -6705,11 +6705,11 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>dies ist keine Matroska-Datei</translation>
     </message>
     <message>
-        <source>stopped before it was mended</source>
+        <source>stopped before it was repaired</source>
         <translation>angehalten, bevor sie repariert war</translation>
     </message>
     <message>
-        <source>mending an interrupted recording</source>
+        <source>repairing an interrupted recording</source>
         <translation>eine unterbrochene Aufnahme wird repariert</translation>
     </message>
     <message>
@@ -6721,7 +6721,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>eine andere Kopie der Aufnahme</translation>
     </message>
     <message>
-        <source>the interrupted recording cannot be mended</source>
+        <source>the interrupted recording cannot be repaired</source>
         <translation>die unterbrochene Aufnahme lässt sich nicht reparieren</translation>
     </message>
     <message>
@@ -6729,44 +6729,44 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>ihr Ende abwarten</translation>
     </message>
     <message>
-        <source>could not put the recording back</source>
-        <translation>die Aufnahme ließ sich nicht zurücklegen</translation>
+        <source>could not restore the recording</source>
+        <translation>die Aufnahme ließ sich nicht wiederherstellen</translation>
     </message>
     <message>
-        <source>stopped when {} of {} MB of the recording were put back</source>
-        <translation>angehalten, als {} von {} MB der Aufnahme zurückgelegt waren</translation>
+        <source>stopped when {} of {} MB of the recording were restored</source>
+        <translation>angehalten, als {} von {} MB der Aufnahme wiederhergestellt waren</translation>
     </message>
     <message>
-        <source>putting the removed recording back: {} of {} MB</source>
-        <translation>die entfernte Aufnahme wird zurückgelegt: {} von {} MB</translation>
+        <source>restoring the removed recording: {} of {} MB</source>
+        <translation>die entfernte Aufnahme wird wiederhergestellt: {} von {} MB</translation>
     </message>
     <message>
-        <source>the disk is nearly full: {} MB are left, {} MB are kept free</source>
-        <translation>der Datenträger ist fast voll: {} MB sind übrig, {} MB bleiben frei</translation>
+        <source>the disk is nearly full: {} MB are left, {} MB must stay free</source>
+        <translation>der Datenträger ist fast voll: {} MB sind übrig, {} MB müssen frei bleiben</translation>
     </message>
     <message>
         <source>free some space, or record to another disk</source>
         <translation>Platz schaffen, oder auf einen anderen Datenträger aufnehmen</translation>
     </message>
     <message>
-        <source>there is a file already</source>
-        <translation>es gibt schon eine Datei</translation>
+        <source>the file exists already</source>
+        <translation>die Datei existiert schon</translation>
     </message>
     <message>
         <source>another name, or remove the old one</source>
         <translation>ein anderer Name, oder die alte entfernen</translation>
     </message>
     <message>
-        <source>could not begin the recording: its folder does not exist</source>
-        <translation>die Aufnahme konnte nicht beginnen: Ihr Ordner existiert nicht</translation>
+        <source>could not start the recording: its folder does not exist</source>
+        <translation>die Aufnahme ließ sich nicht starten: Ihr Ordner existiert nicht</translation>
     </message>
     <message>
-        <source>could not begin the recording</source>
-        <translation>die Aufnahme konnte nicht beginnen</translation>
+        <source>could not start the recording</source>
+        <translation>die Aufnahme ließ sich nicht starten</translation>
     </message>
     <message>
-        <source>how pictures are stored, all without loss: auto takes the camera&apos;s own packets (mjpeg) where it sends such, else magicyuv; ffv1 is about a tenth smaller and four times slower to read</source>
-        <translation>wie Bilder gespeichert werden, alle ohne Verlust: auto nimmt die Pakete der Kamera (mjpeg), wo sie solche sendet, sonst magicyuv; ffv1 ist etwa ein Zehntel kleiner und viermal langsamer zu lesen</translation>
+        <source>how images are stored, always without loss: auto stores the camera&apos;s own packets (mjpeg) where available, else magicyuv; ffv1 is about a tenth smaller and four times slower to read</source>
+        <translation>wie Bilder gespeichert werden, immer ohne Verlust: auto speichert die Pakete der Kamera (mjpeg), wo vorhanden, sonst magicyuv; ffv1 ist etwa ein Zehntel kleiner und viermal langsamer zu lesen</translation>
     </message>
     <message>
         <source>memory for frames that wait for the disk, in megabytes</source>
@@ -6781,8 +6781,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>die Aufnahme wurde entfernt, während sie lief</translation>
     </message>
     <message>
-        <source>no frame came, so nothing was recorded</source>
-        <translation>kein Bild kam, also wurde nichts aufgenommen</translation>
+        <source>no frame arrived, so nothing was recorded</source>
+        <translation>kein Bild kam an, also wurde nichts aufgenommen</translation>
     </message>
     <message>
         <source>check the source</source>
@@ -6793,20 +6793,20 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>die Aufnahme wurde an ihrem Ende entfernt</translation>
     </message>
     <message>
-        <source>{}, and it could not be put back ({})</source>
-        <translation>{}, und sie ließ sich nicht zurücklegen ({})</translation>
+        <source>{}, and it could not be restored ({})</source>
+        <translation>{}, und sie ließ sich nicht wiederherstellen ({})</translation>
     </message>
     <message>
         <source>record again, and leave the folder alone meanwhile</source>
-        <translation>neu aufnehmen, und den Ordner dabei in Ruhe lassen</translation>
+        <translation>neu aufnehmen und den Ordner dabei nicht verändern</translation>
     </message>
     <message>
-        <source>what was recorded until then was put back</source>
-        <translation>was bis dahin aufgenommen war, wurde zurückgelegt</translation>
+        <source>what was recorded until then was restored</source>
+        <translation>was bis dahin aufgenommen war, wurde wiederhergestellt</translation>
     </message>
     <message>
         <source>leave the folder alone while it records</source>
-        <translation>den Ordner während der Aufnahme in Ruhe lassen</translation>
+        <translation>den Ordner während der Aufnahme nicht verändern</translation>
     </message>
     <message>
         <source>recordings are Matroska files</source>
@@ -6837,7 +6837,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>ein anderer Codec, oder die libavcodec von Debian</translation>
     </message>
     <message>
-        <source>only 8-bit grey pictures can be recorded</source>
+        <source>only 8-bit grey images can be recorded</source>
         <translation>nur 8-Bit-Graubilder lassen sich aufnehmen</translation>
     </message>
     <message>
@@ -6845,7 +6845,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>eine graue Quelle</translation>
     </message>
     <message>
-        <source>the picture is {} x {}, those before were {} x {}</source>
+        <source>the image is {} x {}, those before were {} x {}</source>
         <translation>das Bild hat {} x {}, die davor hatten {} x {}</translation>
     </message>
     <message>
@@ -6853,7 +6853,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>eine Aufnahme je Größe</translation>
     </message>
     <message>
-        <source>the source gives no JPEG packets that could be stored untouched</source>
+        <source>the source delivers no JPEG packets to store unchanged</source>
         <translation>die Quelle liefert keine JPEG-Pakete, die sich unverändert speichern ließen</translation>
     </message>
     <message>
@@ -6869,19 +6869,19 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>die beiden langen Kanten der Fläche wurden nicht gefunden</translation>
     </message>
     <message>
-        <source>the picture</source>
+        <source>the image</source>
         <translation>das Bild</translation>
     </message>
     <message>
-        <source>light the finger as in its recording, and check that the picture shows the face from base to tip with the finger&apos;s length along the picture&apos;s width</source>
-        <translation>den Finger wie bei seiner Aufnahme beleuchten, und prüfen, ob das Bild die Fläche vom Fuß bis zur Spitze zeigt, mit der Länge des Fingers längs der Breite des Bildes</translation>
+        <source>light the finger as in its recording; check that the image shows the face from base to tip, with the finger along the image&apos;s width</source>
+        <translation>den Finger wie bei seiner Aufnahme beleuchten; prüfen, ob das Bild die Fläche vom Fuß bis zur Spitze zeigt, mit dem Finger längs der Bildbreite</translation>
     </message>
     <message>
         <source>the face&apos;s edges</source>
         <translation>die Kanten der Fläche</translation>
     </message>
     <message>
-        <source>a picture in which both long edges of the bright face are visible and lit evenly; check that the lamps are on and that the lens is clean</source>
+        <source>an image in which both long edges of the bright face are visible and lit evenly; check that the lamps are on and that the lens is clean</source>
         <translation>ein Bild, auf dem beide langen Kanten der hellen Fläche zu sehen und gleichmäßig beleuchtet sind; prüfen, ob die Lampen an sind und das Objektiv sauber ist</translation>
     </message>
     <message>
@@ -6906,7 +6906,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>the {} edge of the face was seen in too few columns</source>
-        <translation>die Kante der Fläche {} wurde in zu wenigen Spalten gesehen</translation>
+        <translation>die Kante der Fläche {} war in zu wenigen Spalten zu sehen</translation>
     </message>
     <message>
         <source>the two edges were never seen together</source>
@@ -6921,16 +6921,16 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>der Abstand der Fläche ist in jeder Spalte zu unsicher</translation>
     </message>
     <message>
-        <source>the picture is black: its brightest parts reach {} of 255 grey levels; take the cap off the lens, switch the lamps on, or expose longer</source>
+        <source>the image is black: its brightest parts reach {} of 255 grey levels; take the cap off the lens, switch the lamps on, or expose longer</source>
         <translation>das Bild ist schwarz: Seine hellsten Stellen erreichen {} von 255 Graustufen; die Kappe vom Objektiv nehmen, die Lampen einschalten oder länger belichten</translation>
     </message>
     <message>
-        <source>the picture is too bright: {:.0f} % of it is saturated; expose shorter, or dim the lamps</source>
+        <source>the image is too bright: {:.0f} % of it is saturated; expose shorter, or dim the lamps</source>
         <translation>das Bild ist zu hell: {} % davon sind gesättigt; kürzer belichten oder die Lampen dimmen</translation>
     </message>
     <message>
-        <source>the picture is blank: all of it has {} of 255 grey levels, without even a camera&apos;s noise; plug the camera in again</source>
-        <translation>das Bild ist leer: Es hat überall {} von 255 Graustufen, ohne auch nur das Rauschen einer Kamera; die Kamera neu einstecken</translation>
+        <source>the image is blank: every pixel has {} of 255 grey levels, without even camera noise; plug the camera in again</source>
+        <translation>das Bild ist leer: Jedes Pixel hat {} von 255 Graustufen, ohne jedes Kamerarauschen; die Kamera neu einstecken</translation>
     </message>
     <message>
         <source>{:.0f} % of the face is too bright to be measured; expose shorter, or dim the lamps</source>
@@ -6941,8 +6941,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>{} % der Fläche wurden in einer solchen Haltung nie aufgenommen; den Finger weiter in diese Richtung gebogen aufnehmen</translation>
     </message>
     <message>
-        <source>{:.1f} % of the face, at its end, is hidden in this frame: nothing is told of it, neither that it is touched nor that it is not</source>
-        <translation>{} % der Fläche, an ihrem Ende, sind in diesem Bild verdeckt: über sie wird nichts gesagt, weder dass sie berührt ist noch dass sie es nicht ist</translation>
+        <source>{:.1f} % of the face, at its end, is hidden in this frame; whether it is in contact there is unknown</source>
+        <translation>{} % der Fläche, an ihrem Ende, sind in diesem Bild verdeckt; ob dort Kontakt besteht, ist unbekannt</translation>
     </message>
     <message>
         <source>the face is {:.0f} % darker than when its reference was recorded; set exposure, gain and lamps as they were then</source>
@@ -6953,12 +6953,12 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>die Fläche ist {} % heller als bei der Aufnahme ihrer Referenz; Belichtung, Verstärkung und Lampen wie damals einstellen</translation>
     </message>
     <message>
-        <source>{:.0f} % of the face is brighter than its reference: this is another finger, or its skin has changed; choose the finger that it is, or record the reference again</source>
+        <source>{:.0f} % of the face is brighter than its reference: this is another finger, or its skin has changed; choose the right finger, or record the reference again</source>
         <translation>{} % der Fläche sind heller als ihre Referenz: Das ist ein anderer Finger, oder seine Haut hat sich verändert; den richtigen Finger wählen oder die Referenz neu aufnehmen</translation>
     </message>
     <message>
-        <source>only {} recorded pictures show every marker; at least 2 are needed</source>
-        <translation>nur {} aufgenommene Bilder zeigen jede Marke; mindestens 2 sind nötig</translation>
+        <source>only {} recorded images show every marker; at least 2 are needed</source>
+        <translation>nur {} aufgenommene Bilder zeigen alle Marken; mindestens 2 sind nötig</translation>
     </message>
     <message>
         <source>marker model</source>
@@ -6970,74 +6970,74 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>{} markers have a position but {} have a size</source>
-        <translation>{} Marken haben einen Ort, aber {} haben eine Größe</translation>
+        <translation>{} Marken haben eine Position, aber {} haben eine Größe</translation>
     </message>
     <message>
         <source>the markers&apos; positions are not finite numbers</source>
-        <translation>die Orte der Marken sind keine endlichen Zahlen</translation>
+        <translation>die Positionen der Marken sind keine endlichen Zahlen</translation>
     </message>
     <message>
-        <source>{} dots were found beside the face, but no third of the {} markers among them fits a pose of the reference recording</source>
-        <translation>{} Punkte wurden neben der Fläche gefunden, aber kein Drittel der {} Marken darunter passt zu einer Haltung der Referenzaufnahme</translation>
+        <source>{} dots were found next to the face, but less than a third of the {} markers fit any pose of the reference recording</source>
+        <translation>{} Punkte wurden neben der Fläche gefunden, aber weniger als ein Drittel der {} Marken passt zu einer Haltung der Referenzaufnahme</translation>
     </message>
     <message>
         <source>this pose was never recorded: the nearest reference frame is {:.1f} px away; record the finger bending further in this direction</source>
-        <translation>diese Haltung wurde nie aufgenommen: Das nächste Referenzbild ist {} px entfernt; den Finger weiter in diese Richtung gebogen aufnehmen</translation>
+        <translation>diese Haltung wurde nie aufgenommen: Das ähnlichste Referenzbild ist {} px entfernt; den Finger weiter in diese Richtung gebogen aufnehmen</translation>
     </message>
     <message>
-        <source>a picture at the size that the finger was calibrated with</source>
+        <source>an image of the size that the finger was calibrated with</source>
         <translation>ein Bild in der Größe, mit der der Finger kalibriert wurde</translation>
     </message>
     <message>
-        <source>the picture is the same as the one before to the last grey level: the camera stands still; plug it in again</source>
-        <translation>das Bild gleicht dem vorigen bis auf die letzte Graustufe: Die Kamera steht; sie neu einstecken</translation>
+        <source>the image equals the previous one to the last grey level: the camera is frozen; plug it in again</source>
+        <translation>das Bild gleicht dem vorigen in jeder Graustufe: Die Kamera ist eingefroren; sie neu einstecken</translation>
     </message>
     <message>
         <source>{}.</source>
         <translation>{}.</translation>
     </message>
     <message>
-        <source>too little of the face is seen to tell the pose by its shape</source>
-        <translation>von der Fläche ist zu wenig zu sehen, um die Haltung aus ihrer Form zu lesen</translation>
+        <source>too little face is visible to estimate the pose from its shape</source>
+        <translation>von der Fläche ist zu wenig zu sehen, um die Haltung aus ihrer Form zu schätzen</translation>
     </message>
     <message>
-        <source>the markers were not found: the face&apos;s shape alone tells this pose, so that depth is less sure and neither twist nor what touches the finger is told; uncover and light the dots on the side faces</source>
-        <translation>die Marken wurden nicht gefunden: nur die Form der Fläche verrät diese Haltung, sodass die Tiefe weniger sicher ist und weder Verdrehung noch was den Finger berührt angegeben wird; die Punkte auf den Seitenflächen freilegen und beleuchten</translation>
+        <source>the markers were not found: this pose is estimated from the face&apos;s shape alone, so depth is less certain, and neither twist nor contact is estimated; uncover and light the dots on the side faces</source>
+        <translation>die Marken wurden nicht gefunden: Diese Haltung ist nur aus der Form der Fläche geschätzt; die Tiefe ist weniger sicher, Verdrehung und Kontakt werden nicht geschätzt; die Punkte auf den Seitenflächen freilegen und beleuchten</translation>
     </message>
     <message>
-        <source>few recorded frames are near this pose: its reference is {:.0f} times less sure than usual; record the finger bending slowly through it</source>
-        <translation>bei dieser Haltung liegen wenige aufgenommene Bilder: Ihre Referenz ist {}-mal unsicherer als sonst; den Finger langsam durch sie hindurch gebogen aufnehmen</translation>
+        <source>few recorded frames are near this pose: its reference is {:.0f} times less certain than typical; record the finger bending slowly through it</source>
+        <translation>nahe dieser Haltung gibt es wenige aufgenommene Bilder: Ihre Referenz ist {}-mal unsicherer als sonst; den Finger aufnehmen, wie er sich langsam durch diese Haltung biegt</translation>
     </message>
     <message>
         <source>the finger is not calibrated: calibrate it with ball presses</source>
         <translation>der Finger ist nicht kalibriert: mit Kugeleindrücken kalibrieren</translation>
     </message>
     <message>
-        <source>how the face&apos;s edges are placed: half-way crossing to a fiftieth of a pixel, or the steepest whole pixel</source>
+        <source>how the face&apos;s edges are located: half-height crossing to a fiftieth of a pixel, or the steepest pixel</source>
         <translation>wie die Kanten der Fläche gefunden werden: am halben Anstieg auf ein fünfzigstel Pixel, oder am steilsten ganzen Pixel</translation>
     </message>
     <message>
-        <source>pixel columns averaged into one place on each edge</source>
-        <translation>Pixelspalten, die zu einem Ort auf jeder Kante gemittelt werden</translation>
+        <source>pixel columns averaged into one position on each edge</source>
+        <translation>Pixelspalten, die zu einer Position auf jeder Kante gemittelt werden</translation>
     </message>
     <message>
         <source>degree of the smooth curve through each edge of the face</source>
         <translation>Grad der glatten Kurve durch jede Kante der Fläche</translation>
     </message>
     <message>
-        <source>whether a change of the light since the reference is read from the untouched skin and taken out</source>
-        <translation>ob eine Änderung des Lichts seit der Referenz aus der unberührten Haut gelesen und herausgerechnet wird</translation>
+        <source>whether a change of light since the reference is measured on the untouched skin and removed</source>
+        <translation>ob eine Lichtänderung seit der Referenz an der unberührten Haut gemessen und herausgerechnet wird</translation>
     </message>
     <message>
-        <source>standard deviation of the smoothing before depth is read, in pixels; 0: none</source>
-        <translation>Standardabweichung der Glättung vor dem Lesen der Tiefe, in Pixeln; 0: keine</translation>
+        <source>standard deviation of the smoothing before depth is computed, in pixels; 0: none</source>
+        <translation>Standardabweichung der Glättung vor der Berechnung der Tiefe, in Pixeln; 0: keine</translation>
     </message>
     <message>
-        <source>depth that counts as touched, in millimetres</source>
-        <translation>Tiefe, die als Berührung zählt, in Millimetern</translation>
+        <source>depth that counts as contact, in millimetres</source>
+        <translation>Tiefe, die als Kontakt zählt, in Millimetern</translation>
     </message>
     <message>
-        <source>make the reference anew from the recording</source>
+        <source>create the reference again from the recording</source>
         <translation>die Referenz aus der Aufnahme neu erstellen</translation>
     </message>
     <message>
@@ -7054,23 +7054,23 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>not a marker table; its first line must be &apos;{}&apos;</source>
-        <translation>keine Markentabelle; ihre erste Zeile muss &apos;{}&apos; sein</translation>
+        <translation>keine Markentabelle; die erste Zeile muss &apos;{}&apos; sein</translation>
     </message>
     <message>
         <source>the table ends too early</source>
         <translation>die Tabelle endet zu früh</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; does not close a table of {} frames</source>
-        <translation>&apos;{}&apos; schließt keine Tabelle mit {} Bildern ab</translation>
+        <source>&apos;{}&apos; is not the last line of a table with {} frames</source>
+        <translation>&apos;{}&apos; ist nicht die letzte Zeile einer Tabelle mit {} Bildern</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; is not &apos;{}&apos; with possible values</source>
-        <translation>&apos;{}&apos; ist nicht &apos;{}&apos; mit möglichen Werten</translation>
+        <source>&apos;{}&apos; does not hold valid values of &apos;{}&apos;</source>
+        <translation>&apos;{}&apos; enthält keine gültigen Werte für &apos;{}&apos;</translation>
     </message>
     <message>
-        <source>marker {} stands where marker {} of {} must</source>
-        <translation>Marke {} steht, wo Marke {} von {} stehen muss</translation>
+        <source>marker {} stands where marker {} of {} is expected</source>
+        <translation>Marke {} steht, wo Marke {} von {} erwartet wird</translation>
     </message>
     <message>
         <source>frame {} comes after frame {}</source>
@@ -7081,27 +7081,27 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Bild {} hat {} Marken statt {}</translation>
     </message>
     <message>
-        <source>marker {} has another radius or contrast than before</source>
+        <source>marker {} has a different radius or contrast than before</source>
         <translation>Marke {} hat einen anderen Radius oder Kontrast als zuvor</translation>
     </message>
     <message>
-        <source>the table holds no frame</source>
-        <translation>die Tabelle enthält kein Bild</translation>
+        <source>the table contains no frames</source>
+        <translation>die Tabelle enthält keine Bilder</translation>
     </message>
     <message>
         <source>stopped before the reference was read</source>
-        <translation>angehalten, bevor die Referenz gelesen war</translation>
+        <translation>vor dem Lesen der Referenz angehalten</translation>
     </message>
     <message>
         <source>reading reference frame {} of {}</source>
         <translation>Referenzbild {} von {} wird gelesen</translation>
     </message>
     <message>
-        <source>the face was found in {} of {} recorded pictures; 2 are needed</source>
+        <source>the face was found in {} of {} recorded images; 2 are needed</source>
         <translation>die Fläche wurde in {} von {} aufgenommenen Bildern gefunden; 2 sind nötig</translation>
     </message>
     <message>
-        <source>the marker table names frame {} but the recording ends after {} frames</source>
+        <source>the marker table lists frame {} but the recording ends after {} frames</source>
         <translation>die Markentabelle nennt Bild {}, aber die Aufnahme endet nach {} Bildern</translation>
     </message>
     <message>
@@ -7109,48 +7109,48 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>die Aufnahme lässt sich nicht lesen ({})</translation>
     </message>
     <message>
-        <source>the sensor has no untouched picture</source>
+        <source>the sensor has no untouched image</source>
         <translation>der Sensor hat kein unberührtes Bild</translation>
     </message>
     <message>
-        <source>give one with the calibration</source>
+        <source>specify one for the calibration</source>
         <translation>eines bei der Kalibrierung angeben</translation>
     </message>
     <message>
-        <source>the untouched picture</source>
+        <source>the untouched image</source>
         <translation>das unberührte Bild</translation>
     </message>
     <message>
-        <source>give the untouched picture anew</source>
-        <translation>das unberührte Bild neu angeben</translation>
+        <source>specify the untouched image again</source>
+        <translation>das unberührte Bild erneut angeben</translation>
     </message>
     <message>
         <source>the finger has no reference recording</source>
         <translation>der Finger hat keine Referenzaufnahme</translation>
     </message>
     <message>
-        <source>record the bending, untouched finger and make its reference</source>
+        <source>record the untouched finger bending and create its reference</source>
         <translation>den unberührten Finger beim Biegen aufnehmen und seine Referenz erstellen</translation>
     </message>
     <message>
-        <source>the reference recording is missing or no video</source>
+        <source>the reference recording is missing or not a video</source>
         <translation>die Referenzaufnahme fehlt oder ist kein Video</translation>
     </message>
     <message>
-        <source>the recording&apos;s picture</source>
+        <source>the recording&apos;s image</source>
         <translation>das Bild der Aufnahme</translation>
     </message>
     <message>
-        <source>the reference picture is not an 8-bit grey picture</source>
-        <translation>das Referenzbild ist kein 8-Bit-Graubild</translation>
+        <source>the reference image is not an 8-bit grey image</source>
+        <translation>das Referenzbild ist kein 8-Bit-Graustufenbild</translation>
     </message>
     <message>
         <source>reference</source>
         <translation>Referenz</translation>
     </message>
     <message>
-        <source>save it as such</source>
-        <translation>als solches speichern</translation>
+        <source>save it in this format</source>
+        <translation>in diesem Format speichern</translation>
     </message>
     <message>
         <source>&apos;{}&apos; is not a number from {} to {}</source>
@@ -7161,8 +7161,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>&apos;{}&apos; ist nicht {}</translation>
     </message>
     <message>
-        <source>depth_mm = {:g} goes through the layer of {:g} mm</source>
-        <translation>depth_mm = {} geht durch die Schicht von {} mm</translation>
+        <source>depth_mm = {:g} reaches through the layer of {:g} mm</source>
+        <translation>depth_mm = {} reicht durch die Schicht von {} mm</translation>
     </message>
     <message>
         <source>less than finger.face.layer_mm</source>
@@ -7177,16 +7177,16 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>0 bis {}</translation>
     </message>
     <message>
-        <source>y_mm is beside the face</source>
-        <translation>y_mm liegt neben der Fläche</translation>
+        <source>y_mm is outside the face</source>
+        <translation>y_mm liegt außerhalb der Fläche</translation>
     </message>
     <message>
         <source>{:g} to {:g}</source>
         <translation>{} bis {}</translation>
     </message>
     <message>
-        <source>the ball would sink in beyond its middle</source>
-        <translation>die Kugel würde über ihre Mitte hinaus einsinken</translation>
+        <source>the ball would sink in past its centre</source>
+        <translation>die Kugel würde über ihren Mittelpunkt hinaus einsinken</translation>
     </message>
     <message>
         <source>depth_mm below radius_mm</source>
@@ -7201,12 +7201,12 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>bend weglassen</translation>
     </message>
     <message>
-        <source>nothing presses, so nothing bulges</source>
-        <translation>nichts drückt, also wölbt sich nichts</translation>
+        <source>nothing is pressed in, so nothing bulges</source>
+        <translation>nichts wird eingedrückt, also wölbt sich nichts</translation>
     </message>
     <message>
-        <source>name ball or relief too</source>
-        <translation>auch ball oder relief nennen</translation>
+        <source>add ball or relief</source>
+        <translation>ball oder relief hinzufügen</translation>
     </message>
     <message>
         <source>there is no lamp</source>
@@ -7225,8 +7225,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>ein anderer Punkt</translation>
     </message>
     <message>
-        <source>this lobe is not known</source>
-        <translation>diese Keule ist nicht bekannt</translation>
+        <source>unknown lobe</source>
+        <translation>unbekannte Keule</translation>
     </message>
     <message>
         <source>1, 2, 4 or 8</source>
@@ -7261,27 +7261,27 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Marken sind in die Seitenflächen graviert</translation>
     </message>
     <message>
-        <source>name the effect sides too</source>
-        <translation>auch den Effekt sides nennen</translation>
+        <source>add the effect sides</source>
+        <translation>den Effekt sides hinzufügen</translation>
     </message>
     <message>
-        <source>JPEG needs whole grey levels</source>
-        <translation>JPEG braucht ganze Graustufen</translation>
+        <source>JPEG needs integer grey levels</source>
+        <translation>JPEG braucht ganzzahlige Graustufen</translation>
     </message>
     <message>
-        <source>name the effect quantisation too</source>
-        <translation>auch den Effekt quantisation nennen</translation>
+        <source>add the effect quantisation</source>
+        <translation>den Effekt quantisation hinzufügen</translation>
     </message>
     <message>
         <source>no dot would ever be hidden</source>
         <translation>kein Punkt wäre je verdeckt</translation>
     </message>
     <message>
-        <source>leave occlusion out, or 1 and more</source>
-        <translation>occlusion weglassen, oder 1 und mehr</translation>
+        <source>leave occlusion out, or use 1 or more</source>
+        <translation>occlusion weglassen oder mindestens 1 angeben</translation>
     </message>
     <message>
-        <source>{:g} is not a marker&apos;s number</source>
+        <source>{:g} is not a marker number</source>
         <translation>{} ist keine Markennummer</translation>
     </message>
     <message>
@@ -7290,11 +7290,11 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>there are no dots to hide</source>
-        <translation>es gibt keine Punkte zu verdecken</translation>
+        <translation>es gibt keine Punkte, die verdeckt werden könnten</translation>
     </message>
     <message>
-        <source>name the effect markers too</source>
-        <translation>auch den Effekt markers nennen</translation>
+        <source>add the effect markers</source>
+        <translation>den Effekt markers hinzufügen</translation>
     </message>
     <message>
         <source>there is no marker {}</source>
@@ -7321,12 +7321,12 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>weniger als size_mm</translation>
     </message>
     <message>
-        <source>nothing presses, so nothing rolls off</source>
-        <translation>nichts drückt, also läuft nichts aus</translation>
+        <source>nothing is pressed in, so nothing rolls off</source>
+        <translation>nichts wird eingedrückt, also gibt es keinen Auslauf</translation>
     </message>
     <message>
         <source>kind hertz is for balls only</source>
-        <translation>kind hertz ist nur für Kugeln</translation>
+        <translation>kind hertz gilt nur für Kugeln</translation>
     </message>
     <message>
         <source>kind: smooth with a length_mm</source>
@@ -7346,14 +7346,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>a flat sensor does not sway</source>
-        <translation>ein flacher Sensor schwenkt nicht</translation>
+        <translation>ein flacher Sensor neigt sich nicht zur Seite</translation>
     </message>
     <message>
         <source>leave sway out</source>
         <translation>sway weglassen</translation>
     </message>
     <message>
-        <source>a flat sensor does not give way</source>
+        <source>a flat sensor does not yield</source>
         <translation>ein flacher Sensor gibt nicht nach</translation>
     </message>
     <message>
@@ -7365,16 +7365,16 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>die Liste ist leer</translation>
     </message>
     <message>
-        <source>one pose a frame</source>
+        <source>one pose per frame</source>
         <translation>eine Haltung je Bild</translation>
     </message>
     <message>
-        <source>the motion moves &apos;{}&apos;, but no effect of the scene does</source>
-        <translation>die Bewegung bewegt &apos;{}&apos;, aber kein Effekt der Szene tut es</translation>
+        <source>the motion moves &apos;{}&apos;, but the scene has no such effect</source>
+        <translation>die Bewegung bewegt &apos;{}&apos;, aber die Szene hat keinen solchen Effekt</translation>
     </message>
     <message>
-        <source>name `bend` or `sway` among the effects</source>
-        <translation>`bend` oder `sway` unter den Effekten nennen</translation>
+        <source>add `bend` or `sway` to the effects</source>
+        <translation>`bend` oder `sway` zu den Effekten hinzufügen</translation>
     </message>
     <message>
         <source>{} = {:g} is outside the effect&apos;s range</source>
@@ -7385,23 +7385,23 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>die Bewegung hat nichts zu bewegen</translation>
     </message>
     <message>
-        <source>name `bend` or `sway` among the effects, or leave the motion out</source>
-        <translation>`bend` oder `sway` unter den Effekten nennen, oder die Bewegung weglassen</translation>
+        <source>add `bend` or `sway` to the effects, or leave the motion out</source>
+        <translation>`bend` oder `sway` zu den Effekten hinzufügen oder die Bewegung weglassen</translation>
     </message>
     <message>
         <source>scene &apos;{}&apos;: finger.camera</source>
         <translation>Szene &apos;{}&apos;: finger.camera</translation>
     </message>
     <message>
-        <source>its camera does not give whole grey levels</source>
-        <translation>ihre Kamera liefert keine ganzen Graustufen</translation>
+        <source>its camera does not deliver integer grey levels</source>
+        <translation>ihre Kamera liefert keine ganzzahligen Graustufen</translation>
     </message>
     <message>
         <source>this is not [width, height]</source>
         <translation>dies ist nicht [Breite, Höhe]</translation>
     </message>
     <message>
-        <source>whole numbers from 16 to 16384</source>
+        <source>integers from 16 to 16384</source>
         <translation>ganze Zahlen von 16 bis 16384</translation>
     </message>
     <message>
@@ -7409,8 +7409,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>es gibt keinen Effekt &apos;{}&apos;</translation>
     </message>
     <message>
-        <source>the effect &apos;{}&apos; is named twice</source>
-        <translation>der Effekt &apos;{}&apos; ist zweimal genannt</translation>
+        <source>the effect &apos;{}&apos; is listed twice</source>
+        <translation>der Effekt &apos;{}&apos; ist zweimal aufgeführt</translation>
     </message>
     <message>
         <source>A ball is pressed into the face</source>
@@ -7421,16 +7421,16 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Der Finger biegt sich in der Ebene seiner Länge</translation>
     </message>
     <message>
-        <source>The layer swells around what presses</source>
-        <translation>Die Schicht wölbt sich um das, was drückt</translation>
+        <source>The layer bulges around the object</source>
+        <translation>Die Schicht wölbt sich um den Gegenstand</translation>
     </message>
     <message>
-        <source>Frames get lost on their way</source>
-        <translation>Bilder gehen unterwegs verloren</translation>
+        <source>Frames are lost in transmission</source>
+        <translation>Bilder gehen bei der Übertragung verloren</translation>
     </message>
     <message>
-        <source>Frames come late</source>
-        <translation>Bilder kommen zu spät</translation>
+        <source>Frames arrive late</source>
+        <translation>Bilder treffen verspätet ein</translation>
     </message>
     <message>
         <source>The layer over the black coat is darker where it is thinner</source>
@@ -7445,7 +7445,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>In die Seitenflächen sind Punkte graviert</translation>
     </message>
     <message>
-        <source>The camera sends JPEG pictures</source>
+        <source>The camera sends JPEG images</source>
         <translation>Die Kamera sendet JPEG-Bilder</translation>
     </message>
     <message>
@@ -7453,8 +7453,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Falten der Seitenflächen verdecken Punkte</translation>
     </message>
     <message>
-        <source>The sensor counts in whole grey levels from 0 to 255</source>
-        <translation>Der Sensor zählt in ganzen Graustufen von 0 bis 255</translation>
+        <source>The sensor outputs integer grey levels from 0 to 255</source>
+        <translation>Der Sensor liefert ganzzahlige Graustufen von 0 bis 255</translation>
     </message>
     <message>
         <source>Reading the sensor adds noise</source>
@@ -7465,16 +7465,16 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Ein Gegenstand mit einem Relief wird in die Fläche gedrückt</translation>
     </message>
     <message>
-        <source>The face comes away softly from what presses</source>
-        <translation>Die Fläche löst sich weich von dem, was drückt</translation>
+        <source>The face separates gradually from the object</source>
+        <translation>Die Fläche löst sich allmählich vom Gegenstand</translation>
     </message>
     <message>
-        <source>Light comes in grains, which is noise that grows with brightness</source>
-        <translation>Licht kommt in Körnern: ein Rauschen, das mit der Helligkeit wächst</translation>
+        <source>Light arrives as photons; their noise grows with brightness</source>
+        <translation>Licht trifft als Photonen ein; ihr Rauschen wächst mit der Helligkeit</translation>
     </message>
     <message>
-        <source>The side faces of the body are seen</source>
-        <translation>Die Seitenflächen des Körpers sind zu sehen</translation>
+        <source>The side faces of the body are visible</source>
+        <translation>Die Seitenflächen des Körpers sind sichtbar</translation>
     </message>
     <message>
         <source>The finger leans sideways</source>
@@ -7485,20 +7485,20 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>{}, in den Bildern {} bis {}</translation>
     </message>
     <message>
-        <source>its camera does not give whole grey levels in frames {} to {}</source>
-        <translation>ihre Kamera liefert in den Bildern {} bis {} keine ganzen Graustufen</translation>
+        <source>its camera does not deliver integer grey levels in frames {} to {}</source>
+        <translation>ihre Kamera liefert in den Bildern {} bis {} keine ganzzahligen Graustufen</translation>
     </message>
     <message>
-        <source>name the effect quantisation for all frames</source>
-        <translation>den Effekt quantisation für alle Bilder nennen</translation>
+        <source>add the effect quantisation for all frames</source>
+        <translation>den Effekt quantisation für alle Bilder hinzufügen</translation>
     </message>
     <message>
-        <source>the effect &apos;{}&apos; is named twice for frames {} to {}</source>
-        <translation>der Effekt &apos;{}&apos; ist für die Bilder {} bis {} zweimal genannt</translation>
+        <source>the effect &apos;{}&apos; is listed twice for frames {} to {}</source>
+        <translation>der Effekt &apos;{}&apos; ist für die Bilder {} bis {} zweimal aufgeführt</translation>
     </message>
     <message>
-        <source>let one end with &apos;until&apos; before the other begins with &apos;from&apos;</source>
-        <translation>den einen mit &apos;until&apos; enden lassen, bevor der andere mit &apos;from&apos; beginnt</translation>
+        <source>end one with &apos;until&apos; before the other begins with &apos;from&apos;</source>
+        <translation>den einen mit &apos;until&apos; beenden, bevor der andere mit &apos;from&apos; beginnt</translation>
     </message>
     <message>
         <source>must be a point in time, not &apos;{}&apos;</source>
@@ -7517,31 +7517,31 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>eines ihrer Bilder, 0 bis {}</translation>
     </message>
     <message>
-        <source>it would never be there, for it begins with frame {}</source>
-        <translation>er wäre nie da, denn er beginnt mit Bild {}</translation>
+        <source>it would never be active, for it begins with frame {}</source>
+        <translation>er wäre nie aktiv, denn er beginnt mit Bild {}</translation>
     </message>
     <message>
         <source>a later frame, or leave the effect out</source>
         <translation>ein späteres Bild, oder den Effekt weglassen</translation>
     </message>
     <message>
-        <source>the key frame before it stands there too</source>
-        <translation>das Schlüsselbild davor steht auch dort</translation>
+        <source>the key frame before it has the same time</source>
+        <translation>das Schlüsselbild davor hat dieselbe Zeit</translation>
     </message>
     <message>
         <source>a later time, or leave one of the two out</source>
         <translation>eine spätere Zeit, oder eines der beiden weglassen</translation>
     </message>
     <message>
-        <source>the key frame before it is a later one</source>
-        <translation>das Schlüsselbild davor ist ein späteres</translation>
+        <source>the key frame before it has a later time</source>
+        <translation>das Schlüsselbild davor hat eine spätere Zeit</translation>
     </message>
     <message>
-        <source>key frames in the order of their times</source>
-        <translation>Schlüsselbilder in der Reihenfolge ihrer Zeiten</translation>
+        <source>key frames in order of time</source>
+        <translation>Schlüsselbilder in zeitlicher Reihenfolge</translation>
     </message>
     <message>
-        <source>this is not a text</source>
+        <source>this is not text</source>
         <translation>dies ist kein Text</translation>
     </message>
     <message>
@@ -7549,7 +7549,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>ein Wort oder ein Satz</translation>
     </message>
     <message>
-        <source>one number a frame</source>
+        <source>one number per frame</source>
         <translation>eine Zahl je Bild</translation>
     </message>
     <message>
@@ -7557,8 +7557,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>&apos;from&apos; ist nicht kleiner als &apos;to&apos;</translation>
     </message>
     <message>
-        <source>a range that grows</source>
-        <translation>ein wachsender Bereich</translation>
+        <source>an increasing range</source>
+        <translation>ein aufsteigender Bereich</translation>
     </message>
     <message>
         <source>the folder cannot be read: {}</source>
@@ -7569,7 +7569,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>seinen Besitzer um Zugriff bitten</translation>
     </message>
     <message>
-        <source>the folder holds no pictures</source>
+        <source>the folder contains no images</source>
         <translation>der Ordner enthält keine Bilder</translation>
     </message>
     <message>
@@ -7593,11 +7593,11 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Licht</translation>
     </message>
     <message>
-        <source>{} was {} and is {}</source>
-        <translation>{} war {} und ist {}</translation>
+        <source>{} changed from {} to {}</source>
+        <translation>{} von {} auf {} geändert</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; describes no button</source>
+        <source>&apos;{}&apos; does not describe a button</source>
         <translation>&apos;{}&apos; beschreibt keinen Taster</translation>
     </message>
     <message>
@@ -7605,16 +7605,16 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>den Taster neu anlernen</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; names no device and its button</source>
-        <translation>&apos;{}&apos; nennt kein Gerät mit seinem Taster</translation>
+        <source>&apos;{}&apos; does not name a device and its button</source>
+        <translation>&apos;{}&apos; nennt kein Gerät und dessen Taster</translation>
     </message>
     <message>
-        <source>&apos;alltact devices --learn-button&apos;, which says what to write here</source>
-        <translation>&apos;alltact devices --learn-button&apos;, das sagt, was hier stehen muss</translation>
+        <source>&apos;alltact devices --learn-button&apos;, which shows what to write here</source>
+        <translation>&apos;alltact devices --learn-button&apos;, das zeigt, was hier stehen muss</translation>
     </message>
     <message>
         <source>learning the button was stopped</source>
-        <translation>das Anlernen des Tasters wurde angehalten</translation>
+        <translation>das Anlernen des Tasters wurde abgebrochen</translation>
     </message>
     <message>
         <source>press it now, twice</source>
@@ -7625,7 +7625,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>noch einmal drücken</translation>
     </message>
     <message>
-        <source>no button was pressed and let go twice</source>
+        <source>no button was pressed and released twice</source>
         <translation>kein Taster wurde zweimal gedrückt und losgelassen</translation>
     </message>
     <message>
@@ -7657,27 +7657,27 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>wieder einstecken</translation>
     </message>
     <message>
-        <source>the device took no report</source>
-        <translation>das Gerät nahm keinen Report an</translation>
+        <source>the device refused the report</source>
+        <translation>das Gerät nahm den Report nicht an</translation>
     </message>
     <message>
         <source>plug it in again, and check its description</source>
-        <translation>wieder einstecken, und die Beschreibung prüfen</translation>
+        <translation>wieder einstecken und die Beschreibung prüfen</translation>
     </message>
     <message>
         <source>no HID device was found</source>
         <translation>kein HID-Gerät wurde gefunden</translation>
     </message>
     <message>
-        <source>there is no such HID device; there is {}</source>
-        <translation>es gibt kein solches HID-Gerät; es gibt {}</translation>
+        <source>there is no such HID device; available: {}</source>
+        <translation>es gibt kein solches HID-Gerät; vorhanden: {}</translation>
     </message>
     <message>
         <source>plug it in; &apos;alltact devices&apos; lists what is found</source>
         <translation>einstecken; &apos;alltact devices&apos; zeigt, was gefunden wird</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; describes no dimmer</source>
+        <source>&apos;{}&apos; does not describe a dimmer</source>
         <translation>&apos;{}&apos; beschreibt keinen Dimmer</translation>
     </message>
     <message>
@@ -7689,19 +7689,19 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>die Helligkeit {} liegt nicht zwischen 0 und 1</translation>
     </message>
     <message>
-        <source>the MCP2221A did not answer as it should</source>
-        <translation>der MCP2221A antwortete nicht, wie er soll</translation>
+        <source>the MCP2221A did not answer as expected</source>
+        <translation>der MCP2221A antwortete nicht wie erwartet</translation>
     </message>
     <message>
         <source>plug it in again; close other programs that use it</source>
         <translation>wieder einstecken; andere Programme schließen, die ihn benutzen</translation>
     </message>
     <message>
-        <source>this is neither a picture, nor a folder of pictures, nor a video, nor a scene</source>
+        <source>this is neither an image, nor a folder of images, nor a video, nor a scene</source>
         <translation>dies ist weder ein Bild, noch ein Ordner mit Bildern, noch ein Video, noch eine Szene</translation>
     </message>
     <message>
-        <source>png, jpg, bmp, tif or pgm pictures, a mkv, avi or mp4 video, or a yaml scene</source>
+        <source>png, jpg, bmp, tif or pgm images, an mkv, avi or mp4 video, or a yaml scene</source>
         <translation>png-, jpg-, bmp-, tif- oder pgm-Bilder, ein mkv-, avi- oder mp4-Video, oder eine yaml-Szene</translation>
     </message>
     <message>
@@ -7717,16 +7717,16 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>lässt sich nicht mit anderen Eingaben mischen: {}</translation>
     </message>
     <message>
-        <source>it alone, or pictures only</source>
-        <translation>dies allein, oder nur Bilder</translation>
+        <source>it alone, or images only</source>
+        <translation>dies allein oder nur Bilder</translation>
     </message>
     <message>
         <source>no input was given</source>
         <translation>es wurde keine Eingabe angegeben</translation>
     </message>
     <message>
-        <source>name a picture, a folder of pictures, a video, a scene or a camera</source>
-        <translation>ein Bild, einen Ordner mit Bildern, ein Video, eine Szene oder eine Kamera nennen</translation>
+        <source>specify an image, a folder of images, a video, a scene or a camera</source>
+        <translation>ein Bild, einen Ordner mit Bildern, ein Video, eine Szene oder eine Kamera angeben</translation>
     </message>
     <message>
         <source>there is no such file or folder</source>
@@ -7745,20 +7745,20 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>die Kamera lehnt diesen Wert ab</translation>
     </message>
     <message>
-        <source>a value within its range; &apos;alltact devices --details&apos; lists them</source>
+        <source>a value within its range; &apos;alltact devices --details&apos; lists the ranges</source>
         <translation>ein Wert in seinem Bereich; &apos;alltact devices --details&apos; zeigt die Bereiche</translation>
     </message>
     <message>
-        <source>an automatic mode has it in hand</source>
-        <translation>eine Automatik stellt es ein</translation>
+        <source>an automatic mode controls it</source>
+        <translation>eine Automatik regelt es</translation>
     </message>
     <message>
         <source>switch that mode off first</source>
         <translation>diese Automatik zuerst ausschalten</translation>
     </message>
     <message>
-        <source>the camera took {} instead</source>
-        <translation>die Kamera nahm stattdessen {}</translation>
+        <source>the camera uses {} instead</source>
+        <translation>die Kamera verwendet stattdessen {}</translation>
     </message>
     <message>
         <source>a value within its range and steps; &apos;alltact devices --details&apos; lists them</source>
@@ -7769,8 +7769,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>&apos;{}&apos; lässt sich nicht ausschalten: Die Helligkeit kann driften</translation>
     </message>
     <message>
-        <source>it sends its pictures in several planes, which cannot be read here</source>
-        <translation>sie sendet ihre Bilder in mehreren Ebenen, die hier nicht gelesen werden können</translation>
+        <source>it sends its images in several planes, which is not supported</source>
+        <translation>sie sendet ihre Bilder in mehreren Ebenen, was nicht unterstützt wird</translation>
     </message>
     <message>
         <source>a USB camera</source>
@@ -7781,8 +7781,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>sie kann nicht streamen</translation>
     </message>
     <message>
-        <source>it has no format that can be read here</source>
-        <translation>sie hat kein Format, das hier gelesen werden kann</translation>
+        <source>it has no supported format</source>
+        <translation>sie hat kein unterstütztes Format</translation>
     </message>
     <message>
         <source>a camera with MJPG or YUYV</source>
@@ -7793,8 +7793,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>sie kann gerade nicht benutzt werden</translation>
     </message>
     <message>
-        <source>the camera is not there</source>
-        <translation>die Kamera ist nicht da</translation>
+        <source>the camera is not connected</source>
+        <translation>die Kamera ist nicht angeschlossen</translation>
     </message>
     <message>
         <source>plug it in</source>
@@ -7810,11 +7810,11 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>no camera was found</source>
-        <translation>keine Kamera wurde gefunden</translation>
+        <translation>es wurde keine Kamera gefunden</translation>
     </message>
     <message>
-        <source>there is no such camera; there is {}</source>
-        <translation>es gibt keine solche Kamera; es gibt {}</translation>
+        <source>there is no such camera; available: {}</source>
+        <translation>es gibt keine solche Kamera; vorhanden: {}</translation>
     </message>
     <message>
         <source>plug one in; &apos;alltact devices&apos; lists what is found</source>
@@ -7825,43 +7825,43 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>einer dieser Namen</translation>
     </message>
     <message>
-        <source>the camera has sent no picture for a second</source>
+        <source>the camera has sent no image for a second</source>
         <translation>die Kamera hat seit einer Sekunde kein Bild gesendet</translation>
     </message>
     <message>
-        <source>look after the cable and the USB port</source>
+        <source>check the cable and the USB port</source>
         <translation>Kabel und USB-Anschluss prüfen</translation>
     </message>
     <message>
-        <source>this node gives no pictures that can be read</source>
-        <translation>dieser Knoten liefert keine lesbaren Bilder</translation>
+        <source>this device node delivers no readable images</source>
+        <translation>dieser Geräteknoten liefert keine lesbaren Bilder</translation>
     </message>
     <message>
         <source>a camera that &apos;alltact devices&apos; lists as usable</source>
         <translation>eine Kamera, die &apos;alltact devices&apos; als brauchbar zeigt</translation>
     </message>
     <message>
-        <source>the camera stopped sending pictures</source>
+        <source>the camera stopped sending images</source>
         <translation>die Kamera sendet keine Bilder mehr</translation>
     </message>
     <message>
-        <source>no picture came for {:.1f} seconds</source>
-        <translation>seit {} Sekunden kam kein Bild</translation>
+        <source>no image arrived for {:.1f} seconds</source>
+        <translation>seit {} Sekunden kam kein Bild an</translation>
     </message>
     <message>
-        <source>look after the cable and the USB port; the stream is being started again</source>
-        <translation>Kabel und USB-Anschluss prüfen; der Bilderstrom wird neu gestartet</translation>
+        <source>check the cable and the USB port; the stream is being restarted</source>
+        <translation>Kabel und USB-Anschluss prüfen; der Datenstrom wird neu gestartet</translation>
     </message>
     <message>
-        <source>a picture cannot be taken</source>
+        <source>an image cannot be captured</source>
         <translation>ein Bild lässt sich nicht aufnehmen</translation>
     </message>
     <message>
-        <source>Pictures come again</source>
-        <translation>Bilder kommen wieder</translation>
+        <source>Images arrive again</source>
+        <translation>Es kommen wieder Bilder an</translation>
     </message>
     <message>
-        <source>the camera is back and has not sent a picture yet</source>
+        <source>the camera is back and has not sent an image yet</source>
         <translation>die Kamera ist wieder da und hat noch kein Bild gesendet</translation>
     </message>
     <message>
@@ -7873,15 +7873,15 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>das Signal der Kamera hat sich geändert: Sie sendete {} und sendet jetzt {}</translation>
     </message>
     <message>
-        <source>look after what is plugged into it, if this was not meant</source>
-        <translation>prüfen, was an ihr angeschlossen ist, falls das nicht gewollt war</translation>
+        <source>check what is plugged into it, if this was not intended</source>
+        <translation>prüfen, was an ihr angeschlossen ist, falls das nicht beabsichtigt war</translation>
     </message>
     <message>
         <source>the camera was unplugged</source>
         <translation>die Kamera wurde abgezogen</translation>
     </message>
     <message>
-        <source>plug it in again; it goes on by itself with the same settings</source>
+        <source>plug it in again; it continues by itself with the same settings</source>
         <translation>wieder einstecken; es geht mit denselben Einstellungen von selbst weiter</translation>
     </message>
     <message>
@@ -7889,8 +7889,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>&apos;{}&apos; wurde von etwas anderem von {} auf {} geändert</translation>
     </message>
     <message>
-        <source>it was put back</source>
-        <translation>es wurde zurückgestellt</translation>
+        <source>it was restored</source>
+        <translation>der Wert wurde wiederhergestellt</translation>
     </message>
     <message>
         <source>sudo usermod -aG video $USER, then log in again; or install packaging/70-alltact.rules in /etc/udev/rules.d and plug the camera in again</source>
@@ -7905,8 +7905,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>dieses Programm schließen (fuser -v /dev/video* nennt es)</translation>
     </message>
     <message>
-        <source>it is not there</source>
-        <translation>sie ist nicht da</translation>
+        <source>it is not connected</source>
+        <translation>sie ist nicht angeschlossen</translation>
     </message>
     <message>
         <source>plug the camera in; &apos;alltact devices&apos; lists what is found</source>
@@ -7917,8 +7917,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>der USB-Anschluss hat keine Bandbreite mehr</translation>
     </message>
     <message>
-        <source>another USB port, MJPG instead of YUYV, or smaller pictures</source>
-        <translation>ein anderer USB-Anschluss, MJPG statt YUYV, oder kleinere Bilder</translation>
+        <source>another USB port, MJPG instead of YUYV, or smaller images</source>
+        <translation>ein anderer USB-Anschluss, MJPG statt YUYV oder kleinere Bilder</translation>
     </message>
     <message>
         <source>the USB connection is disturbed</source>
@@ -7957,7 +7957,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>{} mit {} Bildern je Sekunde</translation>
     </message>
     <message>
-        <source>the camera has no such format that can be read; it offers {}</source>
+        <source>the camera has no such readable format; it offers {}</source>
         <translation>die Kamera hat kein solches lesbares Format; sie bietet {}</translation>
     </message>
     <message>
@@ -7969,7 +7969,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>die Kamera lässt sich nicht öffnen</translation>
     </message>
     <message>
-        <source>this does not answer as a camera</source>
+        <source>this does not answer like a camera</source>
         <translation>dies antwortet nicht wie eine Kamera</translation>
     </message>
     <message>
@@ -7977,8 +7977,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>das Format der Kamera lässt sich nicht auf {} stellen</translation>
     </message>
     <message>
-        <source>the camera was asked for {} and chose {}</source>
-        <translation>die Kamera wurde um {} gebeten und wählte {}</translation>
+        <source>{} was requested, but the camera chose {}</source>
+        <translation>{} war angefordert, aber die Kamera wählte {}</translation>
     </message>
     <message>
         <source>a format that &apos;alltact devices --details&apos; lists for it</source>
@@ -7989,7 +7989,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>die Bildrate der Kamera lässt sich nicht einstellen</translation>
     </message>
     <message>
-        <source>the camera takes no buffer</source>
+        <source>the camera accepts no buffer</source>
         <translation>die Kamera nimmt keinen Puffer an</translation>
     </message>
     <message>
@@ -7997,8 +7997,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>die Kamera startet nicht</translation>
     </message>
     <message>
-        <source>the camera gives no buffers</source>
-        <translation>die Kamera gibt keine Puffer</translation>
+        <source>the camera provides no buffers</source>
+        <translation>die Kamera stellt keine Puffer bereit</translation>
     </message>
     <message>
         <source>the camera&apos;s buffer cannot be found</source>
@@ -8006,7 +8006,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>the camera&apos;s buffer cannot be mapped</source>
-        <translation>der Puffer der Kamera lässt sich nicht einblenden</translation>
+        <translation>der Puffer der Kamera lässt sich nicht in den Speicher abbilden</translation>
     </message>
     <message>
         <source>holds more than one document</source>
@@ -8021,15 +8021,15 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>dies ist kein YAML: {}</translation>
     </message>
     <message>
-        <source>look at the brackets, quotes and the space before each key</source>
-        <translation>Klammern, Anführungszeichen und den Leerraum vor jedem Schlüssel ansehen</translation>
+        <source>check the brackets, quotes and the space before each key</source>
+        <translation>Klammern, Anführungszeichen und den Leerraum vor jedem Schlüssel prüfen</translation>
     </message>
     <message>
         <source>is too large to be read</source>
         <translation>ist zu groß, um gelesen zu werden</translation>
     </message>
     <message>
-        <source>a file of fewer entries</source>
+        <source>a file with fewer entries</source>
         <translation>eine Datei mit weniger Einträgen</translation>
     </message>
     <message>
@@ -8037,16 +8037,16 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>unbekannter Schlüssel &apos;{}&apos;</translation>
     </message>
     <message>
-        <source>is not known, and too large or too odd to be kept</source>
-        <translation>ist nicht bekannt, und zu groß oder zu seltsam, um behalten zu werden</translation>
+        <source>is unknown, and too large or too unusual to be stored</source>
+        <translation>ist unbekannt und zu groß oder zu ungewöhnlich, um gespeichert zu werden</translation>
     </message>
     <message>
         <source>remove it</source>
         <translation>entfernen</translation>
     </message>
     <message>
-        <source>is not known here; it is kept as it is</source>
-        <translation>ist hier nicht bekannt; es bleibt, wie es ist</translation>
+        <source>is not known here; it stays unchanged</source>
+        <translation>ist hier nicht bekannt; es bleibt unverändert</translation>
     </message>
     <message>
         <source>&apos;{}&apos;</source>
@@ -8109,8 +8109,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>steht zweimal da</translation>
     </message>
     <message>
-        <source>leave one of the two</source>
-        <translation>eines der beiden stehen lassen</translation>
+        <source>delete one of the two</source>
+        <translation>eines der beiden löschen</translation>
     </message>
     <message>
         <source>add &apos;{}: ...&apos;</source>
@@ -8125,11 +8125,11 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>fehlt</translation>
     </message>
     <message>
-        <source>write &apos;{}&apos; for &apos;{}&apos;</source>
+        <source>write &apos;{}&apos; instead of &apos;{}&apos;</source>
         <translation>&apos;{}&apos; statt &apos;{}&apos; schreiben</translation>
     </message>
     <message>
-        <source>must be a text, not {}</source>
+        <source>must be text, not {}</source>
         <translation>muss ein Text sein, nicht {}</translation>
     </message>
     <message>
@@ -8141,23 +8141,23 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>muss eine Zahl sein, {}, nicht {}</translation>
     </message>
     <message>
-        <source>0 would mean that this is absent, and what is absent is not named</source>
-        <translation>0 hieße, dass dies fehlt, und was fehlt, wird nicht genannt</translation>
+        <source>0 means that it is absent; leave out what is absent</source>
+        <translation>0 bedeutet, dass es fehlt; Fehlendes weglassen</translation>
     </message>
     <message>
-        <source>leave it out, or give {}</source>
-        <translation>weglassen, oder angeben: {}</translation>
+        <source>leave it out, or enter {}</source>
+        <translation>weglassen oder angeben: {}</translation>
     </message>
     <message>
         <source>holds {}, which is not {}</source>
-        <translation>enthält {}, das nicht dem entspricht: {}</translation>
+        <translation>enthält {}; erlaubt ist: {}</translation>
     </message>
     <message>
         <source>must be {}, not {}</source>
         <translation>muss {} sein, nicht {}</translation>
     </message>
     <message>
-        <source>must be a whole number from {} to {}, not {}</source>
+        <source>must be an integer from {} to {}, not {}</source>
         <translation>muss eine ganze Zahl von {} bis {} sein, nicht {}</translation>
     </message>
     <message>
@@ -8170,7 +8170,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>this is not a list of the right length</source>
-        <translation>dies ist keine Liste der richtigen Länge</translation>
+        <translation>dies ist keine Liste mit der richtigen Länge</translation>
     </message>
     <message>
         <source>[{} numbers]</source>
@@ -8181,7 +8181,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>[{} bis {} Zahlen]</translation>
     </message>
     <message>
-        <source>holds {}, which is not a text</source>
+        <source>holds {}, which is not text</source>
         <translation>enthält {}, was kein Text ist</translation>
     </message>
     <message>
@@ -8193,24 +8193,24 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>[[..., ...], ...]</translation>
     </message>
     <message>
-        <source>{}:{}: this is no check and is left out.</source>
-        <translation>{}:{}: Dies ist keine Prüfung und wird weggelassen.</translation>
+        <source>{}:{}: this line is not a check and is ignored.</source>
+        <translation>{}:{}: Diese Zeile ist keine Prüfung und wird übergangen.</translation>
     </message>
     <message>
-        <source>no untouched picture; give one to calibrate with --reference</source>
-        <translation>kein unberührtes Bild; zum Kalibrieren eines mit --reference angeben</translation>
+        <source>no untouched image; specify it with --reference to calibrate</source>
+        <translation>kein unberührtes Bild; beim Kalibrieren eines mit --reference angeben</translation>
     </message>
     <message>
-        <source>no recording of the bending, untouched finger; run alltact reference</source>
-        <translation>keine Aufnahme des sich biegenden, unberührten Fingers; alltact reference ausführen</translation>
+        <source>no recording of the untouched finger bending; run alltact reference</source>
+        <translation>keine Aufnahme des unberührten Fingers beim Biegen; alltact reference ausführen</translation>
     </message>
     <message>
-        <source>one untouched picture</source>
+        <source>one untouched image</source>
         <translation>ein unberührtes Bild</translation>
     </message>
     <message>
-        <source>only {} frames; poses between them are guessed, record more bending</source>
-        <translation>nur {} Bilder; Haltungen dazwischen sind geraten, mehr Biegung aufnehmen</translation>
+        <source>only {} frames; poses between them are estimates, record more bending</source>
+        <translation>nur {} Bilder; Haltungen dazwischen sind geschätzt, mehr Biegung aufnehmen</translation>
     </message>
     <message numerus="yes">
         <source>{} frames</source>
@@ -8221,28 +8221,28 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         </translation>
     </message>
     <message>
-        <source>no layout at rest, so touch cannot be told; run alltact reference again</source>
-        <translation>keine Anordnung in Ruhe, also ist Berührung nicht zu erkennen; alltact reference noch einmal ausführen</translation>
+        <source>no layout at rest, so contact cannot be detected; run alltact reference again</source>
+        <translation>keine Anordnung in Ruhe, daher ist Kontakt nicht erkennbar; alltact reference noch einmal ausführen</translation>
     </message>
     <message>
-        <source>none; poses are told by the shape of the face, which cannot tell twist</source>
-        <translation>keine; Haltungen werden aus der Form der Fläche gelesen, die keine Verdrehung zeigt</translation>
+        <source>none; the pose comes from the shape of the face, which hides twist</source>
+        <translation>keine; die Haltung folgt aus der Form der Fläche, die keine Verdrehung zeigt</translation>
     </message>
     <message>
-        <source>{} markers; touch is told from {:.1f} px of summed offset</source>
-        <translation>{} Marken; Berührung wird ab {} px summierter Verschiebung erkannt</translation>
+        <source>{} markers; contact is detected from {:.1f} px of summed offset</source>
+        <translation>{} Marken; Kontakt wird ab {} px summierter Verschiebung erkannt</translation>
     </message>
     <message>
         <source>not calibrated; run alltact calibrate with ball presses</source>
         <translation>nicht kalibriert; alltact calibrate mit Kugeleindrücken ausführen</translation>
     </message>
     <message>
-        <source>nothing says how it came about or how good it is; run alltact calibrate again</source>
-        <translation>nichts sagt, wie sie entstand oder wie gut sie ist; alltact calibrate noch einmal ausführen</translation>
+        <source>its origin and quality are not recorded; run alltact calibrate again</source>
+        <translation>Herkunft und Güte sind nicht verzeichnet; alltact calibrate noch einmal ausführen</translation>
     </message>
     <message>
-        <source>made at an unknown date</source>
-        <translation>an einem unbekannten Tag gemacht</translation>
+        <source>made on an unknown date</source>
+        <translation>an einem unbekannten Tag erstellt</translation>
     </message>
     <message>
         <source>made {}</source>
@@ -8253,16 +8253,16 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>die Kalibrierung lässt sich nicht wiederholen: {}.</translation>
     </message>
     <message>
-        <source>{} of {} press pictures are gone, so the calibration cannot be repeated</source>
-        <translation>{} von {} Eindruckbildern fehlen, also lässt sich die Kalibrierung nicht wiederholen</translation>
+        <source>{} of {} press images are missing, so the calibration cannot be repeated</source>
+        <translation>{} von {} Eindruckbildern fehlen, daher lässt sich die Kalibrierung nicht wiederholen</translation>
     </message>
     <message>
-        <source>what is kept is of a calibration that was cut off; complete it with {}</source>
-        <translation>was aufbewahrt ist, stammt von einer abgebrochenen Kalibrierung; zu Ende führen mit {}</translation>
+        <source>the stored data is of an interrupted calibration; complete it with {}</source>
+        <translation>die gespeicherten Daten stammen von einer abgebrochenen Kalibrierung; zu Ende führen mit {}</translation>
     </message>
     <message>
-        <source>{} pictures kept</source>
-        <translation>{} Bilder aufbewahrt</translation>
+        <source>{} images stored</source>
+        <translation>{} Bilder gespeichert</translation>
     </message>
     <message>
         <source>{}, {} x {} px</source>
@@ -8277,8 +8277,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>{}: der Kontakt bedeckt zu wenige Pixel</translation>
     </message>
     <message>
-        <source>pressing deeper, or a larger picture</source>
-        <translation>tiefer drücken, oder ein größeres Bild</translation>
+        <source>pressing deeper, or a larger image</source>
+        <translation>tiefer drücken oder ein größeres Bild</translation>
     </message>
     <message>
         <source>{}: no ball fits the contact</source>
@@ -8297,8 +8297,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>es wurde keine Fläche gefunden</translation>
     </message>
     <message>
-        <source>the contacts have no ball&apos;s shape: is ball or face dirty?</source>
-        <translation>die Kontakte haben nicht die Form einer Kugel: Ist Kugel oder Fläche schmutzig?</translation>
+        <source>the contacts are not ball-shaped: is the ball or face dirty?</source>
+        <translation>die Kontakte sind nicht kugelförmig: Ist Kugel oder Fläche schmutzig?</translation>
     </message>
     <message>
         <source>shallow</source>
@@ -8309,8 +8309,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>tief</translation>
     </message>
     <message>
-        <source>the mapping reads {:.0f} % too {}: layer, ball or camera are not what they were</source>
-        <translation>die Abbildung liest {} % zu {}: Schicht, Kugel oder Kamera sind nicht mehr, was sie waren</translation>
+        <source>the mapping reads {:.0f} % too {}: layer, ball or camera have changed</source>
+        <translation>die Abbildung misst {} % zu {}: Schicht, Kugel oder Kamera haben sich geändert</translation>
     </message>
     <message>
         <source>brighter</source>
@@ -8321,8 +8321,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>dunkler</translation>
     </message>
     <message>
-        <source>the face is {:.1f} % {} than it was: look at lamps, exposure and layer</source>
-        <translation>die Fläche ist {} % {} als zuvor: Lampen, Belichtung und Schicht ansehen</translation>
+        <source>the face is {:.1f} % {} than before: check lamps, exposure and layer</source>
+        <translation>die Fläche ist {} % {} als zuvor: Lampen, Belichtung und Schicht prüfen</translation>
     </message>
     <message>
         <source>pass</source>
@@ -8353,11 +8353,11 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>alltact calibrate</translation>
     </message>
     <message>
-        <source>the finger does not tell the ball it was calibrated with</source>
-        <translation>der Finger sagt nicht, mit welcher Kugel er kalibriert wurde</translation>
+        <source>the finger&apos;s data does not name its calibration ball</source>
+        <translation>die Daten des Fingers nennen seine Kalibrierkugel nicht</translation>
     </message>
     <message>
-        <source>--ball-radius-mm with the radius of the ball that was pressed</source>
+        <source>--ball-radius-mm with the radius of the pressed ball</source>
         <translation>--ball-radius-mm mit dem Radius der eingedrückten Kugel</translation>
     </message>
     <message>
@@ -8365,7 +8365,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Eindrücke werden gemessen</translation>
     </message>
     <message>
-        <source>no press is called &apos;{}&apos;</source>
+        <source>no press is named &apos;{}&apos;</source>
         <translation>kein Eindruck heißt &apos;{}&apos;</translation>
     </message>
     <message>
@@ -8373,7 +8373,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>kein Eindruck ist brauchbar: {}</translation>
     </message>
     <message>
-        <source>pictures of this finger with the ball pressed 0.3 mm or more into its face</source>
+        <source>images of this finger with the ball pressed 0.3 mm or more into its face</source>
         <translation>Bilder dieses Fingers, in dessen Fläche die Kugel 0.3 mm oder mehr gedrückt ist</translation>
     </message>
     <message>
@@ -8381,12 +8381,12 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Eindrücke der Kalibrierung werden gemessen</translation>
     </message>
     <message>
-        <source>the face is {:.1f} % {} than when its reference was recorded; false depth {:.3f} mm in the worst twentieth of it ({:.3f} mm if the light were not corrected; up to {:.3f} mm is noise)</source>
-        <translation>die Fläche ist {} % {} als bei der Aufnahme ihrer Referenz; falsche Tiefe {} mm in ihrem schlechtesten Zwanzigstel ({} mm, wenn das Licht nicht korrigiert würde; bis {} mm ist Rauschen)</translation>
+        <source>the face is {:.1f} % {} than in its reference; false depth {:.3f} mm in its worst 5 % ({:.3f} mm without light correction; up to {:.3f} mm is noise)</source>
+        <translation>die Fläche ist {} % {} als in ihrer Referenz; falsche Tiefe {} mm in den schlechtesten 5 % ({} mm ohne Lichtkorrektur; bis {} mm ist Rauschen)</translation>
     </message>
     <message>
-        <source>let the lamps warm up, look at exposure and gain, and record the reference again when it goes on</source>
-        <translation>die Lampen warm werden lassen, Belichtung und Verstärkung ansehen und die Referenz neu aufnehmen, wenn es anhält</translation>
+        <source>let the lamps warm up, check exposure and gain, and record the reference again if it persists</source>
+        <translation>die Lampen warm werden lassen, Belichtung und Verstärkung prüfen und die Referenz neu aufnehmen, wenn es anhält</translation>
     </message>
     <message>
         <source>the finger is not calibrated yet</source>
@@ -8401,7 +8401,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>es ließ sich nichts messen</translation>
     </message>
     <message>
-        <source>none of the pictures can be compared with the reference</source>
+        <source>none of the images can be compared with the reference</source>
         <translation>keines der Bilder lässt sich mit der Referenz vergleichen</translation>
     </message>
     <message>
@@ -8409,7 +8409,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>{} ({})</translation>
     </message>
     <message>
-        <source>pictures of the untouched finger in poses that were recorded</source>
+        <source>images of the untouched finger in recorded poses</source>
         <translation>Bilder des unberührten Fingers in aufgenommenen Haltungen</translation>
     </message>
     <message>
@@ -8421,11 +8421,11 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>eine Kamera hinter einem Fenster</translation>
     </message>
     <message>
-        <source>{} has no camera matrix, so {} has no form for it</source>
-        <translation>{} hat keine Kameramatrix, darum hat {} keine Form dafür</translation>
+        <source>{} has no camera matrix, so {} cannot describe it</source>
+        <translation>{} hat keine Kameramatrix, daher kann {} sie nicht beschreiben</translation>
     </message>
     <message>
-        <source>json, or zip for the whole finger</source>
+        <source>json, or zip for the entire finger</source>
         <translation>json, oder zip für den ganzen Finger</translation>
     </message>
     <message>
@@ -8445,11 +8445,11 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>der Ordner des Fingers ließ sich nicht lesen: {}</translation>
     </message>
     <message>
-        <source>its permissions, and that its disk is there</source>
-        <translation>seine Rechte prüfen, und ob sein Datenträger da ist</translation>
+        <source>check its permissions, and that its disk is connected</source>
+        <translation>seine Rechte prüfen und ob sein Datenträger angeschlossen ist</translation>
     </message>
     <message>
-        <source>a zip of the finger cannot lie in the finger&apos;s own folder</source>
+        <source>a zip of the finger cannot be in the finger&apos;s own folder</source>
         <translation>ein Zip des Fingers kann nicht im Ordner des Fingers selbst liegen</translation>
     </message>
     <message>
@@ -8458,15 +8458,15 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>stopped before it was written</source>
-        <translation>angehalten, bevor es geschrieben war</translation>
+        <translation>vor dem Ende des Schreibens angehalten</translation>
     </message>
     <message>
-        <source>The finger has another reference than it was calibrated with: this is a new calibration.</source>
-        <translation>Der Finger hat eine andere Referenz als bei seiner Kalibrierung: Dies ist eine neue Kalibrierung.</translation>
+        <source>The finger&apos;s reference has changed since its calibration: this is a new calibration.</source>
+        <translation>Die Referenz des Fingers hat sich seit seiner Kalibrierung geändert: Dies ist eine neue Kalibrierung.</translation>
     </message>
     <message>
-        <source>The finger&apos;s camera, face or markers are not what they were when it was calibrated: this is a new calibration.</source>
-        <translation>Kamera, Fläche oder Marken des Fingers sind nicht mehr, was sie bei der Kalibrierung waren: Dies ist eine neue Kalibrierung.</translation>
+        <source>The finger&apos;s camera, face or markers have changed since its calibration: this is a new calibration.</source>
+        <translation>Kamera, Fläche oder Marken des Fingers haben sich seit seiner Kalibrierung geändert: Dies ist eine neue Kalibrierung.</translation>
     </message>
     <message>
         <source>The finger was calibrated by version {}: this is a new calibration, by version {}.</source>
@@ -8485,7 +8485,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>neu kalibrieren</translation>
     </message>
     <message>
-        <source>only a flat sensor has one untouched picture</source>
+        <source>only a flat sensor has a single untouched image</source>
         <translation>nur ein flacher Sensor hat ein einziges unberührtes Bild</translation>
     </message>
     <message>
@@ -8501,12 +8501,12 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>fertig</translation>
     </message>
     <message>
-        <source>is no checksum of 16 digits</source>
+        <source>is not a checksum of 16 digits</source>
         <translation>ist keine Prüfsumme aus 16 Ziffern</translation>
     </message>
     <message>
-        <source>names no press</source>
-        <translation>nennt keinen Eindruck</translation>
+        <source>lists no press</source>
+        <translation>führt keinen Eindruck auf</translation>
     </message>
     <message>
         <source>has {} entries for {} presses</source>
@@ -8517,40 +8517,40 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>einer für jeden Eindruck</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; is no picture&apos;s name</source>
-        <translation>&apos;{}&apos; ist kein Name eines Bildes</translation>
+        <source>&apos;{}&apos; is not an image name</source>
+        <translation>&apos;{}&apos; ist kein Bildname</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; is no checksum of 16 digits</source>
+        <source>&apos;{}&apos; is not a checksum of 16 digits</source>
         <translation>&apos;{}&apos; ist keine Prüfsumme aus 16 Ziffern</translation>
     </message>
     <message>
-        <source>names &apos;{}&apos; twice</source>
-        <translation>nennt &apos;{}&apos; zweimal</translation>
+        <source>lists &apos;{}&apos; twice</source>
+        <translation>führt &apos;{}&apos; zweimal auf</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; is not among the presses, and something is said of it</source>
-        <translation>&apos;{}&apos; ist nicht unter den Eindrücken, und es wird etwas darüber gesagt</translation>
+        <source>&apos;{}&apos; is annotated, but is not among the presses</source>
+        <translation>&apos;{}&apos; hat eine Anmerkung, ist aber nicht unter den Eindrücken</translation>
     </message>
     <message>
-        <source>remove that</source>
-        <translation>das entfernen</translation>
+        <source>remove the annotation</source>
+        <translation>die Anmerkung entfernen</translation>
     </message>
     <message>
-        <source>the version of this program that wrote it, or calibrating again with the pictures in presses/ (this version writes &apos;{}&apos;)</source>
-        <translation>die Version dieses Programms, die es schrieb, oder mit den Bildern in presses/ neu kalibrieren (diese Version schreibt &apos;{}&apos;)</translation>
+        <source>the version of this program that wrote it, or calibrating again with the images in presses/ (this version writes &apos;{}&apos;)</source>
+        <translation>die Programmversion, die es schrieb, oder mit den Bildern in presses/ neu kalibrieren (diese Version schreibt &apos;{}&apos;)</translation>
     </message>
     <message>
-        <source>there is nothing to repeat: this finger was not calibrated, or by a version that did not keep what with</source>
-        <translation>es gibt nichts zu wiederholen: Dieser Finger wurde nicht kalibriert, oder mit einer Version, die nicht aufbewahrte, womit</translation>
+        <source>there is nothing to repeat: this finger is not calibrated, or by a version that did not store its data</source>
+        <translation>es gibt nichts zu wiederholen: Dieser Finger ist nicht kalibriert, oder von einer Version, die ihre Daten nicht speicherte</translation>
     </message>
     <message>
-        <source>calibrating it with the pictures in presses/ and --ball-radius-mm</source>
+        <source>calibrating it with the images in presses/ and --ball-radius-mm</source>
         <translation>ihn mit den Bildern in presses/ und --ball-radius-mm kalibrieren</translation>
     </message>
     <message>
-        <source>{:.3f} mm, more than three times the others; look at the picture, or leave it out</source>
-        <translation>{} mm, mehr als das Dreifache der anderen; das Bild ansehen oder ihn weglassen</translation>
+        <source>{:.3f} mm, more than three times the others; check the image, or leave it out</source>
+        <translation>{} mm, mehr als das Dreifache der anderen; das Bild prüfen oder den Eindruck weglassen</translation>
     </message>
     <message>
         <source>only the joint method uses measured depths and punches with a step</source>
@@ -8558,14 +8558,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>leaving them out, or --method joint</source>
-        <translation>sie weglassen, oder --method joint</translation>
+        <translation>sie weglassen oder --method joint</translation>
     </message>
     <message>
         <source>no press can be used</source>
         <translation>kein Eindruck ist brauchbar</translation>
     </message>
     <message>
-        <source>pictures of this finger with a ball pressed into its face</source>
+        <source>images of this finger with a ball pressed into its face</source>
         <translation>Bilder dieses Fingers, in dessen Fläche eine Kugel gedrückt ist</translation>
     </message>
     <message>
@@ -8573,8 +8573,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>wird gelöst</translation>
     </message>
     <message>
-        <source>stopped before the end: this is the best solution until then, without a report; calibrating again from what is kept finishes it</source>
-        <translation>vor dem Ende angehalten: Dies ist die beste Lösung bis dahin, ohne Bericht; neu kalibrieren aus dem, was aufbewahrt ist, schließt es ab</translation>
+        <source>stopped early: this is the best solution so far, without a report; calibrate again from the stored data to finish it</source>
+        <translation>vorzeitig angehalten: Dies ist die beste Lösung bis dahin, ohne Bericht; zum Abschließen aus den gespeicherten Daten neu kalibrieren</translation>
     </message>
     <message>
         <source>comparing with other methods</source>
@@ -8585,19 +8585,19 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>vor dem Ende der Kalibrierung angehalten</translation>
     </message>
     <message>
-        <source>the reference picture</source>
+        <source>the reference image</source>
         <translation>das Referenzbild</translation>
     </message>
     <message>
-        <source>the untouched picture of this sensor, at the size of its presses</source>
+        <source>the untouched image of this sensor, at the size of its presses</source>
         <translation>das unberührte Bild dieses Sensors, in der Größe seiner Eindrücke</translation>
     </message>
     <message>
-        <source>this is not the picture that the finger was calibrated with</source>
+        <source>this is not the image that the finger was calibrated with</source>
         <translation>dies ist nicht das Bild, mit dem der Finger kalibriert wurde</translation>
     </message>
     <message>
-        <source>calibrating anew with the pictures that are there</source>
+        <source>calibrating again with the existing images</source>
         <translation>mit den vorhandenen Bildern neu kalibrieren</translation>
     </message>
     <message>
@@ -8613,8 +8613,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>zwei Eindrücke heißen &apos;{}&apos;</translation>
     </message>
     <message>
-        <source>giving the pictures different names; they are kept by name with the finger</source>
-        <translation>den Bildern verschiedene Namen geben; sie werden beim Finger unter ihrem Namen aufbewahrt</translation>
+        <source>giving the images different names; they are stored by name with the finger</source>
+        <translation>den Bildern verschiedene Namen geben; sie werden beim Finger unter ihrem Namen gespeichert</translation>
     </message>
     <message>
         <source>reading {}</source>
@@ -8625,7 +8625,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>es wurde kein Eindruck angegeben</translation>
     </message>
     <message>
-        <source>at least one picture of a pressed ball</source>
+        <source>at least one image of a pressed ball</source>
         <translation>mindestens ein Bild einer eingedrückten Kugel</translation>
     </message>
     <message>
@@ -8633,24 +8633,24 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>es gibt nur Eindrücke eines Stempels mit einer Stufe</translation>
     </message>
     <message>
-        <source>pressing a ball as well, once at least: a step tells how far apart two depths are, not where they begin</source>
-        <translation>auch eine Kugel eindrücken, mindestens einmal: Eine Stufe sagt, wie weit zwei Tiefen auseinanderliegen, nicht, wo sie beginnen</translation>
+        <source>pressing a ball at least once as well: a step shows how far apart two depths are, not where they begin</source>
+        <translation>auch eine Kugel eindrücken, mindestens einmal: Eine Stufe zeigt den Abstand zweier Tiefen, nicht ihren Nullpunkt</translation>
     </message>
     <message>
         <source>none of {} presses could be used: {}</source>
         <translation>keiner von {} Eindrücken war brauchbar: {}</translation>
     </message>
     <message>
-        <source>pictures in which the ball, and nothing else, is pressed 0.3 mm or more into the face</source>
-        <translation>Bilder, auf denen die Kugel, und nichts sonst, 0.3 mm oder mehr in die Fläche gedrückt ist</translation>
+        <source>images in which the ball, and nothing else, is pressed 0.3 mm or more into the face</source>
+        <translation>Bilder, auf denen nur die Kugel 0.3 mm oder mehr in die Fläche gedrückt ist</translation>
     </message>
     <message>
         <source>stopped before there was a solution</source>
         <translation>angehalten, bevor es eine Lösung gab</translation>
     </message>
     <message>
-        <source>the ball lies {:.1f} mm deep in a layer of {:g} mm</source>
-        <translation>die Kugel liegt {} mm tief in einer Schicht von {} mm</translation>
+        <source>the ball is {:.1f} mm deep in a layer of {:g} mm</source>
+        <translation>die Kugel ist {} mm tief in einer Schicht von {} mm</translation>
     </message>
     <message>
         <source>pressing less deep, and checking the ball&apos;s radius and the camera&apos;s scale in mm per px</source>
@@ -8665,8 +8665,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Eindrücke mit dem größten Restfehler weglassen, ein kleinerer Grad, oder den Radius der Kugel prüfen</translation>
     </message>
     <message>
-        <source>solving: round {}, unknowns move by {:.1e} mm</source>
-        <translation>Lösen: Runde {}, die Unbekannten bewegen sich um {} mm</translation>
+        <source>solving: round {}, unknowns change by {:.1e} mm</source>
+        <translation>Lösen: Runde {}, Unbekannte ändern sich um {} mm</translation>
     </message>
     <message>
         <source>solving all presses together</source>
@@ -8677,15 +8677,15 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>{}, weil dies nicht auf allen Messpunkten steigt: {}</translation>
     </message>
     <message>
-        <source>the solution is no mapping: {}</source>
-        <translation>die Lösung ist keine Abbildung: {}</translation>
+        <source>the solution is not a valid mapping: {}</source>
+        <translation>die Lösung ist keine gültige Abbildung: {}</translation>
     </message>
     <message>
         <source>more presses of different depth, or a lower degree</source>
         <translation>mehr Eindrücke verschiedener Tiefe, oder ein kleinerer Grad</translation>
     </message>
     <message>
-        <source>one press cannot separate the ball&apos;s depth from the mapping: add presses of different depth at other places</source>
+        <source>one press cannot separate the ball&apos;s depth from the mapping: add presses of different depth at other positions</source>
         <translation>ein Eindruck kann die Tiefe der Kugel nicht von der Abbildung trennen: Eindrücke verschiedener Tiefe an anderen Stellen hinzufügen</translation>
     </message>
     <message>
@@ -8709,31 +8709,31 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>weniger Eindrücke</translation>
     </message>
     <message>
-        <source>how presses become a mapping: all balls and the mapping in one fit; or, to compare with, every ball from its dark border alone: the source paper&apos;s way, a circle on the face, or the cone of the ball&apos;s outline</source>
+        <source>how presses become a mapping: all balls and the mapping in one fit; or, for comparison, every ball from its dark border alone: by the source paper, as a circle on the face, or as the cone of the ball&apos;s outline</source>
         <translation>wie Eindrücke zu einer Abbildung werden: alle Kugeln und die Abbildung in einer Anpassung; oder zum Vergleich jede Kugel nur aus ihrem dunklen Rand: nach der Veröffentlichung, als Kreis auf der Fläche oder als Kegel des Kugelumrisses</translation>
     </message>
     <message>
-        <source>the mapping&apos;s curve; auto: whichever predicts presses left out best</source>
-        <translation>die Kurve der Abbildung; auto: die ausgelassene Eindrücke am besten vorhersagt</translation>
+        <source>the mapping&apos;s curve; auto: whichever best predicts presses left out</source>
+        <translation>die Kurve der Abbildung; auto: diejenige, die ausgelassene Eindrücke am besten vorhersagt</translation>
     </message>
     <message>
         <source>degree of the polynomial; 0: chosen by leaving presses out</source>
         <translation>Grad des Polynoms; 0: durch Auslassen von Eindrücken gewählt</translation>
     </message>
     <message>
-        <source>which thickness of the layer brightness follows: along z, along its normal, or that along z projected onto the normal; auto: along the normal unless presses left out say otherwise</source>
-        <translation>welcher Dicke der Schicht die Helligkeit folgt: längs z, längs ihrer Normalen, oder der längs z, auf die Normale projiziert; auto: längs der Normalen, wenn ausgelassene Eindrücke nichts anderes sagen</translation>
+        <source>the thickness of the layer that brightness follows: along z, along its normal, or that along z projected onto the normal; auto: along the normal unless presses left out show otherwise</source>
+        <translation>die Dicke der Schicht, der die Helligkeit folgt: längs z, längs ihrer Normalen oder die längs z, auf die Normale projiziert; auto: längs der Normalen, wenn ausgelassene Eindrücke nichts anderes zeigen</translation>
     </message>
     <message>
-        <source>whether the mapping may vary slowly over the face, for uneven light or an uneven layer; auto: when presses left out agree clearly better then</source>
-        <translation>ob die Abbildung sich langsam über die Fläche ändern darf, bei ungleichem Licht oder ungleicher Schicht; auto: wenn ausgelassene Eindrücke dann deutlich besser passen</translation>
+        <source>whether the mapping may vary slowly over the face, for uneven light or an uneven layer; auto: if presses left out then agree clearly better</source>
+        <translation>ob die Abbildung sich langsam über die Fläche ändern darf, bei ungleichmäßigem Licht oder ungleichmäßiger Schicht; auto: wenn ausgelassene Eindrücke dann deutlich besser passen</translation>
     </message>
     <message>
-        <source>the inner {:.0f} % of each contact&apos;s radius was used, where the skin surely touches the ball</source>
+        <source>the inner {:.0f} % of each contact&apos;s radius was used, where the skin certainly touches the ball</source>
         <translation>verwendet wurden die inneren {} % des Radius jedes Kontakts, wo die Haut die Kugel sicher berührt</translation>
     </message>
     <message>
-        <source>the inner {:.0f} % of each contact&apos;s radius was used; the skin comes back from the ball over {:.2f} mm</source>
+        <source>the inner {:.0f} % of each contact&apos;s radius was used; the skin leaves the ball over {:.2f} mm</source>
         <translation>verwendet wurden die inneren {} % des Radius jedes Kontakts; die Haut löst sich über {} mm von der Kugel</translation>
     </message>
     <message>
@@ -8753,19 +8753,19 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>{}, über die Fläche veränderlich</translation>
     </message>
     <message>
-        <source>its measured depth of {:.3f} +- {:.3f} mm was left out, because the pictures say {:.3f} +- {:.3f} mm; it counts from where the ball first touches, normal to the face</source>
-        <translation>seine gemessene Tiefe von {} +- {} mm wurde weggelassen, denn die Bilder sagen {} +- {} mm; sie zählt von der ersten Berührung der Kugel an, senkrecht zur Fläche</translation>
+        <source>its measured depth of {:.3f} +- {:.3f} mm was left out, because the images show {:.3f} +- {:.3f} mm; depth counts from the ball&apos;s first contact, normal to the face</source>
+        <translation>seine gemessene Tiefe von {} +- {} mm wurde weggelassen, denn die Bilder ergeben {} +- {} mm; die Tiefe zählt vom ersten Kontakt der Kugel an, senkrecht zur Fläche</translation>
     </message>
     <message>
-        <source>its step of {:.3f} mm was left out, because the balls say {:.3f} +- {:.3f} mm; is the balls&apos; radius right</source>
-        <translation>seine Stufe von {} mm wurde weggelassen, denn die Kugeln sagen {} +- {} mm; stimmt der Radius der Kugeln</translation>
+        <source>its step of {:.3f} mm was left out, because the balls show {:.3f} +- {:.3f} mm; check the balls&apos; radius</source>
+        <translation>seine Stufe von {} mm wurde weggelassen, denn die Kugeln ergeben {} +- {} mm; den Radius der Kugeln prüfen</translation>
     </message>
     <message>
         <source>trying a {}</source>
         <translation>wird versucht: {}</translation>
     </message>
     <message>
-        <source>least error on presses left out, {:.4f} mm</source>
+        <source>smallest error on presses left out, {:.4f} mm</source>
         <translation>kleinster Fehler bei ausgelassenen Eindrücken, {} mm</translation>
     </message>
     <message>
@@ -8773,35 +8773,35 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>{} mm bei ausgelassenen Eindrücken, vom besten nicht zu unterscheiden ({}, {} mm) und einfacher</translation>
     </message>
     <message>
-        <source>with one press nothing can be held out</source>
-        <translation>mit einem Eindruck lässt sich nichts auslassen</translation>
+        <source>a single press cannot be left out</source>
+        <translation>ein einzelner Eindruck lässt sich nicht auslassen</translation>
     </message>
     <message>
-        <source>as asked for</source>
-        <translation>wie verlangt</translation>
+        <source>as requested</source>
+        <translation>wie angefordert</translation>
     </message>
     <message>
-        <source>the mapping varies over the face, as uneven light or an uneven layer make it: by {:+.0f} % from the presses nearest to the base to those nearest to the tip, by {:+.0f} % from side to side; {:.4f} mm on presses left out, against {:.4f} mm with one mapping for all</source>
-        <translation>die Abbildung ändert sich über die Fläche, wie ungleiches Licht oder eine ungleiche Schicht es bewirken: um {} % von den Eindrücken nahe dem Fuß zu denen nahe der Spitze, um {} % von Seite zu Seite; {} mm bei ausgelassenen Eindrücken, gegen {} mm mit einer Abbildung für alle</translation>
+        <source>the mapping varies over the face, as with uneven light or layer: by {:+.0f} % from the presses nearest the base to those nearest the tip, by {:+.0f} % from side to side; error on presses left out {:.4f} mm, against {:.4f} mm with one mapping for all</source>
+        <translation>die Abbildung ändert sich über die Fläche, wie bei ungleichmäßigem Licht oder ungleichmäßiger Schicht: um {} % von den Eindrücken nahe dem Fuß zu denen nahe der Spitze, um {} % von Seite zu Seite; Fehler bei ausgelassenen Eindrücken {} mm, gegen {} mm mit einer Abbildung für alle</translation>
     </message>
     <message>
         <source>no circle goes through the dark border</source>
         <translation>kein Kreis geht durch den dunklen Rand</translation>
     </message>
     <message>
-        <source>the circle&apos;s middle lies off the face</source>
-        <translation>die Mitte des Kreises liegt neben der Fläche</translation>
+        <source>the circle&apos;s centre is off the face</source>
+        <translation>der Mittelpunkt des Kreises liegt außerhalb der Fläche</translation>
     </message>
     <message>
-        <source>the circle lies off the face</source>
-        <translation>der Kreis liegt neben der Fläche</translation>
+        <source>the circle is off the face</source>
+        <translation>der Kreis liegt außerhalb der Fläche</translation>
     </message>
     <message>
         <source>the circle is larger than the ball</source>
         <translation>der Kreis ist größer als die Kugel</translation>
     </message>
     <message>
-        <source>{:.0f} degrees of the ball&apos;s outline are seen, a cone needs {:.0f}; the rest of the dark border is where the skin leaves the ball</source>
+        <source>{:.0f} degrees of the ball&apos;s outline are visible, a cone needs {:.0f}; the rest of the dark border is where the skin leaves the ball</source>
         <translation>vom Umriss der Kugel sind {} Grad zu sehen, ein Kegel braucht {}; der übrige dunkle Rand ist dort, wo die Haut die Kugel verlässt</translation>
     </message>
     <message>
@@ -8826,7 +8826,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>the joint method, or more presses of different depth</source>
-        <translation>das gemeinsame Verfahren, oder mehr Eindrücke verschiedener Tiefe</translation>
+        <translation>das gemeinsame Verfahren oder mehr Eindrücke verschiedener Tiefe</translation>
     </message>
     <message>
         <source>the cubic does not increase; degree {} was used instead</source>
@@ -8837,7 +8837,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>das der Veröffentlichung</translation>
     </message>
     <message>
-        <source>{}, in place of the paper&apos;s cubic</source>
+        <source>{}, instead of the paper&apos;s cubic</source>
         <translation>{}, anstelle der kubischen Kurve der Veröffentlichung</translation>
     </message>
     <message>
@@ -8853,12 +8853,12 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>{} mm vom Fuß, {}</translation>
     </message>
     <message>
-        <source>least certain is the scale: all depths may be too large or too small together, by {:.3f} mm at {:.2f} mm (one standard deviation)</source>
-        <translation>am wenigsten sicher ist der Maßstab: Alle Tiefen können zusammen zu groß oder zu klein sein, um {} mm bei {} mm (eine Standardabweichung)</translation>
+        <source>the scale is least certain: all depths may be too large or too small together, by {:.3f} mm at {:.2f} mm (one standard deviation)</source>
+        <translation>am unsichersten ist der Maßstab: Alle Tiefen können gemeinsam zu groß oder zu klein sein, um {} mm bei {} mm (eine Standardabweichung)</translation>
     </message>
     <message>
-        <source>least certain is how shallow and deep go together: by {:.3f} mm at {:.2f} mm (one standard deviation), the other way at the other end</source>
-        <translation>am wenigsten sicher ist, wie flach und tief zusammenhängen: um {} mm bei {} mm (eine Standardabweichung), am anderen Ende umgekehrt</translation>
+        <source>the relation of shallow to deep is least certain: by {:.3f} mm at {:.2f} mm (one standard deviation), with opposite sign at the other end</source>
+        <translation>am unsichersten ist das Verhältnis von flach zu tief: um {} mm bei {} mm (eine Standardabweichung), mit umgekehrtem Vorzeichen am anderen Ende</translation>
     </message>
     <message>
         <source>smaller</source>
@@ -8869,7 +8869,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>größer</translation>
     </message>
     <message>
-        <source>a ball 1 % larger than said makes depths {:.1f} % {}; the residual is {:.4f} mm with a radius 1 % smaller, {:.4f} mm as given, {:.4f} mm with one 1 % larger</source>
+        <source>a ball 1 % larger than given makes depths {:.1f} % {}; the residual is {:.4f} mm with a radius 1 % smaller, {:.4f} mm as given, {:.4f} mm with one 1 % larger</source>
         <translation>eine um 1 % größere Kugel als angegeben macht Tiefen {} % {}; der Restfehler ist {} mm mit einem 1 % kleineren Radius, {} mm wie angegeben, {} mm mit einem 1 % größeren</translation>
     </message>
     <message>
@@ -8881,27 +8881,27 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>die Eindrücke können einen falschen Radius nicht zeigen, darum die Kugel auf ein hundertstel Millimeter messen</translation>
     </message>
     <message>
-        <source>press next: at another place, 0.5 to 1 mm deep</source>
+        <source>press next: at another position, 0.5 to 1 mm deep</source>
         <translation>als Nächstes drücken: an einer anderen Stelle, 0.5 bis 1 mm tief</translation>
     </message>
     <message>
-        <source>press next: {}, {:.1f} mm deep; no press tells whether the mapping holds in that third</source>
-        <translation>als Nächstes drücken: {}, {} mm tief; kein Eindruck sagt, ob die Abbildung in diesem Drittel gilt</translation>
+        <source>press next: {}, {:.1f} mm deep; no press shows whether the mapping holds in that third</source>
+        <translation>als Nächstes drücken: {}, {} mm tief; kein Eindruck zeigt, ob die Abbildung in diesem Drittel gilt</translation>
     </message>
     <message>
-        <source>enough: one press more would take the standard deviation of depth from {:.4f} mm to {:.4f} mm at best</source>
-        <translation>genug: Ein Eindruck mehr brächte die Standardabweichung der Tiefe bestenfalls von {} mm auf {} mm</translation>
+        <source>enough: another press would reduce the standard deviation of depth from {:.4f} mm to {:.4f} mm at best</source>
+        <translation>genug: Ein weiterer Eindruck würde die Standardabweichung der Tiefe bestenfalls von {} mm auf {} mm senken</translation>
     </message>
     <message>
-        <source>press next: {}, {:.1f} mm deep; that would take the standard deviation of depth from {:.4f} mm to {:.4f} mm</source>
-        <translation>als Nächstes drücken: {}, {} mm tief; das brächte die Standardabweichung der Tiefe von {} mm auf {} mm</translation>
+        <source>press next: {}, {:.1f} mm deep; that would reduce the standard deviation of depth from {:.4f} mm to {:.4f} mm</source>
+        <translation>als Nächstes drücken: {}, {} mm tief; das würde die Standardabweichung der Tiefe von {} mm auf {} mm senken</translation>
     </message>
     <message>
         <source>looking for the ball in {}</source>
         <translation>Kugel in {} wird gesucht</translation>
     </message>
     <message>
-        <source>the same picture as {}, counted once</source>
+        <source>the same image as {}, counted once</source>
         <translation>dasselbe Bild wie {}, einmal gezählt</translation>
     </message>
     <message>
@@ -8909,7 +8909,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>der Kontakt bedeckt zu wenige Pixel</translation>
     </message>
     <message>
-        <source>pressing the punch in until the skin lies on both of its levels, each 4 mm wide or more</source>
+        <source>pressing the punch in until the skin rests on both of its levels, each 4 mm wide or more</source>
         <translation>den Stempel eindrücken, bis die Haut auf seinen beiden Ebenen aufliegt, jede mindestens 4 mm breit</translation>
     </message>
     <message>
@@ -8917,7 +8917,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>der Stempel berührt zu wenig von der Fläche</translation>
     </message>
     <message>
-        <source>no step is to be seen</source>
+        <source>no step is visible</source>
         <translation>es ist keine Stufe zu sehen</translation>
     </message>
     <message>
@@ -8933,15 +8933,15 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>längs z, auf ihre Normale projiziert</translation>
     </message>
     <message>
-        <source>brightness follows the layer&apos;s thickness {}: {:.4f} mm on presses left out, against {:.4f} mm along its normal</source>
-        <translation>die Helligkeit folgt der Dicke der Schicht {}: {} mm bei ausgelassenen Eindrücken, gegen {} mm längs ihrer Normalen</translation>
+        <source>brightness follows the layer&apos;s thickness {}: error on presses left out {:.4f} mm, against {:.4f} mm along its normal</source>
+        <translation>die Helligkeit folgt der Dicke der Schicht {}: Fehler bei ausgelassenen Eindrücken {} mm, gegen {} mm längs ihrer Normalen</translation>
     </message>
     <message>
-        <source>not fit to measure with</source>
+        <source>unfit for measuring</source>
         <translation>zum Messen nicht geeignet</translation>
     </message>
     <message>
-        <source>press again with a clean ball of the radius given, whole on the face</source>
+        <source>press again with a clean ball of the given radius, entirely on the face</source>
         <translation>neu drücken, mit einer sauberen Kugel des angegebenen Radius, ganz auf der Fläche</translation>
     </message>
     <message>
@@ -8949,8 +8949,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>unbewiesen</translation>
     </message>
     <message>
-        <source>usable for contact and its place</source>
-        <translation>für Kontakt und seinen Ort brauchbar</translation>
+        <source>usable for contact and its position</source>
+        <translation>für Kontakt und seine Position brauchbar</translation>
     </message>
     <message>
         <source>good</source>
@@ -8969,43 +8969,43 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>{} x {} {}</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; is no board; it takes two counts from 3 to 100</source>
-        <translation>&apos;{}&apos; ist keine Tafel; sie braucht zwei Anzahlen von 3 bis 100</translation>
+        <source>&apos;{}&apos; is not a board; it needs two counts from 3 to 100</source>
+        <translation>&apos;{}&apos; ist keine Tafel; nötig sind zwei Anzahlen von 3 bis 100</translation>
     </message>
     <message>
         <source>9x6 for nine inner corners in a row and six rows</source>
         <translation>9x6 für neun innere Ecken in einer Zeile und sechs Zeilen</translation>
     </message>
     <message>
-        <source>the board finder gave up: {}</source>
-        <translation>die Suche nach der Tafel gab auf: {}</translation>
+        <source>the search for the board failed: {}</source>
+        <translation>die Suche nach der Tafel ist gescheitert: {}</translation>
     </message>
     <message>
-        <source>another picture</source>
+        <source>another image</source>
         <translation>ein anderes Bild</translation>
     </message>
     <message>
-        <source>only {} different views of the board are left, {} are needed at least</source>
-        <translation>nur {} verschiedene Ansichten der Tafel bleiben, mindestens {} sind nötig</translation>
+        <source>only {} different views of the board are left; at least {} are needed</source>
+        <translation>nur {} verschiedene Ansichten der Tafel sind übrig; mindestens {} sind nötig</translation>
     </message>
     <message>
-        <source>{} pictures or more, with the board tilted and in all parts of the picture</source>
+        <source>{} images or more, with the board tilted and in all parts of the image</source>
         <translation>{} Bilder oder mehr, mit geneigter Tafel und in allen Teilen des Bildes</translation>
     </message>
     <message>
-        <source>shows the board just where {} shows it</source>
+        <source>shows the board exactly where {} shows it</source>
         <translation>zeigt die Tafel genau dort, wo {} sie zeigt</translation>
     </message>
     <message>
-        <source>no flat board can look so</source>
+        <source>no flat board can look like this</source>
         <translation>so kann keine flache Tafel aussehen</translation>
     </message>
     <message>
-        <source>stopped before the lens was known</source>
-        <translation>angehalten, bevor das Objektiv bekannt war</translation>
+        <source>stopped before the lens was estimated</source>
+        <translation>angehalten, bevor das Objektiv bestimmt war</translation>
     </message>
     <message>
-        <source>views that reach into the picture&apos;s corners, or another --model</source>
+        <source>views that reach into the image&apos;s corners, or another --model</source>
         <translation>Ansichten, die in die Ecken des Bildes reichen, oder ein anderes --model</translation>
     </message>
     <message>
@@ -9017,59 +9017,59 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Hälften werden verglichen</translation>
     </message>
     <message>
-        <source>with {} coefficients of distortion the lens folds over inside the picture or stays undetermined; {} are used</source>
-        <translation>mit {} Koeffizienten der Verzeichnung faltet sich das Objektiv im Bild oder bleibt unbestimmt; {} werden verwendet</translation>
+        <source>with {} distortion coefficients the lens folds over inside the image or stays undetermined; {} are used</source>
+        <translation>mit {} Verzeichnungskoeffizienten faltet sich das Objektiv im Bild oder bleibt unbestimmt; {} werden verwendet</translation>
     </message>
     <message>
-        <source>corners scatter by {:.2f} px; good boards give 0.2 or less: look at focus, motion, and whether the board is flat</source>
-        <translation>die Ecken streuen um {} px; gute Tafeln ergeben 0.2 oder weniger: Schärfe, Bewegung und Ebenheit der Tafel ansehen</translation>
+        <source>corners scatter by {:.2f} px; good boards give 0.2 or less: check focus, motion, and whether the board is flat</source>
+        <translation>die Ecken streuen um {} px; gute Tafeln ergeben 0.2 oder weniger: Schärfe, Bewegung und Ebenheit der Tafel prüfen</translation>
     </message>
     <message>
-        <source>stopped before everything was judged</source>
-        <translation>angehalten, bevor alles beurteilt war</translation>
+        <source>stopped before everything was evaluated</source>
+        <translation>angehalten, bevor alles ausgewertet war</translation>
     </message>
     <message>
-        <source>What is printed on the board</source>
-        <translation>Was auf die Tafel gedruckt ist</translation>
+        <source>Pattern printed on the board</source>
+        <translation>Auf die Tafel gedrucktes Muster</translation>
     </message>
     <message>
         <source>brown up to about 120 degrees of view, fisheye beyond</source>
         <translation>brown bis etwa 120 Grad Bildwinkel, darüber fisheye</translation>
     </message>
     <message>
-        <source>Distance of the finger, at which errors are told in mm</source>
-        <translation>Abstand des Fingers, bei dem Fehler in mm angegeben werden</translation>
+        <source>Distance of the finger, for errors in mm</source>
+        <translation>Abstand des Fingers, für Fehlerangaben in mm</translation>
     </message>
     <message>
-        <source>ChArUco: the markers&apos; family</source>
-        <translation>ChArUco: die Familie der Marken</translation>
+        <source>ChArUco: family of the markers</source>
+        <translation>ChArUco: Familie der Marker</translation>
     </message>
     <message>
-        <source>ChArUco: a marker&apos;s side as part of a square&apos;s</source>
-        <translation>ChArUco: die Seite einer Marke als Teil der Seite eines Quadrats</translation>
+        <source>ChArUco: a marker&apos;s side as a fraction of a square&apos;s</source>
+        <translation>ChArUco: Seite eines Markers als Bruchteil der Seite eines Quadrats</translation>
     </message>
     <message>
-        <source>all {} views show the board in the same place</source>
-        <translation>alle {} Ansichten zeigen die Tafel am selben Ort</translation>
+        <source>all {} views show the board in the same position</source>
+        <translation>alle {} Ansichten zeigen die Tafel an derselben Position</translation>
     </message>
     <message>
-        <source>move and tilt the board, or the camera, between pictures</source>
+        <source>move and tilt the board, or the camera, between images</source>
         <translation>Tafel oder Kamera zwischen den Bildern bewegen und neigen</translation>
     </message>
     <message>
-        <source>looking for a first lens</source>
-        <translation>ein erstes Objektiv wird gesucht</translation>
+        <source>estimating a first lens</source>
+        <translation>ein erstes Objektiv wird geschätzt</translation>
     </message>
     <message>
         <source>fitting the lens</source>
         <translation>das Objektiv wird angepasst</translation>
     </message>
     <message>
-        <source>no {} with {} can be seen</source>
+        <source>no {} with {} is visible</source>
         <translation>nicht zu sehen: {} mit {}</translation>
     </message>
     <message>
-        <source>the picture has hardly any contrast</source>
+        <source>the image has hardly any contrast</source>
         <translation>das Bild hat kaum Kontrast</translation>
     </message>
     <message>
@@ -9077,15 +9077,15 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>mehr Licht, und die Tafel scharf</translation>
     </message>
     <message>
-        <source>a large part of the picture is white without detail</source>
-        <translation>ein großer Teil des Bildes ist weiß ohne Zeichnung</translation>
+        <source>a large part of the image is white without detail</source>
+        <translation>ein großer Teil des Bildes ist weiß, ohne Details</translation>
     </message>
     <message>
         <source>a shorter exposure</source>
         <translation>eine kürzere Belichtung</translation>
     </message>
     <message>
-        <source>the whole board in the picture, with its white border, sharp and evenly lit</source>
+        <source>the entire board in the image, with its white border, sharp and evenly lit</source>
         <translation>die ganze Tafel im Bild, mit ihrem weißen Rand, scharf und gleichmäßig beleuchtet</translation>
     </message>
     <message>
@@ -9101,19 +9101,19 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>keine einzige ihrer Marken</translation>
     </message>
     <message>
-        <source>only {} of the ChArUco board&apos;s corners can be seen, {} are needed</source>
-        <translation>nur {} Ecken der ChArUco-Tafel sind zu sehen, {} sind nötig</translation>
+        <source>only {} of the ChArUco board&apos;s corners are visible, {} are needed</source>
+        <translation>nur {} Ecken der ChArUco-Tafel sind sichtbar, {} sind nötig</translation>
     </message>
     <message>
-        <source>more of the board in the picture, sharp and evenly lit</source>
+        <source>more of the board in the image, sharp and evenly lit</source>
         <translation>mehr von der Tafel im Bild, scharf und gleichmäßig beleuchtet</translation>
     </message>
     <message>
-        <source>only corners in one line of the ChArUco board can be seen</source>
-        <translation>nur Ecken in einer Linie der ChArUco-Tafel sind zu sehen</translation>
+        <source>only corners in one line of the ChArUco board are visible</source>
+        <translation>nur Ecken auf einer Linie der ChArUco-Tafel sind sichtbar</translation>
     </message>
     <message>
-        <source>more of the board in the picture</source>
+        <source>more of the board in the image</source>
         <translation>mehr von der Tafel im Bild</translation>
     </message>
     <message>
@@ -9121,11 +9121,11 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Punktraster</translation>
     </message>
     <message>
-        <source>a dot of the grid lies at the picture&apos;s border or has no contrast</source>
+        <source>a dot of the grid is at the image border or has no contrast</source>
         <translation>ein Punkt des Rasters liegt am Bildrand oder hat keinen Kontrast</translation>
     </message>
     <message>
-        <source>the whole board in the picture, evenly lit</source>
+        <source>the entire board in the image, evenly lit</source>
         <translation>die ganze Tafel im Bild, gleichmäßig beleuchtet</translation>
     </message>
     <message>
@@ -9217,7 +9217,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>noch {}, geneigt</translation>
     </message>
     <message>
-        <source>large enough to fill the picture</source>
+        <source>large enough to fill the image</source>
         <translation>groß genug, das Bild zu füllen</translation>
     </message>
     <message>
@@ -9242,23 +9242,23 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>these views leave the lens undetermined</source>
-        <translation>diese Ansichten lassen das Objektiv unbestimmt</translation>
+        <translation>diese Ansichten bestimmen das Objektiv nicht</translation>
     </message>
     <message>
         <source>more views, with the board tilted by 20 to 40 degrees in different directions</source>
         <translation>mehr Ansichten, mit der Tafel um 20 bis 40 Grad in verschiedene Richtungen geneigt</translation>
     </message>
     <message>
-        <source>no lens could be fitted to the corners that were found</source>
-        <translation>kein Objektiv ließ sich an die gefundenen Ecken anpassen</translation>
+        <source>no lens model could be fitted to the found corners</source>
+        <translation>an die gefundenen Ecken ließ sich kein Objektivmodell anpassen</translation>
     </message>
     <message>
         <source>a flat board of the size given with --board, and views that show it tilted</source>
         <translation>eine flache Tafel der mit --board angegebenen Größe, und Ansichten, die sie geneigt zeigen</translation>
     </message>
     <message>
-        <source>no lens explains the corners that were found</source>
-        <translation>kein Objektiv erklärt die gefundenen Ecken</translation>
+        <source>no lens model explains the found corners</source>
+        <translation>kein Objektivmodell erklärt die gefundenen Ecken</translation>
     </message>
     <message>
         <source>a flat board of the size given with --board; --model fisheye for a lens wider than 120 degrees</source>
@@ -9281,23 +9281,23 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>aber ausgelassene Ansichten passen schlechter ({} px) als die angepassten ({} px)</translation>
     </message>
     <message>
-        <source>but the views do not cover the picture and the tilts it needs</source>
-        <translation>aber die Ansichten decken Bild und nötige Neigungen nicht ab</translation>
+        <source>but the views cover too little of the image or too few tilts</source>
+        <translation>aber die Ansichten decken zu wenig vom Bild oder zu wenige Neigungen ab</translation>
     </message>
     <message>
-        <source>with so few views none could be left out to show what it is worth</source>
-        <translation>bei so wenigen Ansichten ließ sich keine auslassen, um zu zeigen, was es wert ist</translation>
+        <source>with so few views, none could be left out to test the lens</source>
+        <translation>bei so wenigen Ansichten ließ sich keine zur Prüfung auslassen</translation>
     </message>
     <message>
         <source>take {}</source>
         <translation>aufnehmen: {}</translation>
     </message>
     <message>
-        <source>add views, sharp and tilted, that fill the picture</source>
+        <source>add views, sharp and tilted, that fill the image</source>
         <translation>Ansichten hinzufügen, scharf und geneigt, die das Bild füllen</translation>
     </message>
     <message>
-        <source>no board was found in any of {} pictures</source>
+        <source>no board was found in any of {} images</source>
         <translation>in keinem von {} Bildern wurde eine Tafel gefunden</translation>
     </message>
     <message>
@@ -9313,8 +9313,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>--board mit {}: Gezählt werden innere Ecken, nicht Quadrate</translation>
     </message>
     <message>
-        <source>--board and --pattern as the board is, and the whole board in the picture</source>
-        <translation>--board und --pattern wie die Tafel ist, und die ganze Tafel im Bild</translation>
+        <source>--board and --pattern that match the board, and all of it in the image</source>
+        <translation>--board und --pattern passend zur Tafel, und die ganze Tafel im Bild</translation>
     </message>
     <message>
         <source>stopped while looking for boards; nothing was written</source>
@@ -9325,36 +9325,36 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Tafel in {} wird gesucht</translation>
     </message>
     <message>
-        <source>is {} x {} px, the pictures before it {} x {}</source>
+        <source>is {} x {} px, the images before it {} x {}</source>
         <translation>hat {} x {} px, die Bilder davor {} x {}</translation>
     </message>
     <message>
-        <source>pictures of one camera in one mode; a lens differs with the picture&apos;s size</source>
-        <translation>Bilder einer Kamera in einer Betriebsart; mit der Bildgröße ändert sich das Objektiv</translation>
+        <source>images from one camera in one mode; the lens changes with the image size</source>
+        <translation>Bilder einer Kamera in einer Betriebsart; das Objektiv ändert sich mit der Bildgröße</translation>
     </message>
     <message>
-        <source>another picture is called &apos;{}&apos; as well</source>
+        <source>another image is called &apos;{}&apos; as well</source>
         <translation>ein anderes Bild heißt auch &apos;{}&apos;</translation>
     </message>
     <message>
-        <source>giving the pictures different names</source>
+        <source>giving the images different names</source>
         <translation>den Bildern verschiedene Namen geben</translation>
     </message>
     <message>
-        <source>its corners lie {:.2f} px from where the lens sees them, those of the others {:.2f} px</source>
-        <translation>seine Ecken liegen {} px von dort, wo das Objektiv sie sieht, die der anderen {} px</translation>
+        <source>its corners are {:.2f} px off the lens model, those of the others {:.2f} px</source>
+        <translation>seine Ecken weichen {} px vom Objektivmodell ab, die der anderen {} px</translation>
     </message>
     <message>
         <source>blurred, by motion or focus: its edges are {:.1f} px wide, those of the others {:.1f} px</source>
         <translation>unscharf, durch Bewegung oder Fokus: Seine Kanten sind {} px breit, die der anderen {} px</translation>
     </message>
     <message>
-        <source>the board is bent in it, glue it to something stiff</source>
-        <translation>die Tafel ist darin gebogen, auf etwas Steifes kleben</translation>
+        <source>the board is bent; glue it to something stiff</source>
+        <translation>die Tafel ist gebogen; auf etwas Steifes kleben</translation>
     </message>
     <message>
-        <source>{} of its {} corners lie elsewhere: covered, mirrored in something, or blurred</source>
-        <translation>{} seiner {} Ecken liegen anderswo: verdeckt, gespiegelt oder unscharf</translation>
+        <source>{} of its {} corners are misplaced: covered, reflected or blurred</source>
+        <translation>{} seiner {} Ecken liegen falsch: verdeckt, gespiegelt oder unscharf</translation>
     </message>
     <message>
         <source>moved during the exposure, or not this board</source>
@@ -9381,8 +9381,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>{}, und {}</translation>
     </message>
     <message>
-        <source>the board is not the flat, even one it is taken for: {}; with that allowed for fx would be {:.2f} instead of {:.2f} px; use a board on glass or metal</source>
-        <translation>die Tafel ist nicht so flach und gleichmäßig wie angenommen: {}; berücksichtigt man das, wäre fx {} statt {} px; eine Tafel auf Glas oder Metall verwenden</translation>
+        <source>the board is not flat and even as assumed: {}; corrected for this, fx would be {:.2f} instead of {:.2f} px; use a board on glass or metal</source>
+        <translation>die Tafel ist nicht so flach und gleichmäßig wie angenommen: {}; entsprechend korrigiert wäre fx {} statt {} px; eine Tafel auf Glas oder Metall verwenden</translation>
     </message>
     <message>
         <source>hardly any pixel of the face could be compared with the reference</source>
@@ -9417,19 +9417,19 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>ein Eindruck, bei dem nur die Kugel die Fläche berührt</translation>
     </message>
     <message>
-        <source>the border of the dark part is no arc of a circle</source>
+        <source>the border of the dark part is not a circular arc</source>
         <translation>der Rand des dunklen Teils ist kein Kreisbogen</translation>
     </message>
     <message>
-        <source>a press in which the ball lies wholly on the face</source>
+        <source>a press in which the ball is entirely on the face</source>
         <translation>ein Eindruck, bei dem die Kugel ganz auf der Fläche liegt</translation>
     </message>
     <message>
-        <source>only {:.0f} degrees of the dark disc&apos;s rim lie on the face</source>
+        <source>only {:.0f} degrees of the dark disc&apos;s rim are on the face</source>
         <translation>nur {} Grad vom Rand der dunklen Scheibe liegen auf der Fläche</translation>
     </message>
     <message>
-        <source>a press nearer to the middle of the face</source>
+        <source>a press closer to the middle of the face</source>
         <translation>ein Eindruck näher an der Mitte der Fläche</translation>
     </message>
     <message>
@@ -9437,27 +9437,27 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>der dunkle Teil hat einen Radius von {} mm, mehr als die Kugel mit {} mm</translation>
     </message>
     <message>
-        <source>checking the ball&apos;s radius, or a picture in which only the ball touches</source>
-        <translation>den Radius der Kugel prüfen, oder ein Bild, auf dem nur die Kugel berührt</translation>
+        <source>checking the ball&apos;s radius, or an image with only the ball in contact</source>
+        <translation>den Radius der Kugel prüfen, oder ein Bild, auf dem nur die Kugel aufliegt</translation>
     </message>
     <message>
-        <source>the dark part is no disc: its rim is off a circle by {:.0f} % of the radius, and {:.0f} % of the circle is dark</source>
+        <source>the dark part is not a disc: its rim is off a circle by {:.0f} % of the radius, and {:.0f} % of the circle is dark</source>
         <translation>der dunkle Teil ist keine Scheibe: Sein Rand weicht um {} % des Radius von einem Kreis ab, und {} % des Kreises sind dunkel</translation>
     </message>
     <message>
-        <source>a picture in which a ball, and only the ball, touches the face</source>
+        <source>an image in which a ball, and only the ball, touches the face</source>
         <translation>ein Bild, auf dem eine Kugel und nur die Kugel die Fläche berührt</translation>
     </message>
     <message>
-        <source>the middle of the dark disc lies off the face</source>
-        <translation>die Mitte der dunklen Scheibe liegt neben der Fläche</translation>
+        <source>the middle of the dark disc is outside the face</source>
+        <translation>die Mitte der dunklen Scheibe liegt außerhalb der Fläche</translation>
     </message>
     <message>
-        <source>the press has no difference picture</source>
+        <source>the press has no difference image</source>
         <translation>der Eindruck hat kein Differenzbild</translation>
     </message>
     <message>
-        <source>taking the picture again</source>
+        <source>taking the image again</source>
         <translation>das Bild noch einmal aufnehmen</translation>
     </message>
     <message>
@@ -9465,32 +9465,32 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>OpenCV scheiterte: {}</translation>
     </message>
     <message>
-        <source>the finger moves: no more than {} of {} frames in a row show the same</source>
-        <translation>der Finger bewegt sich: nicht mehr als {} von {} Bildern hintereinander zeigen dasselbe</translation>
+        <source>the finger moves: at most {} of {} frames in a row are the same</source>
+        <translation>der Finger bewegt sich: höchstens {} von {} Bildern hintereinander sind gleich</translation>
     </message>
     <message>
-        <source>holding ball and finger still for half a second, at a steady light</source>
+        <source>holding ball and finger still for half a second, in steady light</source>
         <translation>Kugel und Finger bei gleichmäßigem Licht eine halbe Sekunde stillhalten</translation>
     </message>
     <message>
-        <source>the mean of {} frames held still, of {} read</source>
-        <translation>das Mittel von {} stillgehaltenen Bildern, von {} gelesenen</translation>
+        <source>the mean of {} still frames, of {} read</source>
+        <translation>das Mittel aus {} ruhigen Bildern, von {} gelesenen</translation>
     </message>
     <message>
-        <source>the ball that was put there by hand does not touch the face</source>
-        <translation>die von Hand gelegte Kugel berührt die Fläche nicht</translation>
+        <source>the ball that was set by hand does not touch the face</source>
+        <translation>die von Hand gesetzte Kugel berührt die Fläche nicht</translation>
     </message>
     <message>
-        <source>moving its outline onto the dark disc, or having the ball found</source>
+        <source>moving its outline to the dark disc, or automatic detection</source>
         <translation>ihren Umriss auf die dunkle Scheibe ziehen oder die Kugel suchen lassen</translation>
     </message>
     <message>
-        <source>one for each press, &quot;&quot; where there is nothing to say</source>
-        <translation>eines für jeden Eindruck, &quot;&quot; wo nichts zu sagen ist</translation>
+        <source>one for each press, &quot;&quot; for none</source>
+        <translation>ein Eintrag für jeden Eindruck, &quot;&quot; für keinen</translation>
     </message>
     <message>
-        <source>is not the centre of a ball before the camera</source>
-        <translation>ist nicht die Mitte einer Kugel vor der Kamera</translation>
+        <source>is not a ball centre in front of the camera</source>
+        <translation>ist kein Kugelmittelpunkt vor der Kamera</translation>
     </message>
     <message>
         <source>x, y, z in mm</source>
@@ -9525,7 +9525,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>die Aufnahme hat kein solches Bild</translation>
     </message>
     <message>
-        <source>frame {} cannot be the finger&apos;s rest: {}</source>
+        <source>frame {} cannot be the rest pose: {}</source>
         <translation>Bild {} kann nicht die Ruhelage des Fingers sein: {}</translation>
     </message>
     <message>
@@ -9545,16 +9545,16 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Bilder {} bis {}: Etwas drückte auf die Kontaktfläche, {} mm von ihrem Fuß (bis zu {} % dunkler als unberührt)</translation>
     </message>
     <message>
-        <source>In {} of {} frames the face is darker than in the others: something pressed on it most of the time, or most poses were shown once. All frames stay in; if anything touched the face, record again, and show each pose several times</source>
-        <translation>In {} von {} Bildern ist die Fläche dunkler als in den übrigen: Meistens drückte etwas darauf, oder die meisten Stellungen wurden nur einmal gezeigt. Alle Bilder bleiben; falls etwas die Fläche berührte, neu aufnehmen und jede Stellung mehrmals zeigen</translation>
+        <source>In {} of {} frames the face is darker than in the others. Something pressed on it most of the time, or most poses occur once. All frames stay in use. If there was contact, record again, and show each pose several times</source>
+        <translation>In {} von {} Bildern ist die Fläche dunkler als in den übrigen. Meistens drückte etwas darauf, oder die meisten Haltungen kommen nur einmal vor. Alle Bilder werden weiter verwendet. Falls etwas die Fläche berührte, neu aufnehmen und jede Haltung mehrmals zeigen</translation>
     </message>
     <message>
-        <source>In {} of {} frames the face is darker than in the brightest, and so are frames of near poses: something pressed on it for long, or these poses were shown once. They stay in; if anything touched the face, record again, and show each pose several times</source>
-        <translation>In {} von {} Bildern ist die Fläche dunkler als in den hellsten, und Bilder ähnlicher Haltung sind es auch: Etwas drückte lange auf sie, oder diese Haltungen wurden nur einmal gezeigt. Sie bleiben darin; falls etwas die Fläche berührte, neu aufnehmen und jede Haltung mehrmals zeigen</translation>
+        <source>In {} of {} frames the face is darker than in the brightest, and so are frames of near poses. Something pressed on it for long, or these poses occur once. They stay in use. If there was contact, record again, and show each pose several times</source>
+        <translation>In {} von {} Bildern ist die Fläche dunkler als in den hellsten, ebenso in Bildern ähnlicher Haltung. Etwas drückte lange darauf, oder diese Haltungen kommen nur einmal vor. Sie werden weiter verwendet. Falls etwas die Fläche berührte, neu aufnehmen und jede Haltung mehrmals zeigen</translation>
     </message>
     <message>
-        <source>only {} frames are left of those that are to be used</source>
-        <translation>von den zu verwendenden Bildern bleiben nur {} übrig</translation>
+        <source>only {} frames are left to use</source>
+        <translation>nur {} Bilder bleiben zur Verwendung übrig</translation>
     </message>
     <message>
         <source>leave out fewer frames</source>
@@ -9565,7 +9565,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>die Fläche ist um {} % heller als ihre Referenz, {} mm von ihrem Fuß: Bei der Aufnahme der Referenz drückte dort etwas, nahe ihrem Bild {}; die Referenz neu aufnehmen</translation>
     </message>
     <message>
-        <source>record again with nothing on the contact face, or say that its skin was changed since</source>
+        <source>record again with nothing on the contact face, or specify that its skin has changed</source>
         <translation>noch einmal aufnehmen, ohne dass etwas die Kontaktfläche berührt, oder angeben, dass ihre Haut seitdem verändert wurde</translation>
     </message>
     <message>
@@ -9577,12 +9577,12 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>in {} von {} Eindrücken ist die Fläche {} mm von ihrem Anfang heller als ihre Referenz: Dort drückte etwas, als die Referenz aufgenommen wurde; neu aufnehmen, dann neu kalibrieren</translation>
     </message>
     <message>
-        <source>{} frames show poses that no other frame shows at another time; whether something pressed on the contact face in them is not known</source>
-        <translation>{} Bilder zeigen Haltungen, die kein anderes Bild zu anderer Zeit zeigt; ob in ihnen etwas auf die Kontaktfläche drückte, ist nicht bekannt</translation>
+        <source>{} frames show poses that occur at no other time; it is unknown whether something pressed on the contact face in them</source>
+        <translation>{} Bilder zeigen Haltungen, die zu keiner anderen Zeit vorkommen; ob darin etwas auf die Kontaktfläche drückte, ist unbekannt</translation>
     </message>
     <message>
-        <source>No markers can be used: {}; poses are told by the shape of the face alone, which cannot tell twist; if the finger has dots, light both side faces so that they stand out, and focus</source>
-        <translation>Keine Marken sind brauchbar: {}. Haltungen werden allein aus der Form der Fläche gelesen, die keine Verdrehung zeigt; hat der Finger Punkte, beide Seitenflächen so beleuchten, dass sie sich abheben, und scharf stellen</translation>
+        <source>No markers can be used: {}. Poses are estimated from the shape of the face alone, without twist. If the finger has dots, light both side faces so that they stand out, and focus</source>
+        <translation>Keine Marken sind brauchbar: {}. Haltungen werden allein aus der Form der Fläche geschätzt, ohne Verdrehung. Hat der Finger Punkte, beide Seitenflächen so beleuchten, dass sie sich abheben, und scharf stellen</translation>
     </message>
     <message>
         <source>Markers {} were not found anywhere; the finger works with the other {}</source>
@@ -9633,11 +9633,11 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>die Spitze weiter zur anderen Seite drücken</translation>
     </message>
     <message>
-        <source>twist it further one way</source>
+        <source>twist it further to one side</source>
         <translation>weiter in die eine Richtung verdrehen</translation>
     </message>
     <message>
-        <source>twist it further the other way</source>
+        <source>twist it further to the other side</source>
         <translation>weiter in die andere Richtung verdrehen</translation>
     </message>
     <message>
@@ -9645,8 +9645,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>biegen, während die Spitze zur Seite gedrückt ist: {} % der Kombinationen wurden gesehen</translation>
     </message>
     <message>
-        <source>a frame shows {} dots on the upper and {} on the lower side face (median of {} frames), but no two rows of up to {} that keep their places on the finger</source>
-        <translation>ein Bild zeigt {} Punkte auf der oberen und {} auf der unteren Seitenfläche (Median von {} Bildern), aber keine zwei Reihen von bis zu {}, die ihren Platz auf dem Finger behalten</translation>
+        <source>a frame shows {} dots on the upper and {} on the lower side face (median of {} frames), but no two rows of up to {} with fixed positions on the finger</source>
+        <translation>ein Bild zeigt {} Punkte auf der oberen und {} auf der unteren Seitenfläche (Median von {} Bildern), aber keine zwei Reihen von bis zu {} mit fester Position auf dem Finger</translation>
     </message>
     <message>
         <source>{} dots were found but they fit no pose of the {} markers</source>
@@ -9657,12 +9657,12 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>nur {} von {} Marken gefunden</translation>
     </message>
     <message>
-        <source>the markers lie {:.1f} px from where they can be</source>
-        <translation>die Marken liegen {} px von dort, wo sie sein können</translation>
+        <source>the markers are {:.1f} px off any possible position</source>
+        <translation>die Marken liegen {} px neben jeder möglichen Position</translation>
     </message>
     <message>
-        <source>of {} markers none may be hidden</source>
-        <translation>von {} Marken darf keine verdeckt sein</translation>
+        <source>with {} markers, none may be hidden</source>
+        <translation>bei {} Marken darf keine verdeckt sein</translation>
     </message>
     <message>
         <source>no frame shows the face</source>
@@ -9681,7 +9681,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Bild {} von {} wird gelesen</translation>
     </message>
     <message>
-        <source>a recording made with this finger&apos;s camera, or the right camera.size and orientation</source>
+        <source>a recording from this finger&apos;s camera, or the right camera.size and orientation</source>
         <translation>eine Aufnahme mit der Kamera dieses Fingers, oder die richtige camera.size und orientation</translation>
     </message>
     <message>
@@ -9693,8 +9693,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>angehalten, bevor die Aufnahme geschrieben war</translation>
     </message>
     <message>
-        <source>writing the frames that are kept</source>
-        <translation>behaltene Bilder werden geschrieben</translation>
+        <source>writing the accepted frames</source>
+        <translation>übernommene Bilder werden geschrieben</translation>
     </message>
     <message>
         <source>stopped before the recording was compared</source>
@@ -9709,8 +9709,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>{} Markenpositionen in {} Bildern sind Schätzungen, weil die Marken verdeckt oder nicht gefunden waren</translation>
     </message>
     <message>
-        <source>{} frames are few: a recording of a minute (about 1500 frames) over all directions of bending gives closer references</source>
-        <translation>{} Bilder sind wenig: Eine Aufnahme von einer Minute (etwa 1500 Bilder) über alle Biegerichtungen gibt genauere Referenzen</translation>
+        <source>{} frames are few: one minute (about 1500 frames) over all bending directions gives closer references</source>
+        <translation>{} Bilder sind wenige: Eine Minute (etwa 1500 Bilder) über alle Biegerichtungen gibt genauere Referenzen</translation>
     </message>
     <message>
         <source>Not yet seen: {}</source>
@@ -9721,8 +9721,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>dieser Finger hat keine Marken, um eine Referenz aufzunehmen</translation>
     </message>
     <message>
-        <source>a flat sensor takes one untouched picture</source>
-        <translation>ein flacher Sensor bekommt ein unberührtes Bild</translation>
+        <source>a flat sensor needs one untouched image</source>
+        <translation>ein flacher Sensor braucht ein unberührtes Bild</translation>
     </message>
     <message>
         <source>the recording could not be processed ({})</source>
@@ -9733,15 +9733,15 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Referenz eingerichtet</translation>
     </message>
     <message>
-        <source>only a flat sensor takes one untouched picture as its reference</source>
-        <translation>nur ein flacher Sensor nimmt ein einziges unberührtes Bild als Referenz</translation>
+        <source>only a flat sensor uses one untouched image as its reference</source>
+        <translation>nur ein flacher Sensor nutzt ein einziges unberührtes Bild als Referenz</translation>
     </message>
     <message>
         <source>a recording of the bending, untouched finger</source>
         <translation>eine Aufnahme des sich biegenden, unberührten Fingers</translation>
     </message>
     <message>
-        <source>an untouched picture taken with this sensor&apos;s camera</source>
+        <source>an untouched image taken with this sensor&apos;s camera</source>
         <translation>ein unberührtes Bild von der Kamera dieses Sensors</translation>
     </message>
     <message>
@@ -9753,15 +9753,15 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Eindrücke</translation>
     </message>
     <message>
-        <source>The {} was not taken with one setting of camera and light: {}. Lock them, and record it again.</source>
-        <translation>Nicht mit einer einzigen Einstellung von Kamera und Licht aufgenommen ({}): {}. Sperren Sie sie, und nehmen Sie noch einmal auf.</translation>
+        <source>The {} was taken with changing settings of camera or light: {}. Lock them, and record it again.</source>
+        <translation>Die Einstellungen von Kamera oder Licht änderten sich bei der Aufnahme ({}): {}. Sperren Sie sie, und nehmen Sie noch einmal auf.</translation>
     </message>
     <message>
-        <source>The {} and the {} were taken with other settings: {}. Depth comes from comparing their brightness: record one of them again.</source>
+        <source>The {} and the {} were taken with different settings: {}. Depth comes from comparing their brightness: record one of them again.</source>
         <translation>Mit verschiedenen Einstellungen aufgenommen ({}, {}): {}. Tiefe entsteht aus dem Vergleich ihrer Helligkeit: Nehmen Sie eines davon neu auf.</translation>
     </message>
     <message>
-        <source>The finger was calibrated with other settings: {}. Set them as they were, or calibrate again.</source>
+        <source>The finger was calibrated with other settings: {}. Restore them, or calibrate again.</source>
         <translation>Der Finger wurde mit anderen Einstellungen kalibriert: {}. Stellen Sie sie wie damals ein, oder kalibrieren Sie neu.</translation>
     </message>
     <message>
@@ -9769,16 +9769,16 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>die Helligkeit der unberührten Fläche ändert sich von Eindruck zu Eindruck (Standardabweichung {} %): Belichtung oder Verstärkung ist automatisch, oder Raumlicht dringt ein; beide sperren, den Finger abschirmen und neu drücken</translation>
     </message>
     <message>
-        <source>the untouched face is {:.1f} % {} in all presses than in the reference: the light, the exposure or the gain has changed between them; depth is corrected for it as far as it is smooth, but let the lamps warm up and record the reference again</source>
-        <translation>die unberührte Fläche ist in allen Eindrücken {} % {} als in der Referenz: Licht, Belichtung oder Verstärkung hat sich dazwischen geändert; die Tiefe wird darum korrigiert, soweit es glatt ist, aber lassen Sie die Lampen warm werden und nehmen Sie die Referenz neu auf</translation>
+        <source>the untouched face is {:.1f} % {} in all presses than in the reference: light, exposure or gain has changed in between; the depth is corrected for smooth changes, but let the lamps warm up and record the reference again</source>
+        <translation>die unberührte Fläche ist in allen Eindrücken {} % {} als in der Referenz: Licht, Belichtung oder Verstärkung hat sich dazwischen geändert; gleichmäßige Änderungen werden in der Tiefe korrigiert, aber lassen Sie die Lampen warm werden und nehmen Sie die Referenz neu auf</translation>
     </message>
     <message>
-        <source>in {} of {} presses the finger is bent in a way that the reference recording does not hold, or it has moved in its mount since: record a reference that bends as far, or press with less bending</source>
-        <translation>in {} von {} Eindrücken ist der Finger gebogen, wie es die Referenzaufnahme nicht enthält, oder er hat sich seither in der Halterung bewegt: eine Referenz aufnehmen, die so weit biegt, oder mit weniger Biegung drücken</translation>
+        <source>in {} of {} presses the finger has a bend that the reference recording does not contain, or it has moved in its mount since: record a reference that bends as far, or press with less bending</source>
+        <translation>in {} von {} Eindrücken hat der Finger eine Biegung, die die Referenzaufnahme nicht enthält, oder er hat sich seither in der Halterung bewegt: eine Referenz aufnehmen, die so weit biegt, oder mit weniger Biegung drücken</translation>
     </message>
     <message>
-        <source>no mapping came of it</source>
-        <translation>es ergab keine Abbildung</translation>
+        <source>no mapping resulted</source>
+        <translation>es ergab sich keine Abbildung</translation>
     </message>
     <message>
         <source>left</source>
@@ -9821,8 +9821,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>angehalten</translation>
     </message>
     <message>
-        <source>results and truth are of different size</source>
-        <translation>Ergebnisse und Wahrheit sind verschieden groß</translation>
+        <source>results and ground truth differ in size</source>
+        <translation>Ergebnisse und wahre Werte sind verschieden groß</translation>
     </message>
     <message>
         <source>not as `alltact simulate` and `alltact reconstruct` write it ({})</source>
@@ -9853,12 +9853,12 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>einen Finger öffnen</translation>
     </message>
     <message>
-        <source>this recording is not there any more</source>
-        <translation>Diese Aufnahme ist nicht mehr da</translation>
+        <source>this recording no longer exists</source>
+        <translation>diese Aufnahme ist nicht mehr vorhanden</translation>
     </message>
     <message>
-        <source>plugging in the disk it lies on, or opening another one</source>
-        <translation>den Datenträger anstecken, auf dem sie liegt, oder eine andere öffnen</translation>
+        <source>plugging in its disk, or opening another one</source>
+        <translation>ihren Datenträger anstecken oder eine andere öffnen</translation>
     </message>
     <message>
         <source>there is no face to save</source>
@@ -9878,7 +9878,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>there is no HID device that can be read</source>
-        <translation>Es gibt kein lesbares HID-Gerät</translation>
+        <translation>es gibt kein lesbares HID-Gerät</translation>
     </message>
     <message>
         <source>plugging in a pedal</source>
@@ -9894,18 +9894,18 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>this computer cannot draw in 3D: there is no EGL with OpenGL 3.2</source>
-        <translation>dieser Rechner kann nicht in 3D zeichnen: Es gibt kein EGL mit OpenGL 3.2</translation>
+        <translation>dieser Rechner kann kein 3D darstellen: Es gibt kein EGL mit OpenGL 3.2</translation>
     </message>
     <message>
-        <source>installing libegl1 and libgl1-mesa-dri, which draw in software</source>
-        <translation>libegl1 und libgl1-mesa-dri einrichten, die per Software zeichnen</translation>
+        <source>installing libegl1 and libgl1-mesa-dri, which render in software</source>
+        <translation>libegl1 und libgl1-mesa-dri installieren, die per Software rendern</translation>
     </message>
     <message>
         <source>this is not a session of this program</source>
         <translation>dies ist keine Sitzung dieses Programms</translation>
     </message>
     <message>
-        <source>beginning a new one</source>
+        <source>starting a new one</source>
         <translation>eine neue beginnen</translation>
     </message>
     <message>
@@ -9917,8 +9917,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>auch den Effekt leds nennen</translation>
     </message>
     <message>
-        <source>room light comes on top of that of the lamps</source>
-        <translation>Raumlicht kommt zu dem der Lampen hinzu</translation>
+        <source>room light adds to the light of the lamps</source>
+        <translation>Raumlicht kommt zum Licht der Lampen hinzu</translation>
     </message>
     <message>
         <source>there is no lamp that could fail</source>
@@ -9937,8 +9937,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>es gibt keine Lampe, die warm werden könnte</translation>
     </message>
     <message>
-        <source>no light would be left within the picture</source>
-        <translation>im Bild bliebe stellenweise kein Licht übrig</translation>
+        <source>parts of the image would have no light</source>
+        <translation>Teile des Bildes hätten kein Licht</translation>
     </message>
     <message>
         <source>1 + a r^2 + b r^4 + c r^6 above 0 up to r = 1</source>
@@ -9981,8 +9981,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>mehr als 1</translation>
     </message>
     <message>
-        <source>an orthographic camera has no focal length to blur by</source>
-        <translation>eine orthografische Kamera hat keine Brennweite, die unscharf macht</translation>
+        <source>an orthographic camera has no focal length for blur</source>
+        <translation>eine orthografische Kamera hat keine Brennweite für die Unschärfe</translation>
     </message>
     <message>
         <source>the shutter would be open for longer than a frame lasts</source>
@@ -10017,8 +10017,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>&apos;{}&apos; hat nicht die Form {}</translation>
     </message>
     <message>
-        <source>there is no layer for the bubble to be in</source>
-        <translation>es gibt keine Schicht, in der die Blase sein könnte</translation>
+        <source>the bubble needs a layer</source>
+        <translation>die Blase braucht eine Schicht</translation>
     </message>
     <message>
         <source>name the effect layer too</source>
@@ -10037,28 +10037,28 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Die Flächen des Fingers beleuchten einander</translation>
     </message>
     <message>
-        <source>the faces that light each other are the lit view face and side faces</source>
-        <translation>die Flächen, die einander beleuchten, sind die beleuchtete Sichtfläche und die Seitenflächen</translation>
+        <source>only the lit view face and side faces light each other</source>
+        <translation>nur die beleuchtete Sichtfläche und die Seitenflächen beleuchten einander</translation>
     </message>
     <message>
         <source>name the effects sides and leds too</source>
         <translation>auch die Effekte sides und leds nennen</translation>
     </message>
     <message>
-        <source>The silicone absorbs light on its way</source>
-        <translation>Das Silikon absorbiert Licht auf seinem Weg</translation>
+        <source>The silicone absorbs part of the light</source>
+        <translation>Das Silikon absorbiert einen Teil des Lichts</translation>
     </message>
     <message>
-        <source>Light of the room falls on the faces</source>
+        <source>Room light falls on the faces</source>
         <translation>Raumlicht fällt auf die Flächen</translation>
     </message>
     <message>
-        <source>The camera exposes by itself, by how bright the picture is</source>
-        <translation>Die Kamera belichtet selbst, danach, wie hell das Bild ist</translation>
+        <source>The camera adapts its exposure to the image brightness</source>
+        <translation>Die Kamera passt die Belichtung an die Bildhelligkeit an</translation>
     </message>
     <message>
         <source>The sensor adds a constant to every pixel</source>
-        <translation>Der Sensor legt auf jeden Pixel einen festen Wert</translation>
+        <translation>Der Sensor addiert zu jedem Pixel einen festen Wert</translation>
     </message>
     <message>
         <source>A bubble of air makes the layer thinner</source>
@@ -10073,12 +10073,12 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Einzelne Pixel sind immer dunkel oder immer hell</translation>
     </message>
     <message>
-        <source>What is not at the distance of sharp focus is blurred</source>
-        <translation>Was nicht in der Schärfeebene liegt, wird unscharf</translation>
+        <source>Objects outside the focus distance are blurred</source>
+        <translation>Was nicht in der Schärfeebene liegt, ist unscharf</translation>
     </message>
     <message>
-        <source>Every pixel is a little brighter or darker than its neighbours, always the same way</source>
-        <translation>Jeder Pixel ist etwas heller oder dunkler als seine Nachbarn, immer gleich</translation>
+        <source>Every pixel is always a little brighter or darker than its neighbours</source>
+        <translation>Jeder Pixel ist stets etwas heller oder dunkler als seine Nachbarn</translation>
     </message>
     <message>
         <source>The lamps flicker</source>
@@ -10089,28 +10089,28 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Die Verstärkung der Kamera driftet von Bild zu Bild</translation>
     </message>
     <message>
-        <source>The camera bends its grey levels by a power law</source>
-        <translation>Die Kamera verbiegt ihre Grauwerte nach einem Potenzgesetz</translation>
+        <source>The camera&apos;s grey levels follow a power law</source>
+        <translation>Die Grauwerte der Kamera folgen einem Potenzgesetz</translation>
     </message>
     <message>
-        <source>A lamp mirrors in the face</source>
+        <source>The face reflects a lamp</source>
         <translation>Eine Lampe spiegelt sich in der Fläche</translation>
     </message>
     <message>
-        <source>The coat has a hole through which light comes</source>
-        <translation>Die Deckschicht hat ein Loch, durch das Licht kommt</translation>
+        <source>Light comes through a hole in the coat</source>
+        <translation>Licht kommt durch ein Loch in der Beschichtung</translation>
     </message>
     <message>
         <source>Stray light falls on the sensor</source>
         <translation>Streulicht fällt auf den Sensor</translation>
     </message>
     <message>
-        <source>The finger moves while a picture is exposed</source>
-        <translation>Der Finger bewegt sich, während ein Bild belichtet wird</translation>
+        <source>The finger moves during the exposure</source>
+        <translation>Der Finger bewegt sich während der Belichtung</translation>
     </message>
     <message>
-        <source>The rows of a picture are taken one after the other</source>
-        <translation>Die Zeilen eines Bildes werden nacheinander aufgenommen</translation>
+        <source>The rows of an image are exposed one after the other</source>
+        <translation>Die Zeilen eines Bildes werden nacheinander belichtet</translation>
     </message>
     <message>
         <source>Every row is a little brighter or darker, differently in each frame</source>
@@ -10121,19 +10121,19 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Ein Kratzer läuft über die Fläche</translation>
     </message>
     <message>
-        <source>A speck of dirt lies on the face</source>
+        <source>A speck of dirt is on the face</source>
         <translation>Ein Schmutzfleck liegt auf der Fläche</translation>
     </message>
     <message>
         <source>The layer is not equally thick everywhere</source>
-        <translation>Die Schicht ist nicht überall gleich dick</translation>
+        <translation>Die Dicke der Schicht ist ungleichmäßig</translation>
     </message>
     <message>
-        <source>Part of the light spreads over the whole picture</source>
+        <source>Part of the light spreads over the entire image</source>
         <translation>Ein Teil des Lichts verteilt sich über das ganze Bild</translation>
     </message>
     <message>
-        <source>The picture is darker towards its corners</source>
+        <source>The image is darker towards its corners</source>
         <translation>Das Bild wird zu den Ecken hin dunkler</translation>
     </message>
     <message>
@@ -10145,24 +10145,24 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Punkte sind abgenutzt und blasser</translation>
     </message>
     <message>
-        <source>a point of the mesh is no number</source>
-        <translation>ein Punkt des Netzes ist keine Zahl</translation>
+        <source>a point of the mesh is not a number</source>
+        <translation>ein Punkt des Netzes ist keine gültige Zahl</translation>
     </message>
     <message>
         <source>export it again</source>
         <translation>neu exportieren</translation>
     </message>
     <message>
-        <source>there is no such mesh</source>
-        <translation>dieses Netz gibt es nicht</translation>
+        <source>the mesh does not exist</source>
+        <translation>das Netz gibt es nicht</translation>
     </message>
     <message>
         <source>an STL or OBJ file</source>
         <translation>eine STL- oder OBJ-Datei</translation>
     </message>
     <message>
-        <source>this is not known as a mesh</source>
-        <translation>dies ist kein bekanntes Netzformat</translation>
+        <source>this mesh format is unknown</source>
+        <translation>dieses Netzformat ist unbekannt</translation>
     </message>
     <message>
         <source>a file that ends in .stl or .obj</source>
@@ -10173,8 +10173,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>die Datei des Netzes ist größer als 512 MB</translation>
     </message>
     <message>
-        <source>export it coarser</source>
-        <translation>gröber exportieren</translation>
+        <source>export a coarser mesh</source>
+        <translation>ein gröberes Netz exportieren</translation>
     </message>
     <message>
         <source>the mesh cannot be read</source>
@@ -10205,35 +10205,35 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>es in dem Programm schließen, das es erzeugt hat</translation>
     </message>
     <message>
-        <source>which untouched picture a frame is compared with: the one of the finger at rest, the nearest recorded one, or one computed from the nearest several</source>
-        <translation>mit welchem unberührten Bild verglichen wird: dem des Fingers in Ruhe, dem nächsten aufgenommenen, oder einem aus den nächsten berechneten</translation>
+        <source>which untouched image a frame is compared with: the one of the finger at rest, the nearest recorded one, or one computed from several near ones</source>
+        <translation>mit welchem unberührten Bild ein Bild verglichen wird: dem des Fingers in Ruhe, dem nächsten aufgenommenen oder einem aus mehreren nahen berechneten</translation>
     </message>
     <message>
-        <source>The finger&apos;s body gives way to what pushes it</source>
-        <translation>Der Körper des Fingers gibt dem nach, was ihn drückt</translation>
+        <source>The finger&apos;s body deforms under load</source>
+        <translation>Der Körper des Fingers verformt sich unter Last</translation>
     </message>
     <message>
-        <source>a flat sensor has no body that gives way</source>
-        <translation>ein flacher Sensor hat keinen Körper, der nachgibt</translation>
+        <source>a flat sensor has no body that deforms</source>
+        <translation>ein flacher Sensor hat keinen Körper, der sich verformt</translation>
     </message>
     <message>
         <source>leave body out</source>
         <translation>body weglassen</translation>
     </message>
     <message>
-        <source>nothing pushes, so no body gives way</source>
-        <translation>nichts drückt, also gibt kein Körper nach</translation>
+        <source>nothing pushes, so no body deforms</source>
+        <translation>nichts drückt, also verformt sich kein Körper</translation>
     </message>
     <message>
         <source>name push too</source>
         <translation>auch push nennen</translation>
     </message>
     <message>
-        <source>A cylinder is pressed in lying</source>
-        <translation>Ein Zylinder wird liegend eingedrückt</translation>
+        <source>A cylinder is pressed in sideways</source>
+        <translation>Ein liegender Zylinder wird eingedrückt</translation>
     </message>
     <message>
-        <source>sd_px in place of focus_mm and aperture_mm</source>
+        <source>sd_px instead of focus_mm and aperture_mm</source>
         <translation>sd_px statt focus_mm und aperture_mm</translation>
     </message>
     <message>
@@ -10253,12 +10253,12 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Eine Kante wird in die Fläche gedrückt</translation>
     </message>
     <message>
-        <source>the body would be {:g} mm large</source>
+        <source>the body would be {:g} mm in size</source>
         <translation>der Körper wäre {:g} mm groß</translation>
     </message>
     <message>
-        <source>&apos;scale&apos; says how many mm a unit of the file is</source>
-        <translation>&apos;scale&apos; sagt, wie viele mm eine Einheit der Datei ist</translation>
+        <source>&apos;scale&apos; specifies the mm per unit of the file</source>
+        <translation>&apos;scale&apos; gibt an, wie viele mm eine Einheit der Datei ist</translation>
     </message>
     <message>
         <source>A body is pressed into the face</source>
@@ -10269,8 +10269,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Die Kamera blickt durch ein ebenes Fenster in das Silikon</translation>
     </message>
     <message>
-        <source>parallel rays pass a window unbent</source>
-        <translation>parallele Strahlen gehen ungebrochen durch ein Fenster</translation>
+        <source>a window does not bend parallel rays</source>
+        <translation>ein Fenster bricht parallele Strahlen nicht</translation>
     </message>
     <message>
         <source>leave port out</source>
@@ -10281,8 +10281,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Ein flacher Stempel wird in die Fläche gedrückt</translation>
     </message>
     <message>
-        <source>nothing pushes</source>
-        <translation>nichts drückt</translation>
+        <source>the force is 0</source>
+        <translation>die Kraft ist 0</translation>
     </message>
     <message>
         <source>a force above 0, or no push</source>
@@ -10301,35 +10301,35 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>face: contact</translation>
     </message>
     <message>
-        <source>a body that creeps or is damped remembers a push that is over</source>
-        <translation>in einem Körper, der kriecht oder gedämpft ist, wirkt ein vergangenes Drücken nach</translation>
+        <source>a body with creep or damping still moves after a push ends</source>
+        <translation>in einem Körper mit Kriechen oder Dämpfung wirkt ein beendetes Drücken nach</translation>
     </message>
     <message>
         <source>instead of &apos;until&apos;, a force_N that goes to 0</source>
         <translation>statt &apos;until&apos; ein force_N, das auf 0 geht</translation>
     </message>
     <message>
-        <source>nothing drags</source>
-        <translation>nichts zieht</translation>
+        <source>the drag is 0</source>
+        <translation>die Zugkraft ist 0</translation>
     </message>
     <message>
         <source>another force, or leave it out</source>
         <translation>eine andere Kraft, oder weglassen</translation>
     </message>
     <message>
-        <source>without its body the finger gives way on its contact face only</source>
-        <translation>ohne seinen Körper gibt der Finger nur an seiner Kontaktfläche nach</translation>
+        <source>without its body the finger deforms on its contact face only</source>
+        <translation>ohne seinen Körper verformt sich der Finger nur an seiner Kontaktfläche</translation>
     </message>
     <message>
         <source>name the effect body too</source>
         <translation>auch den Effekt body nennen</translation>
     </message>
     <message>
-        <source>the push bends the finger further than the model reaches</source>
-        <translation>das Drücken biegt den Finger weiter, als das Modell reicht</translation>
+        <source>the push bends the finger beyond the model&apos;s range</source>
+        <translation>das Drücken biegt den Finger über den Bereich des Modells hinaus</translation>
     </message>
     <message>
-        <source>up to {:.2g} of these forces, or a stiffer body</source>
+        <source>up to {:.2g} times these forces, or a stiffer body</source>
         <translation>bis zum {:.2g}-Fachen dieser Kräfte, oder ein steiferer Körper</translation>
     </message>
     <message>
@@ -10361,7 +10361,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>jede Nummer einmal</translation>
     </message>
     <message>
-        <source>a modulus or a length of {:g} is not one of a layer</source>
+        <source>a layer cannot have a modulus or a length of {:g}</source>
         <translation>einen Elastizitätsmodul oder eine Länge von {:g} kann eine Schicht nicht haben</translation>
     </message>
     <message>
@@ -10369,15 +10369,15 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Zahlen über 0</translation>
     </message>
     <message>
-        <source>{:g} N press the ball further into the layer than is known</source>
-        <translation>{:g} N drücken die Kugel tiefer in die Schicht, als bekannt ist</translation>
+        <source>{:g} N press the ball into the layer beyond the known range</source>
+        <translation>{:g} N drücken die Kugel über den bekannten Bereich hinaus in die Schicht</translation>
     </message>
     <message>
         <source>up to {:.3g} N, a larger ball or a harder layer</source>
         <translation>bis {:.3g} N, eine größere Kugel oder eine härtere Schicht</translation>
     </message>
     <message>
-        <source>a modulus or a length of {:g} is not one of a body</source>
+        <source>a body cannot have a modulus or a length of {:g}</source>
         <translation>einen Elastizitätsmodul oder eine Länge von {:g} kann ein Körper nicht haben</translation>
     </message>
     <message>
@@ -10389,7 +10389,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Wände bis {:g} mm</translation>
     </message>
     <message>
-        <source>a coupling of {:g} is not a share</source>
+        <source>a coupling of {:g} is not a fraction</source>
         <translation>eine Kopplung von {:g} ist kein Anteil</translation>
     </message>
     <message>
@@ -10397,7 +10397,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>0 bis 1</translation>
     </message>
     <message>
-        <source>{:g} is no modulus, radius, force or friction of a contact</source>
+        <source>{:g} cannot be a contact&apos;s modulus, radius, force or friction</source>
         <translation>{:g} kann weder Elastizitätsmodul noch Radius, Kraft oder Reibung eines Kontakts sein</translation>
     </message>
     <message>
@@ -10409,8 +10409,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Newton</translation>
     </message>
     <message>
-        <source>{:g} N press the ball further into the body than is known</source>
-        <translation>{:g} N drücken die Kugel tiefer in den Körper, als bekannt ist</translation>
+        <source>{:g} N press the ball into the body beyond the known range</source>
+        <translation>{:g} N drücken die Kugel über den bekannten Bereich hinaus in den Körper</translation>
     </message>
     <message>
         <source>up to {:.3g} N, a larger ball or a harder body</source>
@@ -10421,8 +10421,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>zu einer Härte von {:g} Shore A ist kein Elastizitätsmodul bekannt</translation>
     </message>
     <message>
-        <source>a lens does not change while it looks</source>
-        <translation>ein Objektiv ändert sich nicht während der Aufnahme</translation>
+        <source>a lens does not change over time</source>
+        <translation>ein Objektiv ändert sich nicht mit der Zeit</translation>
     </message>
     <message>
         <source>leave &apos;from&apos; and &apos;until&apos; out</source>
@@ -10433,20 +10433,20 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>angehalten, bevor der Zwilling gefunden war</translation>
     </message>
     <message>
-        <source>there is no pressed picture</source>
+        <source>there is no image of a press</source>
         <translation>es gibt kein Bild eines Eindrucks</translation>
     </message>
     <message>
-        <source>pictures of a ball of known radius pressed into the face</source>
+        <source>images of a ball of known radius pressed into the face</source>
         <translation>Bilder einer Kugel von bekanntem Radius, in die Fläche gedrückt</translation>
     </message>
     <message>
-        <source>noise is told from {} untouched pictures</source>
-        <translation>das Rauschen ist aus {} unberührten Bildern ermittelt</translation>
+        <source>noise is estimated from {} untouched images</source>
+        <translation>das Rauschen ist aus {} unberührten Bildern geschätzt</translation>
     </message>
     <message>
-        <source>noise in time is told from one untouched picture and {} beside its contact</source>
-        <translation>das zeitliche Rauschen ist aus einem unberührten Bild und aus {} neben dem Kontakt ermittelt</translation>
+        <source>temporal noise is estimated from one untouched image and {} outside its contact</source>
+        <translation>das zeitliche Rauschen ist aus einem unberührten Bild und aus {} außerhalb des Kontakts geschätzt</translation>
     </message>
     <message>
         <source>{}: too little around the contact can be compared</source>
@@ -10461,11 +10461,11 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Eindrücke werden angepasst</translation>
     </message>
     <message>
-        <source>not observable: at the end of its range, or another number does the same</source>
-        <translation>nicht bestimmbar: am Ende des Bereichs, oder eine andere Zahl bewirkt dasselbe</translation>
+        <source>not observable: at its limit, or another number has the same effect</source>
+        <translation>nicht bestimmbar: am Ende des Bereichs, oder eine andere Größe wirkt gleich</translation>
     </message>
     <message>
-        <source>hardly observable in these pictures</source>
+        <source>hardly observable in these images</source>
         <translation>aus diesen Bildern kaum bestimmbar</translation>
     </message>
     <message>
@@ -10473,27 +10473,27 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Streuung der Schicht, je mm</translation>
     </message>
     <message>
-        <source>what the coat below the layer reflects</source>
-        <translation>was die Beschichtung unter der Schicht zurückwirft</translation>
+        <source>reflection of the coat below the layer</source>
+        <translation>Reflexion der Beschichtung unter der Schicht</translation>
     </message>
     <message>
-        <source>the coat below the layer is taken to be black: the presses do not say otherwise</source>
-        <translation>die Beschichtung unter der Schicht wird als schwarz angenommen: Die Eindrücke sagen nichts anderes</translation>
+        <source>the coat below the layer is assumed to be black: the presses show nothing else</source>
+        <translation>die Beschichtung unter der Schicht wird als schwarz angenommen: Die Eindrücke zeigen nichts anderes</translation>
     </message>
     <message>
-        <source>absorption in the layer is not observable: scattering and coat bend the same curve</source>
-        <translation>die Absorption in der Schicht ist nicht bestimmbar: Streuung und Beschichtung verbiegen dieselbe Kurve</translation>
+        <source>absorption in the layer is not observable: scattering and coat change the same curve</source>
+        <translation>die Absorption in der Schicht ist nicht bestimmbar: Streuung und Beschichtung verändern dieselbe Kurve</translation>
     </message>
     <message>
         <source>roll-off length, mm</source>
         <translation>Länge des Auslaufs, mm</translation>
     </message>
     <message>
-        <source>no swelling around the contacts is to be seen</source>
-        <translation>um die Kontakte ist keine Wölbung zu sehen</translation>
+        <source>no swelling is visible around the contacts</source>
+        <translation>um die Kontakte ist keine Wölbung sichtbar</translation>
     </message>
     <message>
-        <source>height of the swelling, share of the layer</source>
+        <source>height of the swelling, fraction of the layer</source>
         <translation>Höhe der Wölbung, Anteil der Schicht</translation>
     </message>
     <message>
@@ -10501,32 +10501,32 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>ihr Abstand vom Rand, mm</translation>
     </message>
     <message>
-        <source>how steeply it falls off</source>
-        <translation>wie steil sie abfällt</translation>
+        <source>steepness of its slope</source>
+        <translation>Steilheit ihres Abfalls</translation>
     </message>
     <message>
         <source>blur, standard deviation in pixels</source>
         <translation>Unschärfe, Standardabweichung in Pixeln</translation>
     </message>
     <message>
-        <source>no blur is to be seen beside the roll-off</source>
-        <translation>außer dem Auslauf ist keine Unschärfe zu sehen</translation>
+        <source>no blur is visible apart from the roll-off</source>
+        <translation>außer dem Auslauf ist keine Unschärfe sichtbar</translation>
     </message>
     <message>
         <source>{}: depth, mm</source>
         <translation>{}: Tiefe, mm</translation>
     </message>
     <message>
-        <source>{}: place along the face, mm</source>
-        <translation>{}: Ort längs der Fläche, mm</translation>
+        <source>{}: position along the face, mm</source>
+        <translation>{}: Position längs der Fläche, mm</translation>
     </message>
     <message>
-        <source>{}: place across the face, mm</source>
-        <translation>{}: Ort quer zur Fläche, mm</translation>
+        <source>{}: position across the face, mm</source>
+        <translation>{}: Position quer zur Fläche, mm</translation>
     </message>
     <message>
-        <source>{}: light, share of that in its untouched picture</source>
-        <translation>{}: Licht, Anteil des Lichts in seinem unberührten Bild</translation>
+        <source>{}: light, relative to its untouched image</source>
+        <translation>{}: Licht, relativ zu seinem unberührten Bild</translation>
     </message>
     <message>
         <source>lamp {}: power</source>
@@ -10541,8 +10541,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Lampe {}: Abstand von der Kamera, mm</translation>
     </message>
     <message>
-        <source>the lamps make the light on the face, and need not be where the real ones are: {} of {} places are not observable</source>
-        <translation>die Lampen ergeben das Licht auf der Fläche und müssen nicht dort sein, wo die wirklichen sind: {} von {} Orten sind nicht bestimmbar</translation>
+        <source>the lamps reproduce the light on the face, not the positions of the real ones: {} of {} positions are not observable</source>
+        <translation>die Lampen bilden das Licht auf der Fläche nach, nicht die Positionen der wirklichen: {} von {} Positionen sind nicht bestimmbar</translation>
     </message>
     <message>
         <source>read noise, grey levels</source>
@@ -10553,31 +10553,31 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Schrotrauschen, Graustufen</translation>
     </message>
     <message>
-        <source>shot noise cannot be told from read noise: the face is too evenly lit, or there is none</source>
-        <translation>Schrotrauschen lässt sich nicht von Ausleserauschen unterscheiden: Die Fläche ist zu gleichmäßig beleuchtet, oder es gibt keines</translation>
+        <source>shot noise and read noise cannot be separated: the face is too evenly lit, or shot noise is absent</source>
+        <translation>Schrotrauschen und Ausleserauschen lassen sich nicht trennen: Die Fläche ist zu gleichmäßig beleuchtet, oder es gibt kein Schrotrauschen</translation>
     </message>
     <message>
-        <source>fixed pattern, share</source>
+        <source>fixed pattern, fraction</source>
         <translation>festes Muster, Anteil</translation>
     </message>
     <message>
-        <source>the scene holds the face alone: no side faces, no dots, no twist</source>
+        <source>the scene contains the face only: no side faces, no dots, no twist</source>
         <translation>die Szene enthält nur die Fläche: keine Seitenflächen, keine Punkte, keine Verdrehung</translation>
     </message>
     <message>
-        <source>there is no untouched picture of this finger to compare with</source>
+        <source>there is no untouched image of this finger to compare with</source>
         <translation>es gibt kein unberührtes Bild dieses Fingers zum Vergleichen</translation>
     </message>
     <message>
-        <source>--reference with a picture in which nothing touches it</source>
+        <source>--reference with an image in which nothing touches it</source>
         <translation>--reference mit einem Bild, auf dem ihn nichts berührt</translation>
     </message>
     <message>
-        <source>a picture of this finger, at the size of its camera</source>
+        <source>an image of this finger, at the size of its camera</source>
         <translation>ein Bild dieses Fingers, in der Bildgröße seiner Kamera</translation>
     </message>
     <message>
-        <source>a punch with a step is no ball</source>
+        <source>a punch with a step is not a ball</source>
         <translation>ein Stempel mit einer Stufe ist keine Kugel</translation>
     </message>
     <message>
@@ -10589,19 +10589,19 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>--ball-radius-mm mit dem Radius der Kugel</translation>
     </message>
     <message>
-        <source>no press was given, and the finger keeps none</source>
-        <translation>es wurde kein Eindruck angegeben, und der Finger bewahrt keinen auf</translation>
+        <source>no press was specified, and the finger has none</source>
+        <translation>es wurde kein Eindruck angegeben, und der Finger enthält keinen</translation>
     </message>
     <message>
-        <source>pictures of a ball of known radius pressed into its face</source>
+        <source>images of a ball of known radius pressed into its face</source>
         <translation>Bilder einer Kugel von bekanntem Radius, in seine Fläche gedrückt</translation>
     </message>
     <message>
-        <source>too little of the untouched face is seen</source>
-        <translation>von der unberührten Fläche ist zu wenig zu sehen</translation>
+        <source>too little of the untouched face is visible</source>
+        <translation>von der unberührten Fläche ist zu wenig sichtbar</translation>
     </message>
     <message>
-        <source>pictures in which the whole face is seen</source>
+        <source>images in which the entire face is visible</source>
         <translation>Bilder, auf denen die ganze Fläche zu sehen ist</translation>
     </message>
     <message>
@@ -10617,32 +10617,32 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Lampen werden gesucht</translation>
     </message>
     <message>
-        <source>no lamp comes near the untouched picture</source>
-        <translation>keine Lampe kommt dem unberührten Bild nahe</translation>
+        <source>no lamp reproduces the untouched image</source>
+        <translation>keine Lampe bildet das unberührte Bild annähernd nach</translation>
     </message>
     <message>
-        <source>noise is told from single pictures: a fixed pattern of the camera cannot be told from noise in time</source>
-        <translation>das Rauschen ist aus einzelnen Bildern ermittelt: Ein festes Muster der Kamera lässt sich nicht von zeitlichem Rauschen unterscheiden</translation>
+        <source>noise is estimated from single images: fixed pattern and temporal noise of the camera cannot be separated</source>
+        <translation>das Rauschen ist aus einzelnen Bildern geschätzt: Festes Muster und zeitliches Rauschen der Kamera lassen sich nicht trennen</translation>
     </message>
     <message>
-        <source>too little of the finger&apos;s length is seen</source>
-        <translation>von der Länge des Fingers ist zu wenig zu sehen</translation>
+        <source>too little of the finger&apos;s length is visible</source>
+        <translation>von der Länge des Fingers ist zu wenig sichtbar</translation>
     </message>
     <message>
-        <source>the finger&apos;s base is on the right of the picture, and no scene has it there</source>
-        <translation>der Fuß des Fingers liegt im Bild rechts, und keine Szene hat ihn dort</translation>
+        <source>the finger&apos;s base is on the right of the image, which no scene supports</source>
+        <translation>der Fuß des Fingers liegt im Bild rechts, was keine Szene unterstützt</translation>
     </message>
     <message>
         <source>camera.orientation: flip_u in finger.yaml</source>
         <translation>camera.orientation: flip_u in finger.yaml</translation>
     </message>
     <message>
-        <source>no scene was found whose pictures come near these</source>
-        <translation>es wurde keine Szene gefunden, deren Bilder diesen nahekommen</translation>
+        <source>no scene was found with images close to these</source>
+        <translation>es wurde keine Szene gefunden, deren Bilder diesen ähneln</translation>
     </message>
     <message>
-        <source>pictures of one ball, pressed in where the whole contact is seen</source>
-        <translation>Bilder einer einzigen Kugel, eingedrückt, wo der ganze Kontakt zu sehen ist</translation>
+        <source>images of one ball, pressed in where the entire contact is visible</source>
+        <translation>Bilder einer einzigen Kugel, eingedrückt, wo der ganze Kontakt sichtbar ist</translation>
     </message>
     <message>
         <source>alltact force with a table of this finger&apos;s markers</source>
@@ -10653,8 +10653,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>das Kraftmodell wurde mit {} Marken trainiert, der Finger hat {} andere</translation>
     </message>
     <message>
-        <source>the force model belongs to another reference: its markers rested up to {:.1f} px from where they rest now</source>
-        <translation>das Kraftmodell gehört zu einer anderen Referenz: Seine Marken ruhten bis zu {:.1f} px von dort entfernt, wo sie jetzt ruhen</translation>
+        <source>the force model belongs to another reference: its markers rested up to {:.1f} px off the present positions</source>
+        <translation>das Kraftmodell gehört zu einer anderen Referenz: Die Ruhepositionen seiner Marken weichen bis zu {:.1f} px von den jetzigen ab</translation>
     </message>
     <message>
         <source>train the force model again</source>
@@ -10665,19 +10665,19 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>ist kein Objekt</translation>
     </message>
     <message>
-        <source>is no number</source>
+        <source>is not a number</source>
         <translation>ist keine Zahl</translation>
     </message>
     <message>
-        <source>is no possible number</source>
-        <translation>ist keine mögliche Zahl</translation>
+        <source>is not a valid number</source>
+        <translation>ist keine gültige Zahl</translation>
     </message>
     <message>
-        <source>is no whole number</source>
+        <source>is not an integer</source>
         <translation>ist keine ganze Zahl</translation>
     </message>
     <message>
-        <source>is no list</source>
+        <source>is not a list</source>
         <translation>ist keine Liste</translation>
     </message>
     <message>
@@ -10689,39 +10689,39 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>ist weder true noch false</translation>
     </message>
     <message>
-        <source>must be two places</source>
-        <translation>müssen zwei Orte sein</translation>
+        <source>must be two positions</source>
+        <translation>müssen zwei Positionen sein</translation>
     </message>
     <message>
         <source>must be mean, ridge, quadratic or network</source>
         <translation>muss mean, ridge, quadratic oder network sein</translation>
     </message>
     <message>
-        <source>holds what is no text</source>
+        <source>contains non-text values</source>
         <translation>enthält etwas, das kein Text ist</translation>
     </message>
     <message>
-        <source>has not the shape that the rest of the model needs</source>
-        <translation>hat nicht die Form, die der Rest des Modells braucht</translation>
+        <source>does not have the shape that the model needs</source>
+        <translation>hat nicht die Form, die das Modell braucht</translation>
     </message>
     <message>
         <source>must be above 0</source>
         <translation>muss über 0 sein</translation>
     </message>
     <message>
-        <source>is no possible range</source>
-        <translation>ist kein möglicher Bereich</translation>
+        <source>is not a valid range</source>
+        <translation>ist kein gültiger Bereich</translation>
     </message>
     <message>
-        <source>holds what is no number</source>
-        <translation>enthält etwas, das keine Zahl ist</translation>
+        <source>contains non-numeric values</source>
+        <translation>enthält nichtnumerische Werte</translation>
     </message>
     <message>
         <source>must be 2 or 3</source>
         <translation>muss 2 oder 3 sein</translation>
     </message>
     <message>
-        <source>must be a whole number from 1 to 1024</source>
+        <source>must be an integer from 1 to 1024</source>
         <translation>muss eine ganze Zahl von 1 bis 1024 sein</translation>
     </message>
     <message>
@@ -10737,8 +10737,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>fehlen</translation>
     </message>
     <message>
-        <source>is no force model: it is broken or cut off</source>
-        <translation>ist kein Kraftmodell: Die Datei ist beschädigt oder abgeschnitten</translation>
+        <source>is not a force model: damaged or truncated</source>
+        <translation>ist kein Kraftmodell: beschädigt oder unvollständig</translation>
     </message>
     <message>
         <source>must be two motor positions, the lower one first</source>
@@ -10753,8 +10753,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>muss zwischen 0 und 1000 liegen</translation>
     </message>
     <message>
-        <source>how far a motor position may be off, with the screw&apos;s play</source>
-        <translation>wie weit eine Motorstellung danebenliegen kann, das Spiel der Spindel eingeschlossen</translation>
+        <source>the error of a motor position, with the screw&apos;s play</source>
+        <translation>der Fehler einer Motorstellung, das Spiel der Spindel eingeschlossen</translation>
     </message>
     <message>
         <source>must name the finger&apos;s folder</source>
@@ -10773,8 +10773,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>ein Bereich innerhalb von {:.6g} bis {:.6g}</translation>
     </message>
     <message>
-        <source>must say where the camera sits in one way</source>
-        <translation>muss auf genau eine Art sagen, wo die Kamera sitzt</translation>
+        <source>must specify the camera&apos;s pose exactly once</source>
+        <translation>muss die Lage der Kamera auf genau eine Art angeben</translation>
     </message>
     <message>
         <source>this, or known_at_turns: the motor position at which gripper_from_camera in the finger&apos;s own file holds</source>
@@ -10789,11 +10789,11 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>eine Motorstellung von {:g} bis {:g}</translation>
     </message>
     <message>
-        <source>what is written on the gripper</source>
-        <translation>was auf dem Greifer steht</translation>
+        <source>the name on the gripper</source>
+        <translation>der Name auf dem Greifer</translation>
     </message>
     <message>
-        <source>is the name of the other finger too</source>
+        <source>is also the name of the other finger</source>
         <translation>ist auch der Name des anderen Fingers</translation>
     </message>
     <message>
@@ -10801,8 +10801,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>zwei Namen, zum Beispiel links und rechts</translation>
     </message>
     <message>
-        <source>does not say where the camera sits in the gripper</source>
-        <translation>sagt nicht, wo die Kamera im Greifer sitzt</translation>
+        <source>does not specify the camera&apos;s pose in the gripper</source>
+        <translation>gibt die Lage der Kamera im Greifer nicht an</translation>
     </message>
     <message>
         <source>add gripper_from_camera there, as it is at {:g} turns of the motor</source>
@@ -10818,15 +10818,15 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>the standard deviation of a motor position must be 0 or above</source>
-        <translation>die Standardabweichung einer Motorstellung muss 0 oder größer sein</translation>
+        <translation>die Standardabweichung einer Motorstellung muss mindestens 0 sein</translation>
     </message>
     <message>
         <source>a number of turns</source>
         <translation>eine Zahl von Umdrehungen</translation>
     </message>
     <message>
-        <source>it is not known where the camera of finger {} sits</source>
-        <translation>es ist nicht bekannt, wo die Kamera des Fingers {} sitzt</translation>
+        <source>the camera pose of finger {} is unknown</source>
+        <translation>die Lage der Kamera des Fingers {} ist unbekannt</translation>
     </message>
     <message>
         <source>must be two numbers: x and z in mm</source>
@@ -10901,8 +10901,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>pivot_mm, nut_mm, crank_mm und rod_mm neu messen</translation>
     </message>
     <message>
-        <source>the motor&apos;s position is no number</source>
-        <translation>die Stellung des Motors ist keine Zahl</translation>
+        <source>the motor position is not a number</source>
+        <translation>die Motorstellung ist keine Zahl</translation>
     </message>
     <message>
         <source>at {:.6g} turns the rod&apos;s joint lies on the finger&apos;s axis, so that the finger may stand anywhere</source>
@@ -10969,23 +10969,23 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>&apos;{}&apos; muss die Länge 1 haben</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; is no covariance</source>
+        <source>&apos;{}&apos; is not a covariance</source>
         <translation>&apos;{}&apos; ist keine Kovarianz</translation>
     </message>
     <message>
         <source>&apos;{}&apos; must be 0 or above</source>
-        <translation>&apos;{}&apos; muss 0 oder größer sein</translation>
+        <translation>&apos;{}&apos; muss mindestens 0 sein</translation>
     </message>
     <message>
-        <source>is no JSON object</source>
+        <source>is not a JSON object</source>
         <translation>ist kein JSON-Objekt</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; must be a text</source>
+        <source>&apos;{}&apos; must be text</source>
         <translation>&apos;{}&apos; muss ein Text sein</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; must be a whole number</source>
+        <source>&apos;{}&apos; must be an integer</source>
         <translation>&apos;{}&apos; muss eine ganze Zahl sein</translation>
     </message>
     <message>
@@ -10993,7 +10993,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>&apos;{}&apos; muss eine Liste sein</translation>
     </message>
     <message>
-        <source>a region is no JSON object</source>
+        <source>a region is not a JSON object</source>
         <translation>ein Bereich ist kein JSON-Objekt</translation>
     </message>
     <message>
@@ -11001,7 +11001,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>&apos;{}&apos; muss aufsteigend sein</translation>
     </message>
     <message>
-        <source>is no JSON: {}</source>
+        <source>is not JSON: {}</source>
         <translation>ist kein JSON: {}</translation>
     </message>
     <message>
@@ -11009,12 +11009,12 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>results.jsonl, wie alltact reconstruct es geschrieben hat</translation>
     </message>
     <message>
-        <source>no marker is seen that could tell the force</source>
-        <translation>es ist keine Marke zu sehen, aus der sich die Kraft ermitteln ließe</translation>
+        <source>no marker is visible to estimate the force</source>
+        <translation>es ist keine Marke sichtbar, aus der sich die Kraft schätzen lässt</translation>
     </message>
     <message>
-        <source>the force model was trained with nothing like this frame: its force cannot be relied on; add rows with such forces to the table and train it again</source>
-        <translation>das Kraftmodell wurde mit nichts trainiert, was diesem Bild gleicht: Auf seine Kraft ist kein Verlass; Zeilen mit solchen Kräften zur Tabelle hinzufügen und neu trainieren</translation>
+        <source>the force model was not trained with frames like this one: its force is unreliable; add rows with such forces to the table and train it again</source>
+        <translation>das Kraftmodell wurde nicht mit ähnlichen Bildern trainiert: Seine Kraft ist unzuverlässig; Zeilen mit solchen Kräften zur Tabelle hinzufügen und neu trainieren</translation>
     </message>
     <message>
         <source>{}, trained at an unknown date</source>
@@ -11045,16 +11045,16 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>die Marken wurden in keinem Bild gefunden</translation>
     </message>
     <message>
-        <source>alltact reconstruct, which says why</source>
+        <source>alltact reconstruct, which reports why</source>
         <translation>alltact reconstruct, das den Grund nennt</translation>
     </message>
     <message>
-        <source>The gauge and the camera were on different clocks: their beginnings are taken for one moment.</source>
-        <translation>Kraftmesser und Kamera liefen nach verschiedenen Uhren: Ihre Anfänge gelten als ein Augenblick.</translation>
+        <source>The gauge and the camera used different clocks: their starts are assumed to coincide.</source>
+        <translation>Kraftmesser und Kamera verwendeten verschiedene Uhren: Ihre Anfänge gelten als gleichzeitig.</translation>
     </message>
     <message>
-        <source>the recording&apos;s frames have no times, the gauge has nothing but times</source>
-        <translation>die Bilder der Aufnahme haben keine Zeiten, der Kraftmesser hat nichts als Zeiten</translation>
+        <source>the recording&apos;s frames have no times, the gauge has only times</source>
+        <translation>die Bilder der Aufnahme haben keine Zeiten, der Kraftmesser hat nur Zeiten</translation>
     </message>
     <message>
         <source>a recording of alltact record, or a gauge file with a column &apos;frame&apos;</source>
@@ -11077,8 +11077,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>die Datei des Kraftmessers ist leer</translation>
     </message>
     <message>
-        <source>the column &apos;{}&apos; is given twice</source>
-        <translation>die Spalte &apos;{}&apos; steht zweimal da</translation>
+        <source>the column &apos;{}&apos; appears twice</source>
+        <translation>die Spalte &apos;{}&apos; kommt zweimal vor</translation>
     </message>
     <message>
         <source>the column &apos;{}&apos; is missing</source>
@@ -11089,19 +11089,19 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>es gibt weder eine Spalte &apos;t_s&apos; noch eine Spalte &apos;frame&apos;</translation>
     </message>
     <message>
-        <source>of the place of contact there is only one of along_mm and across_mm</source>
-        <translation>vom Ort des Kontakts gibt es nur eines von along_mm und across_mm</translation>
+        <source>the contact position has only one of along_mm and across_mm</source>
+        <translation>die Kontaktposition hat nur eine der Spalten along_mm und across_mm</translation>
     </message>
     <message>
         <source>has {} cells, not {}</source>
         <translation>hat {} Zellen, nicht {}</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; is no force</source>
+        <source>&apos;{}&apos; is not a force</source>
         <translation>&apos;{}&apos; ist keine Kraft</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; is no time</source>
+        <source>&apos;{}&apos; is not a time</source>
         <translation>&apos;{}&apos; ist keine Zeit</translation>
     </message>
     <message>
@@ -11109,8 +11109,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>{} s kommt nach {} s</translation>
     </message>
     <message>
-        <source>the place of contact is no pair of numbers</source>
-        <translation>der Ort des Kontakts ist kein Zahlenpaar</translation>
+        <source>the contact position is not a pair of numbers</source>
+        <translation>die Kontaktposition ist kein Zahlenpaar</translation>
     </message>
     <message>
         <source>truth.json of a scene whose pushes have forces</source>
@@ -11125,8 +11125,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>enthält ein Bild ohne Namen</translation>
     </message>
     <message>
-        <source>tells no force of any contact</source>
-        <translation>nennt von keinem Kontakt eine Kraft</translation>
+        <source>contains no contact force</source>
+        <translation>enthält keine Kontaktkraft</translation>
     </message>
     <message>
         <source>the table has no column &apos;{}&apos;</source>
@@ -11137,8 +11137,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>die Spalte &apos;{}&apos; ist in allen Zeilen gleich</translation>
     </message>
     <message>
-        <source>--split block, or a table of several</source>
-        <translation>--split block, oder eine Tabelle mit mehreren</translation>
+        <source>--split block, or several values</source>
+        <translation>--split block, oder mehrere Werte</translation>
     </message>
     <message>
         <source>a CSV whose first line names u0, v0, ..., fx_n, fy_n; alltact force --collect makes one</source>
@@ -11173,28 +11173,28 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>{}, Spalte {}</translation>
     </message>
     <message>
-        <source>removing the line, or writing what was measured</source>
-        <translation>die Zeile entfernen, oder schreiben, was gemessen wurde</translation>
+        <source>removing the line, or entering what was measured</source>
+        <translation>die Zeile entfernen, oder eintragen, was gemessen wurde</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; is no number</source>
+        <source>&apos;{}&apos; is not a number</source>
         <translation>&apos;{}&apos; ist keine Zahl</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; is beyond all that can be measured</source>
-        <translation>&apos;{}&apos; liegt jenseits von allem, was sich messen lässt</translation>
+        <source>&apos;{}&apos; is beyond the measurable range</source>
+        <translation>&apos;{}&apos; liegt außerhalb des messbaren Bereichs</translation>
     </message>
     <message>
-        <source>seen is 1 or 0</source>
-        <translation>seen ist 1 oder 0</translation>
+        <source>seen must be 1 or 0</source>
+        <translation>seen muss 1 oder 0 sein</translation>
     </message>
     <message>
         <source>no marker was seen</source>
         <translation>keine Marke war zu sehen</translation>
     </message>
     <message>
-        <source>{} rows are too few to learn from</source>
-        <translation>{} Zeilen sind zu wenige zum Lernen</translation>
+        <source>{} rows are too few to train with</source>
+        <translation>{} Zeilen sind zu wenige für das Training</translation>
     </message>
     <message>
         <source>at least {}, better several hundred</source>
@@ -11221,16 +11221,16 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>eine Tabelle der Marken dieses Fingers</translation>
     </message>
     <message>
-        <source>the finger has no markers, so they cannot tell a force</source>
-        <translation>der Finger hat keine Marken, also können sie keine Kraft anzeigen</translation>
+        <source>the finger has no markers to estimate a force from</source>
+        <translation>der Finger hat keine Marken, aus denen sich eine Kraft schätzen ließe</translation>
     </message>
     <message>
         <source>a finger with markers</source>
         <translation>ein Finger mit Marken</translation>
     </message>
     <message>
-        <source>the finger has no reference, so it is not known where its markers rest</source>
-        <translation>der Finger hat keine Referenz, also ist nicht bekannt, wo seine Marken ruhen</translation>
+        <source>the finger has no reference, so the rest positions of its markers are unknown</source>
+        <translation>der Finger hat keine Referenz, also sind die Ruhepositionen seiner Marken unbekannt</translation>
     </message>
     <message>
         <source>alltact reference</source>
@@ -11241,11 +11241,11 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>die Tabelle hat {} Marken, der Finger hat {}</translation>
     </message>
     <message>
-        <source>the table&apos;s markers are another finger&apos;s: in every row they lie {:.0f} px or more from where this finger&apos;s rest</source>
-        <translation>die Marken der Tabelle gehören zu einem anderen Finger: In jeder Zeile liegen sie {:.0f} px oder mehr von dort entfernt, wo die dieses Fingers ruhen</translation>
+        <source>the table&apos;s markers belong to another finger: in every row they are {:.0f} px or more from this finger&apos;s rest positions</source>
+        <translation>die Marken der Tabelle gehören zu einem anderen Finger: In jeder Zeile liegen sie {:.0f} px oder mehr von den Ruhepositionen dieses Fingers entfernt</translation>
     </message>
     <message>
-        <source>there is no force model to take back</source>
+        <source>there is no force model to revert</source>
         <translation>es gibt kein Kraftmodell, das sich zurücknehmen ließe</translation>
     </message>
     <message>
@@ -11257,8 +11257,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>die Tabelle angeben, mit der trainiert werden soll</translation>
     </message>
     <message>
-        <source>the force model does not say which table it is of</source>
-        <translation>das Kraftmodell sagt nicht, aus welcher Tabelle es stammt</translation>
+        <source>the force model does not name its table</source>
+        <translation>das Kraftmodell nennt seine Tabelle nicht</translation>
     </message>
     <message>
         <source>stopped before there was a force model</source>
@@ -11289,7 +11289,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>eine Tabelle mit einer Spalte t_s, oder das Kriechen weglassen</translation>
     </message>
     <message>
-        <source>training {} without one block after the other</source>
+        <source>training {}, leaving out one block at a time</source>
         <translation>Training, jeweils ohne einen der Blöcke: {}</translation>
     </message>
     <message>
@@ -11301,15 +11301,15 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Das neuronale Netz ist nicht besser als die Ridge-Regression: Ihre Fehler betragen {:.1f} % und {:.1f} % der Standardabweichung der Kräfte.</translation>
     </message>
     <message>
-        <source>What is kept does not beat the mean of the table: these markers do not tell the force.</source>
-        <translation>Was behalten wird, ist nicht besser als der Mittelwert der Tabelle: Aus diesen Marken lässt sich die Kraft nicht ermitteln.</translation>
+        <source>The chosen model does not beat the table&apos;s mean: these markers do not show the force.</source>
+        <translation>Das gewählte Modell ist nicht besser als der Mittelwert der Tabelle: Aus diesen Marken lässt sich die Kraft nicht ermitteln.</translation>
     </message>
     <message>
-        <source>Nothing beats the mean of the table: these markers do not tell the force.</source>
+        <source>Nothing beats the mean of the table: these markers do not show the force.</source>
         <translation>Nichts ist besser als der Mittelwert der Tabelle: Aus diesen Marken lässt sich die Kraft nicht ermitteln.</translation>
     </message>
     <message>
-        <source>The table has no column &apos;block&apos;: {} stretches of rows that follow each other were held out.</source>
+        <source>The table has no column &apos;block&apos;: {} sections of consecutive rows were held out.</source>
         <translation>Die Tabelle hat keine Spalte &apos;block&apos;: {} Abschnitte aufeinanderfolgender Zeilen wurden ausgelassen.</translation>
     </message>
     <message>
@@ -11317,132 +11317,132 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Nur {} Gruppen ließen sich auslassen: Fehler und Intervalle sind grob.</translation>
     </message>
     <message>
-        <source>without a depth there is no place on the contact face</source>
-        <translation>ohne Tiefe gibt es keinen Ort auf der Kontaktfläche</translation>
+        <source>without a depth there is no position on the contact face</source>
+        <translation>ohne Tiefe gibt es keine Position auf der Kontaktfläche</translation>
     </message>
     <message>
-        <source>nothing is seen to be pressed into the part of the contact face in view</source>
+        <source>nothing presses into the visible part of the contact face</source>
         <translation>im sichtbaren Teil der Kontaktfläche ist nichts eingedrückt</translation>
     </message>
     <message>
-        <source>stopped before the experiments were over</source>
-        <translation>abgebrochen, bevor die Experimente zu Ende waren</translation>
+        <source>stopped before the experiments ended</source>
+        <translation>angehalten, bevor die Experimente zu Ende waren</translation>
     </message>
     <message>
         <source>{}: frame {} of {}</source>
         <translation>{}: Bild {} von {}</translation>
     </message>
     <message>
-        <source>no frame tells what the experiment asks for</source>
-        <translation>kein Bild sagt, wonach das Experiment fragt</translation>
+        <source>no frame gives a value for the experiment</source>
+        <translation>kein Bild liefert einen Wert für das Experiment</translation>
     </message>
     <message>
-        <source>where a touch is, at 9 x 3 places of the face</source>
-        <translation>wo eine Berührung ist, an 9 x 3 Stellen der Fläche</translation>
+        <source>contact position, at 9 x 3 points of the face</source>
+        <translation>Kontaktposition, an 9 x 3 Punkten der Fläche</translation>
     </message>
     <message>
-        <source>how a held bar is turned</source>
-        <translation>wie ein gehaltener Stab gedreht ist</translation>
+        <source>rotation of a held bar</source>
+        <translation>Drehung eines gehaltenen Stabs</translation>
     </message>
     <message>
-        <source>the least depth of a ball that is felt</source>
-        <translation>die geringste Tiefe einer Kugel, die gespürt wird</translation>
+        <source>smallest detectable depth of a ball</source>
+        <translation>kleinste erkennbare Tiefe einer Kugel</translation>
     </message>
     <message>
-        <source>the least force that is felt, on every face</source>
-        <translation>die geringste Kraft, die gespürt wird, auf jeder Fläche</translation>
+        <source>smallest detectable force on every face</source>
+        <translation>kleinste erkennbare Kraft auf jeder Fläche</translation>
     </message>
     <message>
-        <source>from which of 8 sides the finger is pushed</source>
-        <translation>von welcher von 8 Seiten der Finger gedrückt wird</translation>
+        <source>push direction, one of 8 sides</source>
+        <translation>Druckrichtung, eine von 8 Seiten</translation>
     </message>
     <message>
-        <source>one untouched picture against a recording of all poses</source>
-        <translation>ein unberührtes Bild gegen eine Aufnahme aller Posen</translation>
+        <source>one untouched image against a recording of all poses</source>
+        <translation>ein unberührtes Bild gegenüber einer Aufnahme aller Haltungen</translation>
     </message>
     <message>
         <source>relief of an M8 thread, against a single reference</source>
-        <translation>Relief eines M8-Gewindes, gegen eine einzige Referenz</translation>
+        <translation>Relief eines M8-Gewindes, gegenüber einer einzigen Referenz</translation>
     </message>
     <message>
         <source>relief of a USB plug, against a single reference</source>
-        <translation>Relief eines USB-Steckers, gegen eine einzige Referenz</translation>
+        <translation>Relief eines USB-Steckers, gegenüber einer einzigen Referenz</translation>
     </message>
     <message>
-        <source>time of a frame&apos;s steps, in full HD with 24 dots</source>
-        <translation>Zeit der Schritte eines Bildes, in Full HD mit 24 Punkten</translation>
+        <source>time for each step of a frame, full HD with 24 dots</source>
+        <translation>Zeit für jeden Schritt eines Bildes, in Full HD mit 24 Punkten</translation>
     </message>
     <message>
         <source>there is no experiment &apos;{}&apos;</source>
         <translation>es gibt kein Experiment &apos;{}&apos;</translation>
     </message>
     <message>
-        <source>least force felt on the contact face, over all heights</source>
-        <translation>geringste gespürte Kraft auf der Kontaktfläche, über alle Höhen</translation>
+        <source>smallest force detected on the contact face, all heights</source>
+        <translation>kleinste erkannte Kraft auf der Kontaktfläche, alle Höhen</translation>
     </message>
     <message>
-        <source>least force felt on the back, over all heights</source>
-        <translation>geringste gespürte Kraft auf dem Rücken, über alle Höhen</translation>
+        <source>smallest force detected on the back, all heights</source>
+        <translation>kleinste erkannte Kraft auf dem Rücken, alle Höhen</translation>
     </message>
     <message>
-        <source>least force felt on the upper side, over all heights</source>
-        <translation>geringste gespürte Kraft auf der oberen Seite, über alle Höhen</translation>
+        <source>smallest force detected on the upper side, all heights</source>
+        <translation>kleinste erkannte Kraft auf der oberen Seite, alle Höhen</translation>
     </message>
     <message>
-        <source>least force felt on the lower side, over all heights</source>
-        <translation>geringste gespürte Kraft auf der unteren Seite, über alle Höhen</translation>
+        <source>smallest force detected on the lower side, all heights</source>
+        <translation>kleinste erkannte Kraft auf der unteren Seite, alle Höhen</translation>
     </message>
     <message>
-        <source>least depth felt, {:.0f} mm from the base</source>
-        <translation>geringste gespürte Tiefe, {:.0f} mm von der Basis</translation>
+        <source>smallest depth detected, {:.0f} mm from the base</source>
+        <translation>kleinste erkannte Tiefe, {:.0f} mm vom Fuß</translation>
     </message>
     <message>
-        <source>Depths are doubled from 0.01 mm on, so that the least lies between a figure and its half</source>
-        <translation>Die Tiefen verdoppeln sich ab 0,01 mm, sodass die geringste zwischen einer Zahl und ihrer Hälfte liegt</translation>
+        <source>Depths double from 0.01 mm on, so that the smallest is between a value and its half</source>
+        <translation>Die Tiefen verdoppeln sich ab 0,01 mm, sodass die kleinste zwischen einem Wert und seiner Hälfte liegt</translation>
     </message>
     <message>
-        <source>All heights lie beyond {:.0f} mm, where the paper has less than 2 N; the body is rubber of Shore 40 A as the scene has it, and the paper&apos;s silicone is another</source>
-        <translation>Alle Höhen liegen jenseits von {:.0f} mm, wo der Aufsatz weniger als 2 N nennt; der Körper ist Gummi von Shore 40 A, wie ihn die Szene hat, das Silikon des Aufsatzes ist ein anderes</translation>
+        <source>All heights are beyond {:.0f} mm, where the paper reports less than 2 N; the body in the scene is rubber of Shore 40 A, the paper&apos;s silicone differs</source>
+        <translation>Alle Höhen liegen jenseits von {:.0f} mm, wo die Veröffentlichung weniger als 2 N nennt; der Körper in der Szene ist Gummi von Shore 40 A, das Silikon der Veröffentlichung ist ein anderes</translation>
     </message>
     <message>
-        <source>pushes whose side of 8 is told right</source>
-        <translation>Stöße, deren Seite von 8 richtig erkannt ist</translation>
+        <source>pushes with the correct side of 8</source>
+        <translation>Druckversuche mit richtig erkannter Seite von 8</translation>
     </message>
     <message>
-        <source>direction of a push in the picture, mean error</source>
-        <translation>Richtung eines Stoßes im Bild, mittlerer Fehler</translation>
+        <source>direction of a push in the image, mean error</source>
+        <translation>Druckrichtung im Bild, mittlerer Fehler</translation>
     </message>
     <message>
-        <source>direction of a push in the picture, greatest error</source>
-        <translation>Richtung eines Stoßes im Bild, größter Fehler</translation>
+        <source>direction of a push in the image, maximum error</source>
+        <translation>Druckrichtung im Bild, größter Fehler</translation>
     </message>
     <message>
-        <source>{} pushes, by how the dots truly moved in the picture; those near a border of two sides are counted as all others</source>
-        <translation>{} Stöße, danach, wie sich die Punkte im Bild wirklich bewegt haben; die nahe der Grenze zweier Seiten zählen wie alle anderen</translation>
+        <source>{} pushes, by the true motion of the dots in the image; those near a border of two sides count like all others</source>
+        <translation>{} Druckversuche, nach der wahren Bewegung der Punkte im Bild; die nahe der Grenze zweier Seiten zählen wie alle anderen</translation>
     </message>
     <message>
-        <source>frames under 40 px, nearest of a recording</source>
-        <translation>Bilder unter 40 px, nächstes einer Aufnahme</translation>
+        <source>frames under 40 px, nearest recorded image</source>
+        <translation>Bilder unter 40 px, nächstes aufgenommenes Bild</translation>
     </message>
     <message>
         <source>frames under 40 px, one reference</source>
         <translation>Bilder unter 40 px, eine Referenz</translation>
     </message>
     <message>
-        <source>depth where nothing touches, one reference</source>
-        <translation>Tiefe, wo nichts berührt, eine Referenz</translation>
+        <source>depth without contact, one reference</source>
+        <translation>Tiefe ohne Kontakt, eine Referenz</translation>
     </message>
     <message>
-        <source>depth where nothing touches, nearest of a recording</source>
-        <translation>Tiefe, wo nichts berührt, nächstes einer Aufnahme</translation>
+        <source>depth without contact, nearest recorded image</source>
+        <translation>Tiefe ohne Kontakt, nächstes aufgenommenes Bild</translation>
     </message>
     <message>
-        <source>depth where nothing touches, local regression</source>
-        <translation>Tiefe, wo nichts berührt, lokale Regression</translation>
+        <source>depth without contact, local regression</source>
+        <translation>Tiefe ohne Kontakt, lokale Regression</translation>
     </message>
     <message>
-        <source>How many frames a single reference is near to depends on how far the finger moves, which is the scene&apos;s choice here and was the paper&apos;s there</source>
-        <translation>Wie vielen Bildern eine einzige Referenz nahe ist, hängt davon ab, wie weit sich der Finger bewegt; das bestimmt hier die Szene und bestimmte dort der Aufsatz</translation>
+        <source>The number of frames near a single reference depends on how far the finger moves; here the scene sets this, in the paper its own recording</source>
+        <translation>Die Zahl der Bilder nahe einer einzelnen Referenz hängt davon ab, wie weit sich der Finger bewegt; hier bestimmt das die Szene, in der Veröffentlichung deren eigene Aufnahme</translation>
     </message>
     <message>
         <source>relief, mean depth error, straight</source>
@@ -11454,11 +11454,11 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>the same straight, single reference</source>
-        <translation>dasselbe gerade, eine Referenz</translation>
+        <translation>dasselbe, gerade, eine Referenz</translation>
     </message>
     <message>
         <source>the same bent, single reference</source>
-        <translation>dasselbe gebogen, eine Referenz</translation>
+        <translation>dasselbe, gebogen, eine Referenz</translation>
     </message>
     <message>
         <source>edges and global shape, median</source>
@@ -11466,35 +11466,35 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>markers and reference, median</source>
-        <translation>Marker und Referenz, Median</translation>
+        <translation>Marken und Referenz, Median</translation>
     </message>
     <message>
         <source>local depth and contacts, median</source>
-        <translation>örtliche Tiefe und Berührungen, Median</translation>
+        <translation>lokale Tiefe und Kontakte, Median</translation>
     </message>
     <message>
-        <source>whole frame, median</source>
-        <translation>ganzes Bild, Median</translation>
+        <source>entire frame, median</source>
+        <translation>gesamtes Bild, Median</translation>
     </message>
     <message>
-        <source>Times are of this computer, those of the paper of its own; the finger measures with the demonstration&apos;s mapping and 24 recorded poses</source>
-        <translation>Die Zeiten sind von diesem Computer, die des Aufsatzes von seinem; der Finger misst mit der Abbildung der Vorführung und 24 aufgenommenen Posen</translation>
+        <source>Times were measured on this computer, those of the paper on its own; the finger uses the demonstration&apos;s mapping and 24 recorded poses</source>
+        <translation>Zeiten von diesem Rechner, die der Veröffentlichung von deren eigenem; der Finger misst mit der Abbildung der Vorführung und 24 aufgenommenen Haltungen</translation>
     </message>
     <message>
-        <source>place, mean error within +-20 mm of the middle</source>
-        <translation>Ort, mittlerer Fehler innerhalb von +-20 mm um die Mitte</translation>
+        <source>position, mean error within +-20 mm of the middle</source>
+        <translation>Position, mittlerer Fehler innerhalb von +-20 mm um die Mitte</translation>
     </message>
     <message>
-        <source>place, mean error at the tip</source>
-        <translation>Ort, mittlerer Fehler an der Spitze</translation>
+        <source>position, mean error at the tip</source>
+        <translation>Position, mittlerer Fehler an der Spitze</translation>
     </message>
     <message>
-        <source>place, greatest error</source>
-        <translation>Ort, größter Fehler</translation>
+        <source>position, greatest error</source>
+        <translation>Position, größter Fehler</translation>
     </message>
     <message>
-        <source>touches that are found</source>
-        <translation>gefundene Berührungen</translation>
+        <source>contacts found</source>
+        <translation>gefundene Kontakte</translation>
     </message>
     <message>
         <source>angle, mean error</source>
@@ -11505,32 +11505,32 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Winkel, größter Fehler</translation>
     </message>
     <message>
-        <source>bars whose angle is told</source>
-        <translation>Stäbe, deren Winkel gesagt wird</translation>
+        <source>bars whose angle is measured</source>
+        <translation>Stäbe mit gemessenem Winkel</translation>
     </message>
     <message>
-        <source>The lesser of the paper&apos;s two figures stands beside the mean error, the greater one beside the greatest error</source>
-        <translation>Die kleinere der beiden Zahlen des Aufsatzes steht neben dem mittleren Fehler, die größere neben dem größten</translation>
+        <source>The lesser of the paper&apos;s two figures is next to the mean error, the greater one next to the greatest error</source>
+        <translation>Die kleinere der beiden Zahlen der Veröffentlichung steht neben dem mittleren Fehler, die größere neben dem größten</translation>
     </message>
     <message>
         <source>depth inside contacts, mean error at {} lux</source>
-        <translation>Tiefe in Berührungen, mittlerer Fehler bei {} Lux</translation>
+        <translation>Tiefe in Kontakten, mittlerer Fehler bei {} Lux</translation>
     </message>
     <message>
         <source>the source paper&apos;s method</source>
         <translation>das Verfahren der Veröffentlichung</translation>
     </message>
     <message>
-        <source>a picture in which the whole face is bright against its side faces, or our own method</source>
-        <translation>ein Bild, auf dem sich die ganze Fläche hell von ihren Seitenflächen abhebt, oder unser eigenes Verfahren</translation>
+        <source>an image in which the entire face is brighter than its side faces, or our own method</source>
+        <translation>ein Bild, in dem die gesamte Fläche heller ist als ihre Seitenflächen, oder unser eigenes Verfahren</translation>
     </message>
     <message>
-        <source>the binarised picture shows both edges of the face in {} of {} columns, and a fifth of them is needed</source>
-        <translation>das binarisierte Bild zeigt beide Kanten der Fläche in {} von {} Spalten, und ein Fünftel davon ist nötig</translation>
+        <source>the binarised image shows both edges of the face in {} of {} columns; at least a fifth is needed</source>
+        <translation>das binarisierte Bild zeigt beide Kanten der Fläche in {} von {} Spalten; mindestens ein Fünftel ist nötig</translation>
     </message>
     <message>
-        <source>no distance of the face follows from its edges</source>
-        <translation>aus den Kanten der Fläche folgt kein Abstand</translation>
+        <source>the edges of the face give no distance</source>
+        <translation>aus den Kanten der Fläche ergibt sich kein Abstand</translation>
     </message>
     <message>
         <source>our own method, which needs no dots, or a recording of a finger that has them</source>
@@ -11545,12 +11545,12 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>das Verfahren der Veröffentlichung wählt seine Referenz nach den Marken, und dieser Finger hat keine</translation>
     </message>
     <message>
-        <source>the source paper&apos;s method sorts two whole rows, and {} of this finger&apos;s dots are missing</source>
-        <translation>das Verfahren der Veröffentlichung sortiert zwei ganze Reihen, und {} der Punkte dieses Fingers fehlen</translation>
+        <source>the source paper&apos;s method sorts two full rows, and {} of this finger&apos;s dots are missing</source>
+        <translation>das Verfahren der Veröffentlichung sortiert zwei vollständige Reihen, und {} der Punkte dieses Fingers fehlen</translation>
     </message>
     <message>
-        <source>fewer than two dots of a row are seen, from which the source paper&apos;s method could tell the others: uncover and light the dots on the side faces</source>
-        <translation>von einer Reihe sind weniger als zwei Punkte zu sehen, aus denen das Verfahren der Veröffentlichung die anderen erschließen könnte: die Punkte auf den Seitenflächen freilegen und beleuchten</translation>
+        <source>fewer than two dots of a row are visible; the source paper&apos;s method cannot infer the others: uncover and light the dots on the side faces</source>
+        <translation>von einer Reihe sind weniger als zwei Punkte sichtbar; das Verfahren der Veröffentlichung kann die übrigen nicht erschließen: die Punkte auf den Seitenflächen freilegen und beleuchten</translation>
     </message>
     <message>
         <source>stopped while the recording was read</source>
@@ -11558,7 +11558,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>reading the recording as the source paper does</source>
-        <translation>die Aufnahme wird gelesen, wie die Veröffentlichung es tut</translation>
+        <translation>die Aufnahme wird wie in der Veröffentlichung gelesen</translation>
     </message>
     <message>
         <source>the reference recording</source>
@@ -11577,92 +11577,92 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>unser eigenes Verfahren, oder eine Aufnahme mit helleren Punkten</translation>
     </message>
     <message>
-        <source>{} dots were found beside the face: too few to sort into two rows</source>
+        <source>{} dots were found next to the face: too few to sort into two rows</source>
         <translation>{} Punkte wurden neben der Fläche gefunden: zu wenige, um sie in zwei Reihen zu sortieren</translation>
     </message>
     <message>
-        <source>a network exported with fixed sizes, one picture at a time and opset 11 or 12, or --marker-network own</source>
-        <translation>ein neuronales Netz, das mit festen Größen, einem Bild je Durchgang und opset 11 oder 12 exportiert ist, oder --marker-network own</translation>
+        <source>a network exported with fixed sizes, one image at a time and opset 11 or 12, or --marker-network own</source>
+        <translation>ein neuronales Netz, exportiert mit festen Größen, einem Bild je Durchgang und opset 11 oder 12, oder --marker-network own</translation>
     </message>
     <message>
         <source>OpenCV cannot run this network</source>
         <translation>OpenCV kann dieses neuronale Netz nicht ausführen</translation>
     </message>
     <message>
-        <source>this network makes {} of {}, which are neither dots nor boxes</source>
-        <translation>dieses neuronale Netz macht {} aus {}, was weder Punkte noch Kästen sind</translation>
+        <source>this network outputs {} for {}, which are neither dots nor boxes</source>
+        <translation>dieses neuronale Netz gibt {} für {} aus, was weder Punkte noch Kästen sind</translation>
     </message>
     <message>
-        <source>this network gives numbers that are not finite</source>
-        <translation>dieses neuronale Netz ergibt Zahlen, die nicht endlich sind</translation>
+        <source>this network outputs numbers that are not finite</source>
+        <translation>dieses neuronale Netz gibt Zahlen aus, die nicht endlich sind</translation>
     </message>
     <message>
-        <source>the file that says what this network must give is not there</source>
-        <translation>die Datei, die sagt, was dieses neuronale Netz ergeben muss, ist nicht da</translation>
+        <source>the file with this network&apos;s expected output is missing</source>
+        <translation>die Datei mit der erwarteten Ausgabe dieses neuronalen Netzes fehlt</translation>
     </message>
     <message>
-        <source>training it again, which writes both</source>
-        <translation>es neu trainieren, wobei beide geschrieben werden</translation>
+        <source>training it again, which writes both files</source>
+        <translation>es neu trainieren; dabei werden beide Dateien geschrieben</translation>
     </message>
     <message>
-        <source>the picture must be as large as what the network takes, {} x {}</source>
-        <translation>das Bild muss so groß sein wie das, was das neuronale Netz nimmt, {} x {}</translation>
+        <source>the image must have the size of the network&apos;s input, {} x {}</source>
+        <translation>das Bild muss die Größe der Eingabe des neuronalen Netzes haben, {} x {}</translation>
     </message>
     <message>
-        <source>this network takes {}, not one picture of 1 or 3 channels and a fixed size of {} to {} px a side</source>
-        <translation>dieses neuronale Netz nimmt {}, nicht ein einzelnes Bild mit 1 oder 3 Kanälen und einer festen Größe von {} bis {} px je Seite</translation>
+        <source>this network takes {}, not one image of 1 or 3 channels and a fixed size of {} to {} px a side</source>
+        <translation>dieses neuronale Netz verlangt {}, nicht ein einzelnes Bild mit 1 oder 3 Kanälen und einer festen Größe von {} bis {} px je Seite</translation>
     </message>
     <message>
-        <source>OpenCV cannot read this network (opset {}; it knows those up to 12 well)</source>
-        <translation>OpenCV kann dieses neuronale Netz nicht lesen (opset {}; es kennt die bis 12 gut)</translation>
+        <source>OpenCV cannot read this network (opset {}; it supports those up to 12 well)</source>
+        <translation>OpenCV kann dieses neuronale Netz nicht lesen (opset {}; gut unterstützt bis 12)</translation>
     </message>
     <message>
         <source>the network and its .yaml of the same training, or exporting it with opset 11 or 12</source>
         <translation>das neuronale Netz und seine .yaml aus demselben Training, oder es mit opset 11 oder 12 exportieren</translation>
     </message>
     <message>
-        <source>the network gives {} numbers where its .yaml has {}</source>
-        <translation>das neuronale Netz ergibt {} Zahlen, wo seine .yaml {} hat</translation>
+        <source>the network outputs {} numbers where its .yaml has {}</source>
+        <translation>das neuronale Netz gibt {} Zahlen aus, wo seine .yaml {} hat</translation>
     </message>
     <message>
-        <source>on a known picture the network gives numbers that are up to {:.3g} off what its .yaml says, and {:.3g} is allowed</source>
-        <translation>bei einem bekannten Bild ergibt das neuronale Netz Zahlen, die bis zu {:.3g} von dem abweichen, was seine .yaml sagt, und {:.3g} ist erlaubt</translation>
+        <source>for a known image the network&apos;s numbers deviate by up to {:.3g} from its .yaml, and {:.3g} is allowed</source>
+        <translation>bei einem bekannten Bild weichen die Zahlen des neuronalen Netzes um bis zu {:.3g} von seiner .yaml ab, erlaubt ist {:.3g}</translation>
     </message>
     <message>
-        <source>this is no network in the ONNX format, or only part of one, or damaged</source>
-        <translation>dies ist kein neuronales Netz im ONNX-Format, oder nur ein Teil davon, oder beschädigt</translation>
+        <source>this is not a network in the ONNX format, or it is incomplete or damaged</source>
+        <translation>dies ist kein neuronales Netz im ONNX-Format, oder es ist unvollständig oder beschädigt</translation>
     </message>
     <message>
         <source>copying or exporting the file again</source>
         <translation>die Datei neu kopieren oder exportieren</translation>
     </message>
     <message>
-        <source>&apos;crossing&apos; tells the finger&apos;s bend, and with it where a press lies, several times closer</source>
-        <translation>&apos;crossing&apos; erkennt die Biegung des Fingers, und damit den Ort eines Eindrucks, mehrmals genauer</translation>
+        <source>&apos;crossing&apos; measures the finger&apos;s bend, and so press positions, several times more accurately</source>
+        <translation>&apos;crossing&apos; misst die Biegung des Fingers, und damit die Position eines Eindrucks, um ein Mehrfaches genauer</translation>
     </message>
     <message>
         <source>&apos;crossing&apos; takes a little longer</source>
         <translation>&apos;crossing&apos; dauert etwas länger</translation>
     </message>
     <message>
-        <source>more hide the noise of dark pictures; beyond 16 a bent finger&apos;s edge is no longer straight within them</source>
+        <source>more reduce the noise of dark images; beyond 16 a bent finger&apos;s edge is no longer straight within them</source>
         <translation>mehr unterdrücken das Rauschen dunkler Bilder; über 16 ist die Kante eines gebogenen Fingers in ihnen nicht mehr gerade</translation>
     </message>
     <message>
-        <source>fewer make more places, each of which the curve has to be fitted to</source>
-        <translation>weniger ergeben mehr Orte, an deren jeden die Kurve angepasst werden muss</translation>
+        <source>fewer make more positions, to each of which the curve must be fitted</source>
+        <translation>weniger ergeben mehr Positionen, an die jeweils die Kurve angepasst werden muss</translation>
     </message>
     <message>
         <source>higher follows sharper bends; too high follows noise where the edge is hidden</source>
-        <translation>höher folgt schärferen Biegungen; zu hoch folgt dem Rauschen, wo die Kante verdeckt ist</translation>
+        <translation>höhere Werte folgen schärferen Biegungen; zu hohe folgen dem Rauschen, wo die Kante verdeckt ist</translation>
     </message>
     <message>
-        <source>higher makes the fit longer</source>
-        <translation>höher verlängert die Anpassung</translation>
+        <source>higher makes the fit slower</source>
+        <translation>höhere Werte verlängern die Anpassung</translation>
     </message>
     <message>
-        <source>how the engraved dots are found and numbered: spots followed by how the finger moves, the source paper&apos;s two sorted rows, or a convolutional network in every frame</source>
-        <translation>wie die gravierten Punkte gefunden und nummeriert werden: Flecken, die nach der Bewegung des Fingers verfolgt werden, die zwei sortierten Reihen der Veröffentlichung, oder ein neuronales Faltungsnetz in jedem Bild</translation>
+        <source>how the engraved dots are found and numbered: spots tracked by the finger&apos;s motion, the source paper&apos;s two sorted rows, or a convolutional network in every frame</source>
+        <translation>wie die gravierten Punkte gefunden und nummeriert werden: Flecken, verfolgt nach der Bewegung des Fingers, die zwei sortierten Reihen der Veröffentlichung oder ein neuronales Faltungsnetz in jedem Bild</translation>
     </message>
     <message>
         <source>&apos;network&apos; finds more dots that are worn, dark or badly lit; &apos;paper&apos; loses its numbers where dots are hidden</source>
@@ -11673,32 +11673,32 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>&apos;network&apos; dauert um ein Vielfaches länger</translation>
     </message>
     <message>
-        <source>the network that marker-method network uses, and paper too where one is named: an ONNX file, a detector such as YOLO11 among them</source>
-        <translation>das neuronale Netz, das marker-method network benutzt, und auch paper, wo eines genannt ist: eine ONNX-Datei, darunter ein Detektor wie YOLO11</translation>
+        <source>the network for marker-method network, and for paper where one is named: an ONNX file, also a detector such as YOLO11</source>
+        <translation>das neuronale Netz für marker-method network, und für paper, wo eines genannt ist: eine ONNX-Datei, auch ein Detektor wie YOLO11</translation>
     </message>
     <message>
-        <source>&apos;local&apos; keeps depth of a bent finger right between the recorded poses; &apos;single&apos; is right at rest alone</source>
-        <translation>&apos;local&apos; hält die Tiefe eines gebogenen Fingers zwischen den aufgenommenen Haltungen richtig; &apos;single&apos; stimmt nur in Ruhe</translation>
+        <source>&apos;local&apos; measures depth of a bent finger correctly between the recorded poses; &apos;single&apos; only at rest</source>
+        <translation>&apos;local&apos; misst die Tiefe eines gebogenen Fingers zwischen den aufgenommenen Haltungen richtig; &apos;single&apos; nur in Ruhe</translation>
     </message>
     <message>
-        <source>&apos;local&apos; adds up several pictures instead of one</source>
+        <source>&apos;local&apos; adds up several images instead of one</source>
         <translation>&apos;local&apos; summiert mehrere Bilder statt eines</translation>
     </message>
     <message>
-        <source>&apos;corrected&apos; keeps depth right when the room or the lamp changes</source>
-        <translation>&apos;corrected&apos; hält die Tiefe richtig, wenn sich der Raum oder die Lampe ändert</translation>
+        <source>&apos;corrected&apos; corrects depth when the room or the lamp changes</source>
+        <translation>&apos;corrected&apos; korrigiert die Tiefe, wenn sich der Raum oder die Lampe ändert</translation>
     </message>
     <message>
-        <source>&apos;corrected&apos; looks once over the untouched skin</source>
-        <translation>&apos;corrected&apos; sieht die unberührte Haut einmal durch</translation>
+        <source>&apos;corrected&apos; analyses the untouched skin once</source>
+        <translation>&apos;corrected&apos; wertet die unberührte Haut einmal aus</translation>
     </message>
     <message>
-        <source>more quiets the depth of a smooth contact and rounds off edges and threads</source>
-        <translation>mehr beruhigt die Tiefe eines glatten Kontakts und rundet Kanten und Gewinde ab</translation>
+        <source>more reduces the noise of a smooth contact and rounds off edges and threads</source>
+        <translation>mehr verringert das Rauschen eines glatten Kontakts und rundet Kanten und Gewinde ab</translation>
     </message>
     <message>
-        <source>more takes longer, none the least</source>
-        <translation>mehr dauert länger, keine am kürzesten</translation>
+        <source>more takes longer, none is fastest</source>
+        <translation>mehr dauert länger, ohne ist am schnellsten</translation>
     </message>
     <message>
         <source>it is empty</source>
@@ -11713,7 +11713,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Der Kraftmesser ist wieder da.</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; is no direction</source>
+        <source>&apos;{}&apos; is not a direction</source>
         <translation>&apos;{}&apos; ist keine Richtung</translation>
     </message>
     <message>
@@ -11725,20 +11725,20 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>etwa &apos;id=3 at=1 type=s16 scale=0.01 unit=N&apos;, oder eine Tabelle mit at, type, scale, zero, unit</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; describes no report of a gauge</source>
+        <source>&apos;{}&apos; does not describe a gauge&apos;s report</source>
         <translation>&apos;{}&apos; beschreibt keinen Report eines Kraftmessers</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; is no {}</source>
+        <source>&apos;{}&apos; is not a valid {}</source>
         <translation>&apos;{}&apos; ist kein gültiger Wert für {}</translation>
     </message>
     <message>
-        <source>the table describes no report of a gauge</source>
+        <source>the table does not describe a gauge&apos;s report</source>
         <translation>die Tabelle beschreibt keinen Report eines Kraftmessers</translation>
     </message>
     <message>
-        <source>The device tells other reports than the one described. Try: its id and length.</source>
-        <translation>Das Gerät sendet andere Reports als den beschriebenen. Abhilfe: seine Kennung (id) und Länge.</translation>
+        <source>The device sends other reports than described. Try: check the id and length.</source>
+        <translation>Das Gerät sendet andere Reports als beschrieben. Abhilfe: Kennung (id) und Länge prüfen.</translation>
     </message>
     <message>
         <source>there is no gauge &apos;{}&apos;</source>
@@ -11757,39 +11757,39 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>eine für jeden, wie x/y/z</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; is no text with \r, \n, \xHH</source>
+        <source>&apos;{}&apos; is not a text with \r, \n, \xHH</source>
         <translation>&apos;{}&apos; ist kein Text mit \r, \n, \xHH</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; is no unit of force</source>
-        <translation>&apos;{}&apos; ist keine Einheit der Kraft</translation>
+        <source>&apos;{}&apos; is not a unit of force</source>
+        <translation>&apos;{}&apos; ist keine Krafteinheit</translation>
     </message>
     <message>
         <source>N, mN, kN, g, kgf, lbf or ozf</source>
         <translation>N, mN, kN, g, kgf, lbf oder ozf</translation>
     </message>
     <message>
-        <source>of a HID gauge the unit is told with its report</source>
-        <translation>bei einem HID-Kraftmesser wird die Einheit mit seinem Report angegeben</translation>
+        <source>the unit of a HID gauge belongs in its report&apos;s description</source>
+        <translation>bei einem HID-Kraftmesser gehört die Einheit in die Beschreibung seines Reports</translation>
     </message>
     <message>
         <source>unit= in the report&apos;s description</source>
         <translation>unit= in der Beschreibung des Reports</translation>
     </message>
     <message>
-        <source>model, speed and question are of a serial gauge</source>
-        <translation>Modell, Geschwindigkeit und Anfrage gehören zu einem seriellen Kraftmesser</translation>
+        <source>model, speed and question apply only to a serial gauge</source>
+        <translation>Modell, Geschwindigkeit und Anfrage gelten nur für einen seriellen Kraftmesser</translation>
     </message>
     <message>
         <source>serial:/dev/ttyUSB0</source>
         <translation>serial:/dev/ttyUSB0</translation>
     </message>
     <message>
-        <source>it is not told where the force stands in the gauge&apos;s reports</source>
+        <source>the position of the force in the gauge&apos;s reports is not specified</source>
         <translation>es ist nicht angegeben, wo in den Reports des Kraftmessers die Kraft steht</translation>
     </message>
     <message>
-        <source>a report is told of a gauge that is no HID device</source>
+        <source>a report is specified for a gauge that is not a HID device</source>
         <translation>für einen Kraftmesser, der kein HID-Gerät ist, ist ein Report angegeben</translation>
     </message>
     <message>
@@ -11797,7 +11797,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>hid:DEVICE und &apos;id=3 at=1 type=s16 scale=0.01 unit=N&apos;</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; is no gauge</source>
+        <source>&apos;{}&apos; is not a gauge</source>
         <translation>&apos;{}&apos; ist kein Kraftmesser</translation>
     </message>
     <message>
@@ -11805,7 +11805,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>typed, serial:/dev/ttyUSB0 oder hid:DEVICE</translation>
     </message>
     <message>
-        <source>{} lines of the gauge were no readings</source>
+        <source>{} lines from the gauge were not readings</source>
         <translation>{} Zeilen des Kraftmessers waren keine Messwerte</translation>
     </message>
     <message>
@@ -11849,7 +11849,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>die serielle Schnittstelle lässt sich nicht einrichten</translation>
     </message>
     <message>
-        <source>this is no serial line</source>
+        <source>this is not a serial line</source>
         <translation>dies ist keine serielle Schnittstelle</translation>
     </message>
     <message>
@@ -11857,19 +11857,19 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>/dev/tty... des Kraftmessers</translation>
     </message>
     <message>
-        <source>the serial line does not take {} baud</source>
-        <translation>die serielle Schnittstelle nimmt {} Baud nicht an</translation>
+        <source>the serial line does not support {} baud</source>
+        <translation>die serielle Schnittstelle unterstützt {} Baud nicht</translation>
     </message>
     <message>
-        <source>the speed that the gauge&apos;s manual tells</source>
-        <translation>die Geschwindigkeit, die das Handbuch des Kraftmessers nennt</translation>
+        <source>the speed given in the gauge&apos;s manual</source>
+        <translation>die im Handbuch des Kraftmessers angegebene Geschwindigkeit</translation>
     </message>
     <message>
-        <source>{} baud is no speed of a serial line</source>
+        <source>{} baud is not a speed of a serial line</source>
         <translation>{} Baud ist keine Geschwindigkeit einer seriellen Schnittstelle</translation>
     </message>
     <message>
-        <source>9600, 19200, 115200 or what the gauge&apos;s manual tells</source>
+        <source>9600, 19200, 115200 or the speed in the gauge&apos;s manual</source>
         <translation>9600, 19200, 115200 oder was das Handbuch des Kraftmessers nennt</translation>
     </message>
     <message>
@@ -11877,8 +11877,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>die serielle Schnittstelle lässt sich nicht öffnen</translation>
     </message>
     <message>
-        <source>the serial line takes nothing</source>
-        <translation>die serielle Schnittstelle nimmt nichts an</translation>
+        <source>the serial line accepts no data</source>
+        <translation>die serielle Schnittstelle nimmt keine Daten an</translation>
     </message>
     <message>
         <source>check its cable</source>
@@ -11889,12 +11889,12 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>ab jetzt {}</translation>
     </message>
     <message>
-        <source>what was typed holds no longer</source>
-        <translation>das Eingetippte gilt nicht mehr</translation>
+        <source>the typed value no longer applies</source>
+        <translation>der eingegebene Wert gilt nicht mehr</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; is no reading; a number, &apos;y 1.2 N&apos;, &apos;block NAME&apos;, or nothing</source>
-        <translation>&apos;{}&apos; ist kein Messwert; eine Zahl, &apos;y 1.2 N&apos;, &apos;block NAME&apos; oder nichts</translation>
+        <source>&apos;{}&apos; is not a reading; type a number, &apos;y 1.2 N&apos;, &apos;block NAME&apos;, or nothing</source>
+        <translation>&apos;{}&apos; ist kein Messwert; eine Zahl, &apos;y 1.2 N&apos;, &apos;block NAME&apos; oder nichts eingeben</translation>
     </message>
     <message>
         <source>{:.3f} {:.3f} {:.3f} N</source>
@@ -11913,32 +11913,32 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Fx und Fy von Stößen, an zufällig gezogenen Fingern</translation>
     </message>
     <message>
-        <source>place and force in rooms of 300, 1100 and 2500 lux</source>
-        <translation>Ort und Kraft in Räumen mit 300, 1100 und 2500 Lux</translation>
+        <source>position and force in rooms of 300, 1100 and 2500 lux</source>
+        <translation>Position und Kraft in Räumen mit 300, 1100 und 2500 Lux</translation>
     </message>
     <message>
-        <source>Ours are simulated, with the truth known; the paper&apos;s were measured on a real finger.</source>
-        <translation>Unsere sind simuliert, die Wahrheit ist bekannt; die der Veröffentlichung wurden an einem wirklichen Finger gemessen.</translation>
+        <source>Our values are simulated, with known truth; the paper&apos;s were measured on a real finger.</source>
+        <translation>Unsere Werte sind simuliert, die wahren Werte sind bekannt; die der Veröffentlichung wurden an einem wirklichen Finger gemessen.</translation>
     </message>
     <message>
-        <source>least depth of a ball that is felt, ours alone</source>
-        <translation>geringste Tiefe einer Kugel, die gespürt wird, nur unseres</translation>
+        <source>least detected depth of a ball, ours only</source>
+        <translation>geringste erkannte Tiefe einer Kugel, nur unsere</translation>
     </message>
     <message>
-        <source>place along the finger (mm)</source>
-        <translation>Ort längs des Fingers (mm)</translation>
+        <source>position along the finger (mm)</source>
+        <translation>Position längs des Fingers (mm)</translation>
     </message>
     <message>
-        <source>least depth felt (mm)</source>
-        <translation>geringste gespürte Tiefe (mm)</translation>
+        <source>least detected depth (mm)</source>
+        <translation>geringste erkannte Tiefe (mm)</translation>
     </message>
     <message>
-        <source>least force that is felt, on every face over height</source>
-        <translation>geringste Kraft, die gespürt wird, auf jeder Fläche über der Höhe</translation>
+        <source>least detected force on every face, by height</source>
+        <translation>geringste erkannte Kraft auf jeder Fläche, über der Höhe</translation>
     </message>
     <message>
-        <source>least force felt (N)</source>
-        <translation>geringste gespürte Kraft (N)</translation>
+        <source>least detected force (N)</source>
+        <translation>geringste erkannte Kraft (N)</translation>
     </message>
     <message>
         <source>paper, at most, measured</source>
@@ -11949,32 +11949,32 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>{} Lux</translation>
     </message>
     <message>
-        <source>error of the place in rooms of different light; the paper tells no figure by room</source>
-        <translation>Fehler des Ortes in verschieden hellen Räumen; die Veröffentlichung nennt keine Zahl je Raum</translation>
+        <source>position error in rooms of different light; the paper gives no figure by room</source>
+        <translation>Positionsfehler in verschieden hellen Räumen; die Veröffentlichung nennt keine Zahl je Raum</translation>
     </message>
     <message>
-        <source>mean error of the place (mm)</source>
-        <translation>mittlerer Fehler des Ortes (mm)</translation>
+        <source>mean position error (mm)</source>
+        <translation>mittlerer Positionsfehler (mm)</translation>
     </message>
     <message>
-        <source>error of the force in rooms of different light, by a model that learnt in the dark</source>
-        <translation>Fehler der Kraft in verschieden hellen Räumen, mit einem Modell, das im Dunkeln gelernt hat</translation>
+        <source>force error in rooms of different light, with a model trained in the dark</source>
+        <translation>Kraftfehler in verschieden hellen Räumen, mit einem im Dunkeln trainierten Modell</translation>
     </message>
     <message>
         <source>mean error of Fx and Fy (N)</source>
         <translation>mittlerer Fehler von Fx und Fy (N)</translation>
     </message>
     <message>
-        <source>place, mean error at {} lux</source>
-        <translation>Ort, mittlerer Fehler bei {} Lux</translation>
+        <source>position, mean error at {} lux</source>
+        <translation>Position, mittlerer Fehler bei {} Lux</translation>
     </message>
     <message>
         <source>force, mean error at {} lux</source>
         <translation>Kraft, mittlerer Fehler bei {} Lux</translation>
     </message>
     <message>
-        <source>place, greatest change between rooms</source>
-        <translation>Ort, größte Änderung zwischen Räumen</translation>
+        <source>position, greatest change between rooms</source>
+        <translation>Position, größte Änderung zwischen Räumen</translation>
     </message>
     <message>
         <source>force, greatest change between rooms</source>
@@ -11985,20 +11985,20 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>dasselbe ohne Korrektur des Lichts</translation>
     </message>
     <message>
-        <source>How much of a room&apos;s light gets into a finger is a guess of the scene, 4 grey levels of a white surface for every 1000 lux; the same frames are shown in every room</source>
-        <translation>Wie viel vom Licht eines Raums in einen Finger gelangt, ist eine Annahme der Szene: 4 Graustufen einer weißen Oberfläche je 1000 Lux; in jedem Raum werden dieselben Bilder gezeigt</translation>
+        <source>The scene assumes how much of a room&apos;s light enters a finger: 4 grey levels of a white surface per 1000 lux; every room shows the same frames</source>
+        <translation>Die Szene nimmt an, wie viel vom Licht eines Raums in einen Finger gelangt: 4 Graustufen einer weißen Oberfläche je 1000 Lux; jeder Raum zeigt dieselben Bilder</translation>
     </message>
     <message>
-        <source>told right (%)</source>
+        <source>correct (%)</source>
         <translation>richtig erkannt (%)</translation>
     </message>
     <message>
-        <source>side of 8</source>
-        <translation>Seite von 8</translation>
+        <source>one of 8 sides</source>
+        <translation>eine von 8 Seiten</translation>
     </message>
     <message>
-        <source>how many frames have a reference closer than so many px, summed over the dots</source>
-        <translation>wie viele Bilder eine Referenz haben, die näher ist als so viele px, summiert über die Punkte</translation>
+        <source>share of frames with a reference closer than the given px, summed over the dots</source>
+        <translation>Anteil der Bilder mit einer Referenz näher als die angegebenen px, summiert über die Punkte</translation>
     </message>
     <message>
         <source>distance to the reference (px)</source>
@@ -12014,7 +12014,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>one reference, ours</source>
-        <translation>eine Referenz, unseres</translation>
+        <translation>eine Referenz, unsere</translation>
     </message>
     <message>
         <source>nearest, paper, measured</source>
@@ -12037,12 +12037,12 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>wahre Kraft (N)</translation>
     </message>
     <message>
-        <source>told force (N)</source>
+        <source>estimated force (N)</source>
         <translation>ermittelte Kraft (N)</translation>
     </message>
     <message>
         <source>mean error of the force, ours simulated and the paper&apos;s measured</source>
-        <translation>mittlerer Fehler der Kraft, unserer simuliert und der der Veröffentlichung gemessen</translation>
+        <translation>mittlerer Kraftfehler, unserer simuliert und der der Veröffentlichung gemessen</translation>
     </message>
     <message>
         <source>mean error (N)</source>
@@ -12057,12 +12057,12 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Fy</translation>
     </message>
     <message>
-        <source>aim</source>
+        <source>target</source>
         <translation>Ziel</translation>
     </message>
     <message>
-        <source>where along the finger the error is: the base moves the markers least</source>
-        <translation>wo längs des Fingers der Fehler liegt: Der Fuß bewegt die Marken am wenigsten</translation>
+        <source>error along the finger: pushes near the base move the markers least</source>
+        <translation>Fehler längs des Fingers: Stöße nahe dem Fuß bewegen die Marken am wenigsten</translation>
     </message>
     <message>
         <source>Fx, ours</source>
@@ -12073,56 +12073,56 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Fy, unseres</translation>
     </message>
     <message>
-        <source>Fx, paper, over all places</source>
-        <translation>Fx, Veröffentlichung, über alle Orte</translation>
+        <source>Fx, paper, over all positions</source>
+        <translation>Fx, Veröffentlichung, über alle Positionen</translation>
     </message>
     <message>
-        <source>Fy, paper, over all places</source>
-        <translation>Fy, Veröffentlichung, über alle Orte</translation>
+        <source>Fy, paper, over all positions</source>
+        <translation>Fy, Veröffentlichung, über alle Positionen</translation>
     </message>
     <message>
-        <source>Fx told of places that were held out</source>
-        <translation>Fx, ermittelt an Orten, die ausgelassen wurden</translation>
+        <source>Fx estimated at positions held out</source>
+        <translation>Fx, ermittelt an ausgelassenen Positionen</translation>
     </message>
     <message>
-        <source>Fy told of places that were held out</source>
-        <translation>Fy, ermittelt an Orten, die ausgelassen wurden</translation>
+        <source>Fy estimated at positions held out</source>
+        <translation>Fy, ermittelt an ausgelassenen Positionen</translation>
     </message>
     <message>
-        <source>Fx, mean error on places held out</source>
-        <translation>Fx, mittlerer Fehler an ausgelassenen Orten</translation>
+        <source>Fx, mean error at positions held out</source>
+        <translation>Fx, mittlerer Fehler an ausgelassenen Positionen</translation>
     </message>
     <message>
-        <source>Fy, mean error on places held out</source>
-        <translation>Fy, mittlerer Fehler an ausgelassenen Orten</translation>
+        <source>Fy, mean error at positions held out</source>
+        <translation>Fy, mittlerer Fehler an ausgelassenen Positionen</translation>
     </message>
     <message>
-        <source>Fx, the same of the worst finger</source>
+        <source>Fx, the same for the worst finger</source>
         <translation>Fx, dasselbe beim schlechtesten Finger</translation>
     </message>
     <message>
-        <source>Fy, the same of the worst finger</source>
+        <source>Fy, the same for the worst finger</source>
         <translation>Fy, dasselbe beim schlechtesten Finger</translation>
     </message>
     <message>
-        <source>forces within their intervals of 95 %</source>
+        <source>forces within their 95 % intervals</source>
         <translation>Kräfte innerhalb ihrer Intervalle von 95 %</translation>
     </message>
     <message>
-        <source>the same, away from 95 %</source>
-        <translation>dasselbe, Abstand von 95 %</translation>
+        <source>the same, deviation from 95 %</source>
+        <translation>dasselbe, Abweichung von 95 %</translation>
     </message>
     <message>
-        <source>{} fingers drawn at random, 484 pushes each at {} places, of which whole ones are held out; {} pushes are measured, in the others too few markers are found. Forces are those on the finger in the camera&apos;s axes and have no error of a gauge</source>
-        <translation>{} zufällig gezogene Finger, je 484 Stöße an {} Orten, von denen ganze ausgelassen werden; {} Stöße werden gemessen, bei den anderen werden zu wenige Marken gefunden. Die Kräfte sind die auf den Finger in den Achsen der Kamera und haben keinen Fehler eines Kraftmessers</translation>
+        <source>{} fingers drawn at random, 484 pushes each at {} positions, some of which are held out entirely; {} pushes are measured, the others show too few markers. Forces act on the finger, in the camera&apos;s axes, without a gauge&apos;s error</source>
+        <translation>{} zufällig gezogene Finger, je 484 Stöße an {} Positionen, von denen einige ganz ausgelassen werden; {} Stöße werden gemessen, bei den anderen sind zu wenige Marken zu finden. Die Kräfte wirken auf den Finger, in den Achsen der Kamera, ohne Fehler eines Kraftmessers</translation>
     </message>
     <message>
-        <source>Nothing drags along the finger: that hardly moves a marker, and is told by none</source>
-        <translation>Nichts zieht längs des Fingers: Das bewegt kaum eine Marke, und keine zeigt es an</translation>
+        <source>No drag acts along the finger: it hardly moves a marker, so no marker shows it</source>
+        <translation>Längs des Fingers wirkt kein Zug: Er bewegt kaum eine Marke, und keine zeigt ihn an</translation>
     </message>
     <message>
-        <source>error of the relief, ours alone: the paper shows pictures</source>
-        <translation>Fehler des Reliefs, nur unseres: Die Veröffentlichung zeigt Bilder</translation>
+        <source>relief error, ours only: the paper shows only images</source>
+        <translation>Fehler des Reliefs, nur unserer: Die Veröffentlichung zeigt nur Bilder</translation>
     </message>
     <message>
         <source>mean depth error (mm)</source>
@@ -12138,7 +12138,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>time of a frame&apos;s steps, ours on this computer and the paper&apos;s on its own</source>
-        <translation>Zeit für die Schritte eines Bildes, unsere auf diesem Computer und die der Veröffentlichung auf ihrem</translation>
+        <translation>Zeit für die Schritte eines Bildes, unsere auf diesem Rechner und die der Veröffentlichung auf deren eigenem</translation>
     </message>
     <message>
         <source>time (ms)</source>
@@ -12157,16 +12157,16 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Tiefe, Kontakte</translation>
     </message>
     <message>
-        <source>whole frame</source>
-        <translation>ganzes Bild</translation>
+        <source>entire frame</source>
+        <translation>gesamtes Bild</translation>
     </message>
     <message>
-        <source>error of the place along the finger, one point a touch</source>
-        <translation>Fehler des Ortes längs des Fingers, ein Punkt je Berührung</translation>
+        <source>position error along the finger, one point per contact</source>
+        <translation>Positionsfehler längs des Fingers, ein Punkt je Kontakt</translation>
     </message>
     <message>
-        <source>error of the place (mm)</source>
-        <translation>Fehler des Ortes (mm)</translation>
+        <source>position error (mm)</source>
+        <translation>Positionsfehler (mm)</translation>
     </message>
     <message>
         <source>paper, mean within 20 mm of the middle, measured</source>
@@ -12177,16 +12177,16 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Veröffentlichung, Mittel an der Spitze, gemessen</translation>
     </message>
     <message>
-        <source>error of the angle of a bar, by how it is turned</source>
-        <translation>Fehler des Winkels eines Stabs, je nachdem, wie er gedreht ist</translation>
+        <source>angle error of a bar, by its orientation</source>
+        <translation>Winkelfehler eines Stabs, nach seiner Drehung</translation>
     </message>
     <message>
         <source>true angle (degrees)</source>
         <translation>wahrer Winkel (Grad)</translation>
     </message>
     <message>
-        <source>error of the angle (degrees)</source>
-        <translation>Fehler des Winkels (Grad)</translation>
+        <source>angle error (degrees)</source>
+        <translation>Winkelfehler (Grad)</translation>
     </message>
     <message>
         <source>paper, the lesser, measured</source>
@@ -12209,24 +12209,24 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>dies ist nicht der Bericht der Kalibrierung dieses Fingers</translation>
     </message>
     <message>
-        <source>the column &apos;{}&apos; counts in no unit of force</source>
-        <translation>die Spalte &apos;{}&apos; zählt in keiner Einheit der Kraft</translation>
+        <source>the column &apos;{}&apos; has no unit of force</source>
+        <translation>die Spalte &apos;{}&apos; hat keine Krafteinheit</translation>
     </message>
     <message>
         <source>pressing in different directions; several tables may be given</source>
         <translation>in verschiedene Richtungen drücken; es können mehrere Tabellen angegeben werden</translation>
     </message>
     <message>
-        <source>The gauge tells {:.0f} ms (sd {:.0f} ms) after the pictures; that is taken out.</source>
-        <translation>Der Kraftmesser meldet {:.0f} ms (Standardabweichung {:.0f} ms) nach den Bildern; das wird herausgerechnet.</translation>
+        <source>The gauge reports {:.0f} ms (sd {:.0f} ms) later than the images; this is corrected.</source>
+        <translation>Der Kraftmesser meldet {:.0f} ms (Standardabweichung {:.0f} ms) später als die Bilder; das wird korrigiert.</translation>
     </message>
     <message>
-        <source>The gauge tells {:.0f} ms (sd {:.0f} ms) before the pictures; that is taken out.</source>
-        <translation>Der Kraftmesser meldet {:.0f} ms (Standardabweichung {:.0f} ms) vor den Bildern; das wird herausgerechnet.</translation>
+        <source>The gauge reports {:.0f} ms (sd {:.0f} ms) earlier than the images; this is corrected.</source>
+        <translation>Der Kraftmesser meldet {:.0f} ms (Standardabweichung {:.0f} ms) früher als die Bilder; das wird korrigiert.</translation>
     </message>
     <message>
-        <source>How late the gauge tells could not be told from these frames: nothing is taken out. Try: some quick taps while recording.</source>
-        <translation>Wie spät der Kraftmesser meldet, ließ sich aus diesen Bildern nicht ermitteln: Es wird nichts herausgerechnet. Abhilfe: beim Aufnehmen einige Male schnell antippen.</translation>
+        <source>The gauge&apos;s delay could not be estimated from these frames: nothing is corrected. Try: some quick taps while recording.</source>
+        <translation>Die Verzögerung des Kraftmessers ließ sich aus diesen Bildern nicht ermitteln: Es wird nichts korrigiert. Abhilfe: beim Aufnehmen einige Male schnell antippen.</translation>
     </message>
     <message>
         <source>The gauge and the camera were on different clocks: {:.3f} s (sd {:.3f} s) apart by the markers&apos; motion, drifting by {:.0f} ppm.</source>
@@ -12241,12 +12241,12 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Tabellen eines einzigen Fingers und einer einzigen Art von Kraftmesser</translation>
     </message>
     <message>
-        <source>pressing the ball in deeper, whole on the face</source>
-        <translation>die Kugel tiefer eindrücken, ganz auf der Fläche</translation>
+        <source>pressing the ball in deeper, entirely on the face</source>
+        <translation>die Kugel tiefer und ganz auf der Fläche eindrücken</translation>
     </message>
     <message>
-        <source>nothing is dark enough for a ball that presses</source>
-        <translation>nichts ist dunkel genug für eine Kugel, die drückt</translation>
+        <source>nothing is dark enough for a pressed ball</source>
+        <translation>nichts ist dunkel genug für eine eingedrückte Kugel</translation>
     </message>
     <message>
         <source>no circle gives a cubic whose constant is zero</source>
@@ -12265,8 +12265,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>das Verfahren der Veröffentlichung findet bei keinem von {} Eindrücken eine Kugel ({})</translation>
     </message>
     <message>
-        <source>there is none that is not excluded</source>
-        <translation>es gibt keinen, der nicht ausgeschlossen ist</translation>
+        <source>all are excluded</source>
+        <translation>alle sind ausgeschlossen</translation>
     </message>
     <message>
         <source>the source paper&apos;s method can measure none of {} presses ({})</source>
@@ -12277,8 +12277,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>unser eigenes Verfahren</translation>
     </message>
     <message>
-        <source>the source paper&apos;s method calibrates in its own way, and this finger keeps no presses to do so with</source>
-        <translation>das Verfahren der Veröffentlichung kalibriert auf seine eigene Weise, und dieser Finger bewahrt keine Eindrücke dafür auf</translation>
+        <source>the source paper&apos;s method calibrates differently, and this finger has no stored presses for it</source>
+        <translation>das Verfahren der Veröffentlichung kalibriert anders, und dieser Finger hat keine gespeicherten Eindrücke dafür</translation>
     </message>
     <message>
         <source>alltact calibrate with ball presses</source>
@@ -12293,32 +12293,32 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>es wird gemessen, was Einstellungen kosten</translation>
     </message>
     <message>
-        <source>too few pictures of the reference recording show the face</source>
+        <source>too few images of the reference recording show the face</source>
         <translation>zu wenige Bilder der Referenzaufnahme zeigen die Fläche</translation>
     </message>
     <message>
         <source>record the finger bending through all its poses</source>
-        <translation>den Finger aufnehmen, wie er sich durch alle seine Haltungen biegt</translation>
+        <translation>den Finger aufnehmen, während er sich durch alle seine Haltungen biegt</translation>
     </message>
     <message>
-        <source>balls painted into untouched pictures of {}</source>
+        <source>balls painted into untouched images of {}</source>
         <translation>Kugeln, in unberührte Bilder von {} gemalt</translation>
     </message>
     <message>
-        <source>the demonstration&apos;s finger, simulated, pressed in random places</source>
-        <translation>der Finger der Vorführung, simuliert, an zufälligen Orten gedrückt</translation>
+        <source>the demonstration&apos;s finger, simulated, pressed at random positions</source>
+        <translation>der Finger der Vorführung, simuliert, an zufälligen Positionen gedrückt</translation>
     </message>
     <message>
         <source>as it is</source>
         <translation>unverändert</translation>
     </message>
     <message>
-        <source>is not what a study of this program keeps</source>
-        <translation>ist nicht, was eine Studie dieses Programms aufbewahrt</translation>
+        <source>is not a study file of this program</source>
+        <translation>ist keine Studiendatei dieses Programms</translation>
     </message>
     <message>
         <source>remove it, and the study begins anew</source>
-        <translation>entfernen, dann beginnt die Studie von vorn</translation>
+        <translation>sie löschen; die Studie beginnt dann von vorn</translation>
     </message>
     <message>
         <source>the gripper&apos;s fingers are {} and {}, and others are open</source>
@@ -12337,7 +12337,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>dies als Fehler melden</translation>
     </message>
     <message>
-        <source>a line of it is damaged</source>
+        <source>one of its lines is damaged</source>
         <translation>eine Zeile darin ist beschädigt</translation>
     </message>
     <message>
@@ -12357,8 +12357,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>die Ordner eines einzigen Laufs, oder alle seine Teile noch einmal rekonstruieren</translation>
     </message>
     <message>
-        <source>part {} is there twice: {} and {}</source>
-        <translation>Teil {} ist zweimal da: {} und {}</translation>
+        <source>part {} exists twice: {} and {}</source>
+        <translation>Teil {} ist doppelt vorhanden: {} und {}</translation>
     </message>
     <message>
         <source>there are no parts of a reconstruction</source>
@@ -12389,67 +12389,67 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Platz schaffen, oder den Besitzer des Ordners um Zugriff bitten</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; is no part of a whole</source>
-        <translation>&apos;{}&apos; ist kein Teil eines Ganzen</translation>
+        <source>&apos;{}&apos; is not a valid part</source>
+        <translation>&apos;{}&apos; ist kein gültiger Teil</translation>
     </message>
     <message>
         <source>1/8 to 8/8 for eight parts, for example</source>
         <translation>zum Beispiel 1/8 bis 8/8 für acht Teile</translation>
     </message>
     <message>
-        <source>could not make sure that the files are on the disk</source>
+        <source>could not confirm that the files are on the disk</source>
         <translation>es ließ sich nicht sicherstellen, dass die Dateien auf dem Datenträger sind</translation>
     </message>
     <message>
-        <source>the picture does not say that it holds depth in 16 bits</source>
-        <translation>das Bild sagt nicht, dass es Tiefe in 16 Bit enthält</translation>
+        <source>the image is not marked as depth in 16 bits</source>
+        <translation>das Bild ist nicht als Tiefe in 16 Bit gekennzeichnet</translation>
     </message>
     <message>
-        <source>a picture of alltact reconstruct --format depth16</source>
-        <translation>ein Bild von alltact reconstruct --format depth16</translation>
+        <source>an image from alltact reconstruct --format depth16</source>
+        <translation>ein Bild aus alltact reconstruct --format depth16</translation>
     </message>
     <message>
-        <source>the part of the face that depth is told of, in millimetres along it from its base; all else counts as off the face</source>
-        <translation>der Teil der Fläche, für den Tiefe angegeben wird, in Millimetern längs der Fläche von ihrem Fuß an; alles andere gilt als außerhalb der Fläche</translation>
+        <source>the part of the face to measure depth on, in millimetres along it from its base; all else counts as off the face</source>
+        <translation>der Teil der Fläche, auf dem Tiefe gemessen wird, in Millimetern längs der Fläche von ihrem Fuß an; alles andere gilt als außerhalb der Fläche</translation>
     </message>
     <message>
         <source>&apos;{}&apos; is not &apos;all&apos; or a part of the face in mm such as 20-60</source>
         <translation>&apos;{}&apos; ist weder &apos;all&apos; noch ein Teil der Fläche in mm wie 20-60</translation>
     </message>
     <message>
-        <source>pixels that a picture is measured with: all of them, or means of 2 by 2 or 4 by 4 of them; results in pixels are then of that picture</source>
-        <translation>Pixel, mit denen ein Bild gemessen wird: alle, oder Mittel aus 2 mal 2 oder 4 mal 4 davon; Ergebnisse in Pixeln gelten dann für dieses Bild</translation>
+        <source>pixels used to measure an image: all of them, or means of 2 by 2 or 4 by 4 of them; results in pixels then refer to that image</source>
+        <translation>Pixel, mit denen ein Bild gemessen wird: alle, oder Mittelwerte aus je 2 mal 2 oder 4 mal 4; Ergebnisse in Pixeln beziehen sich dann auf dieses Bild</translation>
     </message>
     <message>
-        <source>&apos;whole&apos; tells small contacts and steep edges, and numbers small dots</source>
+        <source>&apos;whole&apos; detects small contacts and steep edges, and numbers small dots</source>
         <translation>&apos;whole&apos; erkennt kleine Kontakte und steile Kanten und nummeriert kleine Punkte</translation>
     </message>
     <message>
-        <source>&apos;half&apos; is a quarter of the pixels and of the recording&apos;s memory, &apos;quarter&apos; a sixteenth</source>
-        <translation>&apos;half&apos; ist ein Viertel der Pixel und des Speichers der Aufnahme, &apos;quarter&apos; ein Sechzehntel</translation>
+        <source>&apos;half&apos; uses a quarter of the pixels and of the recording&apos;s memory, &apos;quarter&apos; a sixteenth</source>
+        <translation>&apos;half&apos; nutzt ein Viertel der Pixel und des Speichers der Aufnahme, &apos;quarter&apos; ein Sechzehntel</translation>
     </message>
     <message>
-        <source>pictures of one source whose running mean is measured; 1: each by itself. A finger that moves is then seen where it was on average, and blurred</source>
-        <translation>Bilder einer Quelle, deren gleitendes Mittel gemessen wird; 1: jedes für sich. Ein Finger, der sich bewegt, ist dann dort zu sehen, wo er im Mittel war, und unscharf</translation>
+        <source>images of one source whose running mean is measured; 1: each by itself. A moving finger then appears at its average position, and blurred</source>
+        <translation>Bilder einer Quelle, deren gleitendes Mittel gemessen wird; 1: jedes für sich. Ein bewegter Finger erscheint dann an seiner mittleren Position, und unscharf</translation>
     </message>
     <message>
-        <source>more quiet the noise of a finger that holds still, by their square root</source>
-        <translation>mehr dämpfen das Rauschen eines stillgehaltenen Fingers, um die Wurzel ihrer Zahl</translation>
+        <source>more reduce the noise of a finger that holds still, by their square root</source>
+        <translation>mehr verringern das Rauschen eines stillgehaltenen Fingers, um die Wurzel ihrer Zahl</translation>
     </message>
     <message>
-        <source>more tell of the finger later, by half of them; adding them up takes a little</source>
-        <translation>mehr zeigen den Finger später, um die Hälfte von ihnen; das Summieren kostet ein wenig</translation>
+        <source>more delay the results, by half their number; adding them up takes a little time</source>
+        <translation>mehr verzögern die Ergebnisse, um die Hälfte ihrer Zahl; das Summieren kostet ein wenig Zeit</translation>
     </message>
     <message>
         <source>&apos;all&apos; misses no contact</source>
         <translation>&apos;all&apos; übersieht keinen Kontakt</translation>
     </message>
     <message>
-        <source>depth takes as much less time as the part is shorter than the face</source>
-        <translation>die Tiefe braucht um so viel weniger Zeit, wie der Teil kürzer ist als die Fläche</translation>
+        <source>depth takes less time, in proportion to the part&apos;s length</source>
+        <translation>die Tiefe braucht weniger Zeit, im Verhältnis zur Länge des Teils</translation>
     </message>
     <message>
-        <source>recorded pictures that reference-method local computes the reference from</source>
+        <source>recorded images from which reference-method local computes the reference</source>
         <translation>aufgenommene Bilder, aus denen reference-method local die Referenz berechnet</translation>
     </message>
     <message>
@@ -12461,8 +12461,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>jedes wird in jedem Bild aufsummiert</translation>
     </message>
     <message>
-        <source>no plane goes through so few measured pixels, or through one line</source>
-        <translation>durch so wenige gemessene Pixel, oder durch eine einzige Linie, geht keine Ebene</translation>
+        <source>so few measured pixels, or pixels on one line, define no plane</source>
+        <translation>so wenige gemessene Pixel, oder Pixel auf einer einzigen Linie, legen keine Ebene fest</translation>
     </message>
     <message>
         <source>a larger piece, or one that is measured</source>
@@ -12470,15 +12470,15 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>{} measured pixels where {} are needed</source>
-        <translation>{} gemessene Pixel, wo {} nötig sind</translation>
+        <translation>{} gemessene Pixel, nötig sind {}</translation>
     </message>
     <message>
         <source>no ball lies in this piece</source>
         <translation>in diesem Stück liegt keine Kugel</translation>
     </message>
     <message>
-        <source>a piece that is round, seen up to where it is half as deep</source>
-        <translation>ein rundes Stück, das bis dorthin zu sehen ist, wo es halb so tief ist</translation>
+        <source>a round piece, visible down to half its depth</source>
+        <translation>ein rundes Stück, sichtbar bis zur halben Tiefe</translation>
     </message>
     <message>
         <source>nothing here is deeper than {} mm</source>
@@ -12489,7 +12489,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>ein Stück, in dem etwas drückt</translation>
     </message>
     <message>
-        <source>the piece is too narrow to take its form out</source>
+        <source>the piece is too narrow to remove its form</source>
         <translation>das Stück ist zu schmal, um seine Form herauszurechnen</translation>
     </message>
     <message>
@@ -12497,7 +12497,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>ein breiteres</translation>
     </message>
     <message>
-        <source>no step along this line stands out of the noise</source>
+        <source>no step along this line exceeds the noise</source>
         <translation>keine Stufe längs dieser Linie hebt sich vom Rauschen ab</translation>
     </message>
     <message>
@@ -12505,11 +12505,11 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>eine Linie, die die Stufe im rechten Winkel kreuzt</translation>
     </message>
     <message>
-        <source>a part of this piece is at a limit of what is measured</source>
+        <source>part of this piece is at a limit of the measuring range</source>
         <translation>ein Teil dieses Stücks liegt an der Grenze des Messbereichs</translation>
     </message>
     <message>
-        <source>a piece that is pressed in less deep</source>
+        <source>a piece that is pressed in less deeply</source>
         <translation>ein weniger tief eingedrücktes Stück</translation>
     </message>
     <message>
@@ -12521,7 +12521,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>eine Linie, die auf beiden Seiten weiter reicht</translation>
     </message>
     <message>
-        <source>one side of the step is not plane</source>
+        <source>one side of the step is not flat</source>
         <translation>eine Seite der Stufe ist nicht eben</translation>
     </message>
     <message>
@@ -12529,7 +12529,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>eine Linie über zwei Ebenen, mit der Stufe dazwischen</translation>
     </message>
     <message>
-        <source>both sides of the step are not parallel</source>
+        <source>the two sides of the step are not parallel</source>
         <translation>die beiden Seiten der Stufe sind nicht parallel</translation>
     </message>
     <message>
@@ -12537,12 +12537,12 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>eine Linie über zwei parallele Ebenen, mit der Stufe dazwischen</translation>
     </message>
     <message>
-        <source>could not keep the simulated finger for the next time</source>
-        <translation>der simulierte Finger ließ sich nicht für das nächste Mal aufheben</translation>
+        <source>could not save the simulated finger for the next time</source>
+        <translation>der simulierte Finger ließ sich nicht für das nächste Mal speichern</translation>
     </message>
     <message>
-        <source>error of a push&apos;s direction in the picture; sides begin at 22.5 degrees and every 45 from there, and the paper tells no figure of it</source>
-        <translation>Fehler der Richtung eines Stoßes im Bild; Seiten beginnen bei 22,5 Grad und von dort an alle 45, und die Veröffentlichung nennt keine Zahl dafür</translation>
+        <source>error of a push&apos;s direction in the image; sides begin at 22.5 degrees and every 45 from there; the paper gives no figure for it</source>
+        <translation>Richtungsfehler eines Stoßes im Bild; Seiten beginnen bei 22,5 Grad und von dort an alle 45; die Veröffentlichung nennt dafür keine Zahl</translation>
     </message>
     <message>
         <source>true direction (degrees)</source>
@@ -12553,7 +12553,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Fehler der Richtung (Grad)</translation>
     </message>
     <message>
-        <source>frames under 10 px a dot, or told to be in a pose never recorded</source>
+        <source>frames under 10 px per dot, or reported as a pose never recorded</source>
         <translation>Bilder unter 10 px je Punkt, oder als nie aufgenommene Haltung gemeldet</translation>
     </message>
     <message>
@@ -12561,40 +12561,40 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Bilder unter 10 px, über die Punkte summiert, nächstes einer Aufnahme</translation>
     </message>
     <message>
-        <source>the same, of the recorded frames as the reference combines them</source>
-        <translation>dasselbe, mit den aufgenommenen Bildern, wie die Referenz sie verbindet</translation>
+        <source>the same, for the recorded frames as the reference combines them</source>
+        <translation>dasselbe, mit den aufgenommenen Bildern, wie die Referenz sie kombiniert</translation>
     </message>
     <message>
-        <source>the same, or told that the pose or its surroundings were not recorded</source>
+        <source>the same, or the pose or its surroundings are reported as not recorded</source>
         <translation>dasselbe, oder gemeldet, dass die Haltung oder ihre Umgebung nicht aufgenommen wurde</translation>
     </message>
     <message>
         <source>as the reference combines them, ours</source>
-        <translation>wie die Referenz sie verbindet, unseres</translation>
+        <translation>wie die Referenz sie kombiniert, unseres</translation>
     </message>
     <message>
-        <source>The paper sums the distance over its dots, and under 40 px is told so here; under 10 px is told over this finger and {} drawn at random, for a dot and summed</source>
-        <translation>Die Veröffentlichung summiert den Abstand über ihre Punkte, und unter 40 px wird hier so angegeben; unter 10 px wird über diesen Finger und {} zufällig gezogene angegeben, je Punkt und summiert</translation>
+        <source>The paper sums the distance over its dots, and so does the figure under 40 px here; the figure under 10 px covers this finger and {} drawn at random, per dot and summed</source>
+        <translation>Die Veröffentlichung summiert den Abstand über ihre Punkte, und so auch die Angabe unter 40 px hier; die Angabe unter 10 px gilt für diesen Finger und {} zufällig gezogene, je Punkt und summiert</translation>
     </message>
     <message>
         <source>truth</source>
         <translation>Wahrheit</translation>
     </message>
     <message>
-        <source>relief of the straight finger, as the pressed face lies from base (left) to tip</source>
-        <translation>Relief des geraden Fingers, wie die gedrückte Fläche vom Fuß (links) bis zur Spitze liegt</translation>
+        <source>relief of the straight finger, along the pressed face from base (left) to tip</source>
+        <translation>Relief des geraden Fingers, längs der gedrückten Fläche vom Fuß (links) bis zur Spitze</translation>
     </message>
     <message>
-        <source>relief of the bent finger, as the pressed face lies from base (left) to tip</source>
-        <translation>Relief des gebogenen Fingers, wie die gedrückte Fläche vom Fuß (links) bis zur Spitze liegt</translation>
+        <source>relief of the bent finger, along the pressed face from base (left) to tip</source>
+        <translation>Relief des gebogenen Fingers, längs der gedrückten Fläche vom Fuß (links) bis zur Spitze</translation>
     </message>
     <message>
         <source>recording of all poses</source>
-        <translation>Aufnahme aller Posen</translation>
+        <translation>Aufnahme aller Haltungen</translation>
     </message>
     <message>
         <source>recording of all poses, error</source>
-        <translation>Aufnahme aller Posen, Fehler</translation>
+        <translation>Aufnahme aller Haltungen, Fehler</translation>
     </message>
     <message>
         <source>single reference</source>
@@ -12605,11 +12605,11 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>einzelne Referenz, Fehler</translation>
     </message>
     <message>
-        <source>The paper shows pictures of reliefs and no figure; both of ours use the same calibration, so that only the reference differs</source>
-        <translation>Die Veröffentlichung zeigt Bilder von Reliefs und keine Zahl; unsere beiden verwenden dieselbe Kalibrierung, sodass sich nur die Referenz unterscheidet</translation>
+        <source>The paper shows images of reliefs but no figure; both of ours use the same calibration, so only the reference differs</source>
+        <translation>Die Veröffentlichung zeigt Bilder von Reliefs, aber keine Zahl; unsere beiden verwenden dieselbe Kalibrierung, sodass sich nur die Referenz unterscheidet</translation>
     </message>
     <message>
-        <source>no finger was given that measures these pictures</source>
+        <source>no finger was specified to measure these images</source>
         <translation>es wurde kein Finger angegeben, der diese Bilder misst</translation>
     </message>
     <message>
@@ -12626,7 +12626,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>ours, on this computer</source>
-        <translation>unsere, auf diesem Computer</translation>
+        <translation>unsere, auf diesem Rechner</translation>
     </message>
     <message>
         <source>the worst of {} fingers drawn at random, within +-20 mm</source>
@@ -12637,7 +12637,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>der schlechteste von {} zufällig gezogenen Fingern, an der Spitze</translation>
     </message>
     <message>
-        <source>is no setting of this version</source>
+        <source>is not a setting of this version</source>
         <translation>ist keine Einstellung dieser Version</translation>
     </message>
     <message>
@@ -12649,7 +12649,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>den Finger noch einmal untersuchen</translation>
     </message>
     <message>
-        <source>this finger keeps no presets: it was not studied yet</source>
+        <source>this finger has no presets: it was not studied yet</source>
         <translation>dieser Finger hat keine Voreinstellungen: Er wurde noch nicht untersucht</translation>
     </message>
     <message>
@@ -12657,19 +12657,19 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>alltact study {} --save</translation>
     </message>
     <message>
-        <source>nothing is faster on this finger without being half as wrong again</source>
-        <translation>nichts ist bei diesem Finger schneller, ohne dass der Fehler um die Hälfte wächst</translation>
+        <source>no setting is faster on this finger without an error half as large again</source>
+        <translation>keine Einstellung ist bei diesem Finger schneller, ohne dass der Fehler um die Hälfte wächst</translation>
     </message>
     <message>
-        <source>nothing is more accurate on this finger than how it was calibrated</source>
-        <translation>nichts ist bei diesem Finger genauer als so, wie er kalibriert wurde</translation>
+        <source>no setting is more accurate on this finger than those of its calibration</source>
+        <translation>keine Einstellung ist bei diesem Finger genauer als die seiner Kalibrierung</translation>
     </message>
     <message>
         <source>measuring with {}</source>
         <translation>mit {} messen</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; is no preset of this finger</source>
+        <source>&apos;{}&apos; is not a preset of this finger</source>
         <translation>&apos;{}&apos; ist keine Voreinstellung dieses Fingers</translation>
     </message>
     <message>
@@ -12677,56 +12677,56 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>{}</translation>
     </message>
     <message>
-        <source>beyond the {} that are to be used</source>
+        <source>beyond the {} to be used</source>
         <translation>mehr als die {}, die verwendet werden sollen</translation>
     </message>
     <message>
-        <source>presses that are used at most, spread evenly over those given; 0: all of them</source>
-        <translation>Eindrücke, die höchstens verwendet werden, gleichmäßig über die gegebenen verteilt; 0: alle</translation>
+        <source>maximum number of presses to use, spread evenly over those given; 0: all of them</source>
+        <translation>höchste Zahl verwendeter Eindrücke, gleichmäßig über die gegebenen verteilt; 0: alle</translation>
     </message>
     <message>
-        <source>more hold the curve at more depths and places; ten well spread are usual</source>
-        <translation>mehr stützen die Kurve bei mehr Tiefen und an mehr Orten; zehn gut verteilte sind üblich</translation>
+        <source>more support the curve at more depths and positions; ten well spread are typical</source>
+        <translation>mehr stützen die Kurve bei mehr Tiefen und an mehr Positionen; zehn gut verteilte sind typisch</translation>
     </message>
     <message>
-        <source>each has to be made, and is left out once to see what it predicts</source>
-        <translation>jeder muss gemacht werden und wird einmal ausgelassen, um zu sehen, was er vorhersagt</translation>
+        <source>each must be made, and is left out once to test the prediction</source>
+        <translation>jeder muss gemacht werden und wird einmal ausgelassen, um die Vorhersage zu prüfen</translation>
     </message>
     <message>
-        <source>pictures of a press held still (--bursts) that are averaged at most</source>
-        <translation>Bilder eines stillgehaltenen Eindrucks (--bursts), die höchstens gemittelt werden</translation>
+        <source>maximum number of averaged images of a press held still (--bursts)</source>
+        <translation>höchste Zahl gemittelter Bilder eines stillgehaltenen Eindrucks (--bursts)</translation>
     </message>
     <message>
         <source>more leave less noise in a press, by their square root</source>
         <translation>mehr lassen weniger Rauschen in einem Eindruck, nach ihrer Quadratwurzel</translation>
     </message>
     <message>
-        <source>the ball has to be held still for so long, and reading them takes a little</source>
-        <translation>so lange muss die Kugel stillgehalten werden, und das Einlesen dauert ein wenig</translation>
+        <source>the ball must be held still that long, and reading them takes a little time</source>
+        <translation>die Kugel muss so lange stillgehalten werden, und das Einlesen kostet ein wenig Zeit</translation>
     </message>
     <message>
-        <source>rounds of the joint fit at most; it ends before when nothing moves any more</source>
-        <translation>höchste Zahl der Runden der gemeinsamen Anpassung; sie endet früher, wenn sich nichts mehr bewegt</translation>
+        <source>maximum number of rounds of the joint fit; it ends earlier when nothing changes</source>
+        <translation>höchste Zahl der Runden der gemeinsamen Anpassung; sie endet früher, wenn sich nichts mehr ändert</translation>
     </message>
     <message>
-        <source>more settle what presses say against each other; too few leave the curve where it began</source>
-        <translation>mehr gleichen aus, was Eindrücke gegeneinander sagen; zu wenige lassen die Kurve, wo sie begann</translation>
+        <source>more resolve contradictions between presses; too few leave the curve where it began</source>
+        <translation>mehr gleichen Widersprüche zwischen Eindrücken aus; zu wenige lassen die Kurve, wo sie begann</translation>
     </message>
     <message>
         <source>each solves all presses together once, in every trial</source>
         <translation>jede löst alle Eindrücke einmal gemeinsam, in jedem Versuch</translation>
     </message>
     <message>
-        <source>the presses do not tell whether brightness follows the layer&apos;s thickness along its normal ({:.4f} mm on presses left out) or along z ({:.4f} mm): the normal is taken, and if that is wrong, places on the face lie {:.1f} mm off along it; larger pictures tell, and presses where the face is steep and where it is flat</source>
-        <translation>die Eindrücke sagen nicht, ob die Helligkeit der Dicke der Schicht längs ihrer Normalen ({:.4f} mm bei ausgelassenen Eindrücken) oder längs z ({:.4f} mm) folgt: Genommen wird die Normale, und wenn das falsch ist, liegen Orte auf der Fläche längs von ihr um {:.1f} mm daneben; größere Bilder zeigen es, und Eindrücke, wo die Fläche steil und wo sie flach ist</translation>
+        <source>the presses do not show whether brightness follows the layer&apos;s thickness along its normal ({:.4f} mm on presses left out) or along z ({:.4f} mm): the normal is assumed; if wrong, positions on the face are {:.1f} mm off along it; use larger images, and presses where the face is steep and where it is flat</source>
+        <translation>die Eindrücke zeigen nicht, ob die Helligkeit der Dicke der Schicht längs ihrer Normalen ({:.4f} mm bei ausgelassenen Eindrücken) oder längs z ({:.4f} mm) folgt: Angenommen wird die Normale; ist das falsch, weichen Positionen längs der Fläche um {:.1f} mm ab; größere Bilder verwenden, und Eindrücke, wo die Fläche steil und wo sie flach ist</translation>
     </message>
     <message>
         <source>the source paper&apos;s method is not studied with a turned camera</source>
         <translation>das Verfahren der Veröffentlichung wird nicht mit einer gedrehten Kamera untersucht</translation>
     </message>
     <message>
-        <source>{}: depth {:.1f} instead of {:.1f} micrometres off in the median, 95 % within {:.1f} instead of {:.1f}, for {:.1f} minutes more</source>
-        <translation>{}: Tiefe im Median um {:.1f} statt {:.1f} Mikrometer falsch, 95 % innerhalb von {:.1f} statt {:.1f}, für {:.1f} Minuten mehr</translation>
+        <source>{}: median depth error {:.1f} instead of {:.1f} micrometres, 95 % within {:.1f} instead of {:.1f}, for {:.1f} more minutes</source>
+        <translation>{}: Tiefenfehler im Median {:.1f} statt {:.1f} Mikrometer, 95 % innerhalb von {:.1f} statt {:.1f}, für {:.1f} Minuten mehr</translation>
     </message>
     <message numerus="yes">
         <source>{} presses</source>
@@ -12737,7 +12737,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         </translation>
     </message>
     <message>
-        <source>{} pictures each</source>
+        <source>{} images each</source>
         <translation>je {} Bilder</translation>
     </message>
     <message>
@@ -12749,7 +12749,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Familie {}</translation>
     </message>
     <message numerus="yes">
-        <source>{} presses more</source>
+        <source>{} more presses</source>
         <comment>{} press more</comment>
         <translation>
             <numerusform>{} Eindruck mehr</numerusform>
@@ -12757,16 +12757,16 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         </translation>
     </message>
     <message>
-        <source>{} pictures of each press</source>
+        <source>{} images of each press</source>
         <translation>{} Bilder von jedem Eindruck</translation>
     </message>
     <message>
-        <source>The best within a minute more ({})</source>
+        <source>The best within one more minute ({})</source>
         <translation>Das Beste in höchstens einer Minute mehr ({})</translation>
     </message>
     <message>
-        <source>the finger keeps too few presses to leave one out: {}</source>
-        <translation>der Finger hat zu wenige Eindrücke, um einen auszulassen: {}</translation>
+        <source>the finger has too few stored presses to leave one out: {}</source>
+        <translation>der Finger hat zu wenige gespeicherte Eindrücke, um einen auszulassen: {}</translation>
     </message>
     <message>
         <source>calibrating it with three presses or more</source>
@@ -12781,7 +12781,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Kalibrieren mit: {}</translation>
     </message>
     <message>
-        <source>none of {} presses could be held against a mapping made without it</source>
+        <source>none of {} presses could be compared with a mapping made without it</source>
         <translation>keiner von {} Eindrücken ließ sich mit einer Abbildung vergleichen, die ohne ihn entstand</translation>
     </message>
     <message>
@@ -12805,27 +12805,27 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>dauert {:.2f}-mal so lange</translation>
     </message>
     <message>
-        <source>depth {:.1f} instead of {:.1f} micrometres off</source>
-        <translation>Tiefe um {:.1f} statt {:.1f} Mikrometer falsch</translation>
+        <source>depth error {:.1f} instead of {:.1f} micrometres</source>
+        <translation>Tiefenfehler {:.1f} statt {:.1f} Mikrometer</translation>
     </message>
     <message>
         <source>95 % of depth within {:.1f} instead of {:.1f} micrometres</source>
         <translation>95 % der Tiefen innerhalb von {:.1f} statt {:.1f} Mikrometern</translation>
     </message>
     <message>
-        <source>places told {:.3f} instead of {:.3f} mm off</source>
-        <translation>Orte um {:.3f} statt {:.3f} mm falsch</translation>
+        <source>position error {:.3f} instead of {:.3f} mm</source>
+        <translation>Positionsfehler {:.3f} statt {:.3f} mm</translation>
     </message>
     <message>
-        <source>angles told {:.1f} instead of {:.1f} degrees off</source>
-        <translation>Winkel um {:.1f} statt {:.1f} Grad falsch</translation>
+        <source>angle error {:.1f} instead of {:.1f} degrees</source>
+        <translation>Winkelfehler {:.1f} statt {:.1f} Grad</translation>
     </message>
     <message>
         <source>{:.1f} instead of {:.1f} micrometres of false depth</source>
         <translation>{:.1f} statt {:.1f} Mikrometer falsche Tiefe</translation>
     </message>
     <message numerus="yes">
-        <source>no depth in {} pictures</source>
+        <source>no depth in {} images</source>
         <comment>no depth in {} picture</comment>
         <translation>
             <numerusform>keine Tiefe in {} Bild</numerusform>
@@ -12834,7 +12834,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>the figure cannot be drawn</source>
-        <translation>die Abbildung lässt sich nicht zeichnen</translation>
+        <translation>die Grafik lässt sich nicht zeichnen</translation>
     </message>
     <message>
         <source>the part&apos;s video of depth is missing</source>
@@ -12845,12 +12845,12 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>die Tiefe ließ sich nicht komprimieren</translation>
     </message>
     <message>
-        <source>the video does not say that it holds depth</source>
-        <translation>das Video sagt nicht, dass es Tiefe enthält</translation>
+        <source>the video is not marked as depth</source>
+        <translation>das Video ist nicht als Tiefe gekennzeichnet</translation>
     </message>
     <message>
-        <source>a video of alltact reconstruct --format depth-video</source>
-        <translation>ein Video von alltact reconstruct --format depth-video</translation>
+        <source>a video from alltact reconstruct --format depth-video</source>
+        <translation>ein Video aus alltact reconstruct --format depth-video</translation>
     </message>
     <message>
         <source>the video of depth is damaged or cut short</source>
@@ -12865,31 +12865,31 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>libavcodec dieses Systems kann FFV1 nicht schreiben</translation>
     </message>
     <message>
-        <source>Debian&apos;s libavcodec, or depth as single pictures</source>
+        <source>Debian&apos;s libavcodec, or depth as single images</source>
         <translation>libavcodec von Debian, oder die Tiefe als einzelne Bilder</translation>
     </message>
     <message>
-        <source>whether what the lens bends is taken out of every point, or the lens is taken as one that bends nothing</source>
-        <translation>ob aus jedem Punkt herausgerechnet wird, was das Objektiv verzeichnet, oder das Objektiv als eines genommen wird, das nichts verzeichnet</translation>
+        <source>whether the lens distortion is removed from every point, or the lens is assumed to have none</source>
+        <translation>ob die Verzeichnung des Objektivs aus jedem Punkt herausgerechnet oder das Objektiv als verzeichnungsfrei angenommen wird</translation>
     </message>
     <message>
-        <source>&apos;exact&apos; tells shape and places right up to the picture&apos;s corners</source>
-        <translation>&apos;exact&apos; misst Form und Orte bis in die Ecken des Bildes richtig</translation>
+        <source>&apos;exact&apos; measures shape and positions correctly up to the image&apos;s corners</source>
+        <translation>&apos;exact&apos; misst Form und Positionen bis in die Ecken des Bildes richtig</translation>
     </message>
     <message>
-        <source>&apos;exact&apos; looks each ray up by itself</source>
+        <source>&apos;exact&apos; looks up each ray separately</source>
         <translation>&apos;exact&apos; schlägt jeden Strahl einzeln nach</translation>
     </message>
     <message>
-        <source>how a layer pressed in along its normal is told along z: looked up where the normal leads, or at the same pixel as if all rays were parallel</source>
-        <translation>wie eine Schicht, die entlang ihrer Normalen eingedrückt ist, entlang z angegeben wird: nachgeschlagen, wohin die Normale führt, oder am selben Pixel, als wären alle Strahlen parallel</translation>
+        <source>how a layer pressed in along its normal is converted to z: looked up where the normal leads, or at the same pixel as if all rays were parallel</source>
+        <translation>wie eine entlang ihrer Normalen eingedrückte Schicht in z umgerechnet wird: dort nachgeschlagen, wohin die Normale führt, oder am selben Pixel, als wären alle Strahlen parallel</translation>
     </message>
     <message>
-        <source>&apos;exact&apos; tells a contact on a sloping face where it is and as deep as it is; &apos;parallel&apos; up to a layer&apos;s thickness beside</source>
-        <translation>&apos;exact&apos; gibt einen Kontakt auf einer schrägen Fläche an, wo er ist und wie tief er ist; &apos;parallel&apos; bis zu einer Schichtdicke daneben</translation>
+        <source>&apos;exact&apos; measures a contact on a sloping face at its true position and depth; &apos;parallel&apos; up to a layer&apos;s thickness off</source>
+        <translation>&apos;exact&apos; misst einen Kontakt auf einer schrägen Fläche an seiner wahren Position und Tiefe; &apos;parallel&apos; bis zu einer Schichtdicke daneben</translation>
     </message>
     <message>
-        <source>&apos;exact&apos; looks every pixel of a contact up once more</source>
+        <source>&apos;exact&apos; looks up every pixel of a contact once more</source>
         <translation>&apos;exact&apos; schlägt jedes Pixel eines Kontakts noch einmal nach</translation>
     </message>
     <message>
@@ -12897,8 +12897,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Pixel von einem Eckpunkt zum nächsten in Flächen, die gespeichert oder in 3D gezeigt werden; 1: jedes Pixel</translation>
     </message>
     <message>
-        <source>1 keeps every edge that was measured</source>
-        <translation>1 behält jede Kante, die gemessen wurde</translation>
+        <source>1 preserves every measured edge</source>
+        <translation>1 erhält jede gemessene Kante</translation>
     </message>
     <message>
         <source>time and size fall with its square</source>
@@ -12906,22 +12906,22 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>a point lies off the face</source>
-        <translation>ein Punkt liegt neben der Fläche</translation>
+        <translation>ein Punkt liegt außerhalb der Fläche</translation>
     </message>
     <message>
         <source>points on the face</source>
         <translation>Punkte auf der Fläche</translation>
     </message>
     <message>
-        <source>both points are one</source>
-        <translation>beide Punkte sind einer</translation>
+        <source>both points are the same</source>
+        <translation>beide Punkte sind gleich</translation>
     </message>
     <message>
-        <source>two points that are apart</source>
-        <translation>zwei Punkte, die auseinander liegen</translation>
+        <source>two different points</source>
+        <translation>zwei verschiedene Punkte</translation>
     </message>
     <message>
-        <source>the connection&apos;s line was not whole</source>
+        <source>the connection&apos;s line was incomplete</source>
         <translation>die Zeile der Verbindung war nicht vollständig</translation>
     </message>
     <message>
@@ -12929,8 +12929,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>sie mit einem Zeilenumbruch beenden</translation>
     </message>
     <message>
-        <source>something came after the line</source>
-        <translation>nach der Zeile kam noch etwas</translation>
+        <source>more data followed the line</source>
+        <translation>nach der Zeile folgten weitere Daten</translation>
     </message>
     <message>
         <source>connecting again</source>
@@ -12945,20 +12945,20 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>eine Zeile wie alltact-stream/1 picture depth16</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; does not ask for {}</source>
-        <translation>&apos;{}&apos; bittet nicht um {}</translation>
+        <source>&apos;{}&apos; does not request {}</source>
+        <translation>&apos;{}&apos; fordert {} nicht an</translation>
     </message>
     <message>
-        <source>there is no part &apos;{}&apos;, but {}</source>
-        <translation>es gibt keinen Teil &apos;{}&apos;, sondern {}</translation>
+        <source>there is no part &apos;{}&apos;, only {}</source>
+        <translation>es gibt keinen Teil &apos;{}&apos;, nur {}</translation>
     </message>
     <message>
-        <source>another user&apos;s programs are not let in</source>
-        <translation>Programme eines anderen Benutzers werden nicht eingelassen</translation>
+        <source>programs of other users are not accepted</source>
+        <translation>Programme anderer Benutzer werden nicht zugelassen</translation>
     </message>
     <message>
-        <source>{} programs are served already</source>
-        <translation>{} Programme werden schon bedient</translation>
+        <source>{} programs are already served</source>
+        <translation>{} Programme werden bereits bedient</translation>
     </message>
     <message>
         <source>ending one of them</source>
@@ -12969,20 +12969,20 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>binnen {} Sekunden kam keine Zeile</translation>
     </message>
     <message>
-        <source>programs could not be let in here</source>
-        <translation>hier konnten keine Programme eingelassen werden</translation>
+        <source>programs could not connect here</source>
+        <translation>hier konnten sich keine Programme verbinden</translation>
     </message>
     <message>
-        <source>the path is longer than the {} bytes that a socket&apos;s may have</source>
-        <translation>der Pfad ist länger als die {} Bytes, die der eines Sockets haben darf</translation>
+        <source>the path is longer than the {} bytes a socket&apos;s path may have</source>
+        <translation>der Pfad ist länger als die {} Bytes, die ein Socket-Pfad haben darf</translation>
     </message>
     <message>
         <source>a shorter one with --socket</source>
         <translation>ein kürzerer mit --socket</translation>
     </message>
     <message>
-        <source>this folder belongs to somebody else, who could read along</source>
-        <translation>dieser Ordner gehört jemand anderem, der mitlesen könnte</translation>
+        <source>this folder belongs to another user, who could read the data</source>
+        <translation>dieser Ordner gehört einem anderen Benutzer, der mitlesen könnte</translation>
     </message>
     <message>
         <source>a folder of your own with --socket</source>
@@ -12997,20 +12997,20 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>chmod 700, oder ein anderer Ordner mit --socket</translation>
     </message>
     <message>
-        <source>there is something here that is no socket, and it is left alone</source>
-        <translation>hier ist etwas, das kein Socket ist, und es bleibt unberührt</translation>
+        <source>something here is not a socket, and it remains unchanged</source>
+        <translation>hier liegt etwas, das kein Socket ist, und es bleibt unverändert</translation>
     </message>
     <message>
         <source>another path with --socket</source>
         <translation>ein anderer Pfad mit --socket</translation>
     </message>
     <message>
-        <source>another program serves here already ({})</source>
-        <translation>hier dient schon ein anderes Programm ({})</translation>
+        <source>another program already serves here ({})</source>
+        <translation>ein anderes Programm nutzt diesen Pfad schon ({})</translation>
     </message>
     <message>
         <source>connecting to that one, ending it, or another path with --socket</source>
-        <translation>sich mit diesem verbinden, es beenden, oder ein anderer Pfad mit --socket</translation>
+        <translation>sich mit diesem verbinden, es beenden oder einen anderen Pfad mit --socket wählen</translation>
     </message>
     <message>
         <source>a file that a 3D program shows</source>
@@ -13029,12 +13029,12 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>NAME.depth.tiff</translation>
     </message>
     <message>
-        <source>the edges at the {} are not seen</source>
+        <source>the edges at the {} are not visible</source>
         <translation>die Kanten an der {} sind nicht zu sehen</translation>
     </message>
     <message>
-        <source>bring the whole face into the picture, lit, with dark beside it</source>
-        <translation>die ganze Fläche ins Bild bringen, beleuchtet, mit Dunkel daneben</translation>
+        <source>bring the entire face into the image, lit, with dark next to it</source>
+        <translation>die gesamte Fläche beleuchtet ins Bild bringen, mit Dunkel daneben</translation>
     </message>
     <message>
         <source>edges at the {} are {:.1f} px wide</source>
@@ -13045,11 +13045,11 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>das Objektiv drehen, bis es an der {} scharf ist, und das andere Ende scharf lassen</translation>
     </message>
     <message>
-        <source>no face is seen</source>
+        <source>no face is visible</source>
         <translation>keine Fläche ist zu sehen</translation>
     </message>
     <message>
-        <source>{:.1f} % of the face are too bright to measure</source>
+        <source>{:.1f} % of the face is too bright to measure</source>
         <translation>{:.1f} % der Fläche sind zu hell zum Messen</translation>
     </message>
     <message>
@@ -13057,8 +13057,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>die Lampe dimmen oder kürzer belichten</translation>
     </message>
     <message>
-        <source>the face is {:.0f} of 255 bright, nothing is too bright</source>
-        <translation>die Fläche ist {:.0f} von 255 hell, nichts ist zu hell</translation>
+        <source>the face has brightness {:.0f} of 255, nothing is too bright</source>
+        <translation>die Fläche hat Helligkeit {:.0f} von 255, nichts ist zu hell</translation>
     </message>
     <message>
         <source>turn the lamp up, or lengthen the exposure</source>
@@ -13074,27 +13074,27 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>let the lamp warm up for ten minutes, shade the finger from the room&apos;s light, and lock the brightness</source>
-        <translation>die Lampe zehn Minuten warm werden lassen, den Finger vor dem Licht des Raums schützen und die Helligkeit sperren</translation>
+        <translation>die Lampe zehn Minuten warm werden lassen, den Finger vor dem Raumlicht schützen und die Helligkeit sperren</translation>
     </message>
     <message>
-        <source>no picture yet</source>
+        <source>no image yet</source>
         <translation>noch kein Bild</translation>
     </message>
     <message>
         <source>{} dots are found</source>
-        <translation>{} Punkte sind gefunden</translation>
+        <translation>{} Punkte gefunden</translation>
     </message>
     <message>
         <source>{} of {} dots are found</source>
-        <translation>{} von {} Punkten sind gefunden</translation>
+        <translation>{} von {} Punkten gefunden</translation>
     </message>
     <message>
-        <source>light the dots evenly, keep both rows in the picture, and check how many the finger has</source>
+        <source>light the dots evenly, keep both rows in the image, and check how many the finger has</source>
         <translation>die Punkte gleichmäßig beleuchten, beide Reihen im Bild halten und prüfen, wie viele der Finger hat</translation>
     </message>
     <message>
-        <source>&apos;joint&apos; is several times closer, and says how sure it is</source>
-        <translation>&apos;joint&apos; ist mehrmals näher und sagt, wie sicher es ist</translation>
+        <source>&apos;joint&apos; is several times more accurate, and reports its certainty</source>
+        <translation>&apos;joint&apos; ist um ein Mehrfaches genauer und gibt seine Sicherheit an</translation>
     </message>
     <message>
         <source>&apos;joint&apos; solves all presses together, which takes seconds</source>
@@ -13102,11 +13102,11 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>&apos;moebius&apos; and &apos;kubelka-munk&apos; need few presses where the layer is even; &apos;polynomial&apos; follows any layer, given more of them</source>
-        <translation>&apos;moebius&apos; und &apos;kubelka-munk&apos; brauchen wenige Eindrücke, wo die Schicht gleichmäßig ist; &apos;polynomial&apos; folgt jeder Schicht, wenn mehr davon da sind</translation>
+        <translation>&apos;moebius&apos; und &apos;kubelka-munk&apos; brauchen wenige Eindrücke, wo die Schicht gleichmäßig ist; &apos;polynomial&apos; folgt jeder Schicht, braucht aber mehr davon</translation>
     </message>
     <message>
-        <source>&apos;auto&apos; fits all of them and leaves presses out of each</source>
-        <translation>&apos;auto&apos; passt alle an und lässt von jeder Eindrücke aus</translation>
+        <source>&apos;auto&apos; fits all of them and leaves presses out for each</source>
+        <translation>&apos;auto&apos; passt alle an und lässt bei jeder Eindrücke aus</translation>
     </message>
     <message numerus="yes">
         <source>{} iterations</source>
@@ -13125,23 +13125,23 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>alltact reference, dann alltact calibrate</translation>
     </message>
     <message>
-        <source>no picture of the reference recording shows the face</source>
+        <source>no image of the reference recording shows the face</source>
         <translation>kein Bild der Referenzaufnahme zeigt die Fläche</translation>
     </message>
     <message>
-        <source>how time and memory grow, of {}</source>
-        <translation>wie Zeit und Speicher wachsen, von {}</translation>
+        <source>how time and memory grow for {}</source>
+        <translation>wie Zeit und Speicher wachsen, bei {}</translation>
     </message>
     <message>
         <source>one frame</source>
         <translation>ein Bild</translation>
     </message>
     <message>
-        <source>pixels of the picture</source>
+        <source>pixels of the image</source>
         <translation>Pixel des Bildes</translation>
     </message>
     <message>
-        <source>pictures of {} x {}</source>
+        <source>images of {} x {}</source>
         <translation>Bilder von {} x {}</translation>
     </message>
     <message>
@@ -13161,8 +13161,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>eine Aufnahme von {} Bildern</translation>
     </message>
     <message>
-        <source>{} of {} searches found what looking at all frames finds</source>
-        <translation>{} von {} Suchen fanden, was der Blick auf alle Bilder findet</translation>
+        <source>{} of {} searches gave the same result as a search of all frames</source>
+        <translation>{} von {} Suchen ergaben dasselbe wie die Suche in allen Bildern</translation>
     </message>
     <message>
         <source>numbering dots seen anew</source>
@@ -13197,11 +13197,11 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         </translation>
     </message>
     <message numerus="yes">
-        <source>{} presses are different ones, the others their copies</source>
+        <source>{} presses are distinct, the others are their copies</source>
         <comment>{} press is a different one, the others its copies</comment>
         <translation>
-            <numerusform>{} Eindruck ist verschieden, die anderen sind Kopien davon</numerusform>
-            <numerusform>{} Eindrücke sind verschieden, die anderen sind Kopien davon</numerusform>
+            <numerusform>{} Eindruck ist eigenständig, die anderen sind Kopien davon</numerusform>
+            <numerusform>{} Eindrücke sind eigenständig, die anderen sind Kopien davon</numerusform>
         </translation>
     </message>
     <message>
@@ -13217,24 +13217,24 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>eine Aufnahme von {:.0f} s</translation>
     </message>
     <message>
-        <source>{} frames of the longest were measured; memory: the most that was held beside the reference</source>
-        <translation>{} Bilder der längsten wurden gemessen; Speicher: das meiste, was neben der Referenz gehalten wurde</translation>
+        <source>{} frames of the longest were measured; memory: the maximum in addition to the reference</source>
+        <translation>{} Bilder der längsten wurden gemessen; Speicher: das Maximum zusätzlich zur Referenz</translation>
     </message>
     <message>
-        <source>its error is told from the third view on</source>
-        <translation>sein Fehler wird ab der dritten Ansicht genannt</translation>
+        <source>its error is estimated from the third view on</source>
+        <translation>sein Fehler wird ab der dritten Ansicht geschätzt</translation>
     </message>
     <message>
         <source>no frame shows a face</source>
         <translation>kein Bild zeigt eine Fläche</translation>
     </message>
     <message>
-        <source>the picture cannot be written</source>
+        <source>the image cannot be written</source>
         <translation>das Bild kann nicht geschrieben werden</translation>
     </message>
     <message>
         <source>another folder, or freeing some space</source>
-        <translation>ein anderer Ordner, oder Platz schaffen</translation>
+        <translation>einen anderen Ordner wählen oder Platz schaffen</translation>
     </message>
     <message>
         <source>there is no cross-section</source>
@@ -13246,15 +13246,15 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>the figure cannot be written</source>
-        <translation>die Abbildung kann nicht geschrieben werden</translation>
+        <translation>die Grafik kann nicht geschrieben werden</translation>
     </message>
     <message>
-        <source>there is no room to try the recording in</source>
-        <translation>es ist kein Platz, um die Aufnahme auszuprobieren</translation>
+        <source>there is no space to try the recording</source>
+        <translation>der Platz reicht nicht, um die Aufnahme auszuprobieren</translation>
     </message>
     <message>
         <source>freeing some space on the disk</source>
-        <translation>Platz auf der Platte schaffen</translation>
+        <translation>Platz auf dem Datenträger schaffen</translation>
     </message>
     <message>
         <source>the finger could not be copied: {}</source>
@@ -13269,8 +13269,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>die nummerierten Listen der Hilfeseiten kürzen</translation>
     </message>
     <message>
-        <source>the markers tell from which side the finger is pushed, but not how far from its base: a push on a side moves them alike wherever it is</source>
-        <translation>die Marken verraten, von welcher Seite der Finger gedrückt wird, aber nicht, wie weit von seiner Basis: ein Druck auf eine Seite bewegt sie gleich, wo immer er ist</translation>
+        <source>the markers show from which side the finger is pushed, but not how far from its base: a push on a side moves them alike wherever it is</source>
+        <translation>die Marken zeigen, von welcher Seite der Finger gedrückt wird, aber nicht, wie weit von seinem Fuß: ein Druck auf eine Seite bewegt sie gleich, wo immer er ist</translation>
     </message>
     <message>
         <source>a change of the finger that was interrupted cannot be completed: {}</source>
@@ -13285,7 +13285,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>den Ordner selbst statt des Verweises dorthin legen</translation>
     </message>
     <message>
-        <source>this is no list of files to be changed</source>
+        <source>this is not a list of files to be changed</source>
         <translation>dies ist keine Liste zu ändernder Dateien</translation>
     </message>
     <message>
@@ -13301,8 +13301,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>der Ordner konnte nicht gelesen werden</translation>
     </message>
     <message>
-        <source>what the ways of finding markers cost and gain</source>
-        <translation>was die Arten, Marker zu finden, kosten und bringen</translation>
+        <source>what the methods of finding markers cost and gain</source>
+        <translation>was die Verfahren zur Markensuche kosten und bringen</translation>
     </message>
     <message>
         <source>blobs, the default</source>
@@ -13310,7 +13310,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>the paper&apos;s rows</source>
-        <translation>Reihen wie in der Quellarbeit</translation>
+        <translation>Reihen wie in der Veröffentlichung</translation>
     </message>
     <message>
         <source>network</source>
@@ -13341,11 +13341,11 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>verschmutzt</translation>
     </message>
     <message>
-        <source>{}: markers in sight that are found</source>
-        <translation>{}: sichtbare Marker, die gefunden werden</translation>
+        <source>{}: visible markers that are found</source>
+        <translation>{}: sichtbare Marken, die gefunden werden</translation>
     </message>
     <message>
-        <source>{}: told as seen, and elsewhere</source>
+        <source>{}: reported as seen, but elsewhere</source>
         <translation>{}: als gesehen gemeldet, doch anderswo</translation>
     </message>
     <message>
@@ -13365,51 +13365,51 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>was es schwer macht</translation>
     </message>
     <message>
-        <source>markers in sight that are found, each frame by itself</source>
-        <translation>sichtbare Marker, die gefunden werden, jedes Bild für sich</translation>
+        <source>visible markers that are found, each frame by itself</source>
+        <translation>sichtbare Marken, die gefunden werden, jedes Bild für sich</translation>
     </message>
     <message>
         <source>found (%)</source>
         <translation>gefunden (%)</translation>
     </message>
     <message>
-        <source>how far hidden markers are from where they are said to be</source>
-        <translation>wie weit verdeckte Marker von der angegebenen Stelle entfernt sind</translation>
+        <source>how far hidden markers are from their reported positions</source>
+        <translation>wie weit verdeckte Marken von ihren gemeldeten Positionen entfernt sind</translation>
     </message>
     <message>
         <source>root mean square (px)</source>
         <translation>quadratisches Mittel (px)</translation>
     </message>
     <message>
-        <source>The demonstration&apos;s finger and {} drawn at random, which the network has not been trained on. Blobs and network are numbered by the recording, the paper&apos;s rows from left to right with hidden ones between their neighbours; each frame is looked at anew, as if none had come before. The paper tells no figure of its markers</source>
-        <translation>Der Finger der Vorführung und {} zufällig gezogene, mit denen das Netz nicht trainiert wurde. Flecken und Netz werden nach der Aufnahme nummeriert, die Reihen der Quellarbeit von links nach rechts, verdeckte zwischen ihren Nachbarn; jedes Bild wird neu betrachtet, als wäre keines vorausgegangen. Die Quellarbeit nennt für ihre Marker keine Zahl</translation>
+        <source>The demonstration&apos;s finger and {} drawn at random, on which the network was not trained. The recording numbers blobs and network dots; the paper&apos;s rows are numbered from left to right, hidden dots between their neighbours. Each frame is analysed anew, as if none had come before. The paper gives no figure for its markers</source>
+        <translation>Der Finger der Vorführung und {} zufällig gezogene, mit denen das Netz nicht trainiert wurde. Flecken und Punkte des Netzes werden nach der Aufnahme nummeriert, die Reihen der Veröffentlichung von links nach rechts, verdeckte Punkte zwischen ihren Nachbarn. Jedes Bild wird neu ausgewertet, als wäre keines vorausgegangen. Die Veröffentlichung nennt für ihre Marken keine Zahl</translation>
     </message>
     <message>
-        <source>{} was last changed at {}, and this computer&apos;s clock says {}: set the clock</source>
-        <translation>{} wurde zuletzt um {} geändert, und die Uhr dieses Rechners sagt {}: Stellen Sie die Uhr</translation>
+        <source>{} was last changed at {}, and this computer&apos;s clock shows {}: set the clock</source>
+        <translation>{} wurde zuletzt um {} geändert, und die Uhr dieses Rechners zeigt {}: Stellen Sie die Uhr</translation>
     </message>
     <message>
-        <source>its disk takes long to answer and is waited for</source>
-        <translation>sein Datenträger lässt lange auf Antwort warten; es wird auf ihn gewartet</translation>
+        <source>its disk responds slowly; waiting for it</source>
+        <translation>sein Datenträger antwortet langsam; es wird auf ihn gewartet</translation>
     </message>
     <message>
         <source>wait; if it lasts, check whether another program keeps that disk busy, then its network or cable</source>
         <translation>warten; wenn es andauert, prüfen, ob ein anderes Programm diesen Datenträger auslastet, dann sein Netzwerk oder Kabel</translation>
     </message>
     <message>
-        <source>the push on the back moves the markers too little, or bends the finger too far, to tell how far from the base it is</source>
-        <translation>der Druck auf den Rücken bewegt die Marken zu wenig oder biegt den Finger zu weit, um zu sagen, wie weit von der Basis er ist</translation>
+        <source>the push on the back moves the markers too little, or bends the finger too far, to estimate its distance from the base</source>
+        <translation>der Druck auf den Rücken bewegt die Marken zu wenig oder biegt den Finger zu weit, um seinen Abstand vom Fuß zu ermitteln</translation>
     </message>
     <message>
-        <source>The camera&apos;s clock was set by {:+.1f} s: until it is right again, pictures count as taken when they come</source>
-        <translation>Die Uhr der Kamera wurde um {:+.1f} s verstellt: Bis sie wieder stimmt, gelten Bilder als aufgenommen, wenn sie ankommen</translation>
+        <source>The camera&apos;s clock was changed by {:+.1f} s: until it is correct again, the time of arrival of images is used</source>
+        <translation>Die Uhr der Kamera wurde um {:+.1f} s verstellt: Bis sie wieder stimmt, gilt für Bilder die Zeit ihrer Ankunft</translation>
     </message>
     <message>
-        <source>The camera sent a picture twice ({}): a mean over several pictures is less sure than it says</source>
-        <translation>Die Kamera hat ein Bild zweimal geschickt ({}): Ein Mittel über mehrere Bilder ist weniger sicher, als es sagt</translation>
+        <source>The camera sent an image twice ({}): a mean over several images is less certain than reported</source>
+        <translation>Die Kamera hat ein Bild zweimal geschickt ({}): Ein Mittel über mehrere Bilder ist weniger sicher als angegeben</translation>
     </message>
     <message>
-        <source>There are no pages of the report: {}.</source>
+        <source>The report has no pages: {}.</source>
         <translation>Der Bericht hat keine Seiten: {}.</translation>
     </message>
     <message>
@@ -13438,22 +13438,22 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>a check needs {} presses at different positions; these are at {}: press again</source>
-        <translation>eine Prüfung braucht {} Eindrücke an verschiedenen Stellen; diese liegen an {}: weitere drücken</translation>
+        <translation>eine Prüfung braucht {} Eindrücke an verschiedenen Positionen; diese liegen an {}: weitere drücken</translation>
     </message>
     <message>
         <source>a check needs {} presses at different positions; these are at {}: press also in these thirds: {}</source>
-        <translation>eine Prüfung braucht {} Eindrücke an verschiedenen Stellen, diese liegen an {}: auch in diesen Dritteln drücken: {}</translation>
+        <translation>eine Prüfung braucht {} Eindrücke an verschiedenen Positionen, diese liegen an {}: auch in diesen Dritteln drücken: {}</translation>
     </message>
     <message numerus="yes">
         <source>at {0} positions</source>
         <comment>at {0} position</comment>
         <translation>
-            <numerusform>an {0} Stelle</numerusform>
-            <numerusform>an {0} Stellen</numerusform>
+            <numerusform>an {0} Position</numerusform>
+            <numerusform>an {0} Positionen</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>{1:.3f} mm of depth error on {0} presses {4} (passes up to {2:.3f} mm), light {3:+.1f} %</source>
+        <source>{1:.3f} mm depth error on {0} presses {4} (passes up to {2:.3f} mm), light {3:+.1f} %</source>
         <comment>{1:.3f} mm of depth error on {0} press {4} (passes up to {2:.3f} mm), light {3:+.1f} %</comment>
         <translation>
             <numerusform>{1} mm Tiefenfehler bei {0} Eindruck {4} (bestanden bis {2} mm), Licht {3} %</numerusform>
@@ -13465,7 +13465,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>ausgelassen: {}</translation>
     </message>
     <message>
-        <source>too few to tell</source>
+        <source>too few to judge</source>
         <translation>zu wenige für ein Urteil</translation>
     </message>
     <message>
@@ -13474,7 +13474,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>camera, face or markers</source>
-        <translation>Kamera, Fläche oder Marker</translation>
+        <translation>Kamera, Fläche oder Marken</translation>
     </message>
     <message>
         <source>{:.2f} to {:.2f} mm</source>
@@ -13504,17 +13504,17 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>{0} of {1} presses are darker than the mapping reaches ({3} deep, the mapping ends at {2:.2f} mm): calibrate again with them</source>
         <comment>{0} of {1} presses is darker than the mapping reaches ({3} deep, the mapping ends at {2:.2f} mm): calibrate again with it</comment>
         <translation>
-            <numerusform>{0} von {1} Eindrücken ist dunkler, als die Kennlinie reicht ({3} tief, die Kennlinie endet bei {2} mm): mit ihm neu kalibrieren</numerusform>
-            <numerusform>{0} von {1} Eindrücken sind dunkler, als die Kennlinie reicht ({3} tief, die Kennlinie endet bei {2} mm): mit ihnen neu kalibrieren</numerusform>
+            <numerusform>{0} von {1} Eindrücken ist dunkler, als die Abbildung reicht ({3} tief, die Abbildung endet bei {2} mm): mit ihm neu kalibrieren</numerusform>
+            <numerusform>{0} von {1} Eindrücken sind dunkler, als die Abbildung reicht ({3} tief, die Abbildung endet bei {2} mm): mit ihnen neu kalibrieren</numerusform>
         </translation>
     </message>
     <message>
-        <source>the face is given {:.2f} mm wide, but camera and presses show {}: check the width and the lens</source>
+        <source>the specified face width is {:.2f} mm, but camera and presses show {}: check the width and the lens</source>
         <translation>die Fläche ist mit {} mm Breite angegeben, Kamera und Eindrücke zeigen aber {}: Breite und Objektiv prüfen</translation>
     </message>
     <message>
         <source>mostly the curve&apos;s shape: add presses of different depth and position</source>
-        <translation>vor allem durch die Form der Kennlinie: Eindrücke anderer Tiefe und Lage hinzufügen</translation>
+        <translation>vor allem durch die Form der Kurve: Eindrücke anderer Tiefe und Position hinzufügen</translation>
     </message>
     <message>
         <source>mostly scale: measure one press&apos;s depth</source>
@@ -13522,15 +13522,15 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>mostly noise and reference of single pixels: record the reference again, with more light</source>
-        <translation>vor allem durch Rauschen und Referenz einzelner Bildpunkte: die Referenz mit mehr Licht neu aufnehmen</translation>
+        <translation>vor allem durch Rauschen und Referenz einzelner Pixel: die Referenz mit mehr Licht neu aufnehmen</translation>
     </message>
     <message>
         <source>mostly parts of the face far from any press: press there</source>
         <translation>vor allem durch Teile der Fläche fern von allen Eindrücken: dort drücken</translation>
     </message>
     <message>
-        <source>mostly depth read beside contacts, as light that scatters sideways gives</source>
-        <translation>vor allem durch Tiefe neben Kontakten, wie seitlich gestreutes Licht sie ergibt</translation>
+        <source>mostly depth measured next to contacts, as caused by light that scatters sideways</source>
+        <translation>vor allem durch Tiefe neben Kontakten, wie sie seitlich gestreutes Licht verursacht</translation>
     </message>
     <message>
         <source>mostly the ball&apos;s radius: measure it to a hundredth of a millimetre</source>
@@ -13597,12 +13597,12 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>die Kalibrierung wurde vor dem Ende abgebrochen: {}</translation>
     </message>
     <message>
-        <source>no press was left out to show what happens on others</source>
-        <translation>kein Eindruck wurde ausgelassen, um zu zeigen, was bei anderen geschieht</translation>
+        <source>no press was left out to show the error on others</source>
+        <translation>kein Eindruck wurde ausgelassen, um den Fehler bei anderen zu zeigen</translation>
     </message>
     <message>
-        <source>one press cannot show what happens on others; add presses of different depth</source>
-        <translation>ein Eindruck kann nicht zeigen, was bei anderen geschieht; Eindrücke anderer Tiefe hinzufügen</translation>
+        <source>one press cannot show the error on others; add presses of different depth</source>
+        <translation>ein Eindruck kann den Fehler bei anderen nicht zeigen; Eindrücke anderer Tiefe hinzufügen</translation>
     </message>
     <message>
         <source>{} of {} presses needed; add more</source>
@@ -13612,8 +13612,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>all presses are at {0} positions, {1} are needed; press at others</source>
         <comment>all presses are at {0} position, {1} are needed; press at others</comment>
         <translation>
-            <numerusform>alle Eindrücke liegen an {0} Stelle, {1} sind nötig; an anderen drücken</numerusform>
-            <numerusform>alle Eindrücke liegen an {0} Stellen, {1} sind nötig; an anderen drücken</numerusform>
+            <numerusform>alle Eindrücke liegen an {0} Position, {1} sind nötig; an anderen drücken</numerusform>
+            <numerusform>alle Eindrücke liegen an {0} Positionen, {1} sind nötig; an anderen drücken</numerusform>
         </translation>
     </message>
     <message>
@@ -13621,7 +13621,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>alle Eindrücke sind etwa {} mm tief; auch flacher und tiefer drücken</translation>
     </message>
     <message>
-        <source>the presses do not tell how certain the scale is; add presses</source>
+        <source>the presses do not show how certain the scale is; add presses</source>
         <translation>die Eindrücke zeigen nicht, wie sicher der Maßstab ist; Eindrücke hinzufügen</translation>
     </message>
     <message>
@@ -13633,7 +13633,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>seit {} Tagen weder kalibriert noch geprüft; mit {} Eindrücken prüfen</translation>
     </message>
     <message>
-        <source>beside contacts {:.3f} mm of depth is read: light scatters sideways there, or the skin is pressed in</source>
+        <source>next to contacts, {:.3f} mm of depth is measured: light scatters sideways there, or the skin is pressed in</source>
         <translation>neben Kontakten werden {} mm Tiefe gemessen: dort streut Licht seitlich, oder die Haut ist eingedrückt</translation>
     </message>
     <message>
@@ -13669,7 +13669,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>erwarteter Fehler {} mm, {}</translation>
     </message>
     <message>
-        <source>no error can be expected of it</source>
+        <source>no expected error can be given</source>
         <translation>ein Fehler lässt sich nicht angeben</translation>
     </message>
     <message>

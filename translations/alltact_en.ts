@@ -14,10 +14,10 @@
 <context>
     <name>alltact::AccuracyPlot</name>
     <message numerus="yes">
-        <source>%n slower or worse, beyond this figure</source>
+        <source>%n slower or worse, outside this figure</source>
         <translation>
-            <numerusform>%n slower or worse, beyond this figure</numerusform>
-            <numerusform>%n slower or worse, beyond this figure</numerusform>
+            <numerusform>%n slower or worse, outside this figure</numerusform>
+            <numerusform>%n slower or worse, outside this figure</numerusform>
         </translation>
     </message>
 </context>
@@ -31,10 +31,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>Checked last on %1 with %n press(es): %2 mm off (passes up to %3 mm).</source>
+        <source>Last checked on %1 with %n press(es): error %2 mm (limit %3 mm).</source>
         <translation>
-            <numerusform>Checked last on %1 with %n press: %2 mm off (passes up to %3 mm).</numerusform>
-            <numerusform>Checked last on %1 with %n presses: %2 mm off (passes up to %3 mm).</numerusform>
+            <numerusform>Last checked on %1 with %n press: error %2 mm (limit %3 mm).</numerusform>
+            <numerusform>Last checked on %1 with %n presses: error %2 mm (limit %3 mm).</numerusform>
         </translation>
     </message>
 </context>
@@ -51,10 +51,10 @@
 <context>
     <name>alltact::ConvergencePlot</name>
     <message numerus="yes">
-        <source>After %n round(s) %1 mm are left.</source>
+        <source>Residual after %n round(s): %1 mm.</source>
         <translation>
-            <numerusform>After %n round %1 mm are left.</numerusform>
-            <numerusform>After %n rounds %1 mm are left.</numerusform>
+            <numerusform>Residual after %n round: %1 mm.</numerusform>
+            <numerusform>Residual after %n rounds: %1 mm.</numerusform>
         </translation>
     </message>
 </context>
@@ -105,10 +105,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>something is due with %n</source>
+        <source>%n with something due</source>
         <translation>
-            <numerusform>something is due with %n</numerusform>
-            <numerusform>something is due with %n</numerusform>
+            <numerusform>%n with something due</numerusform>
+            <numerusform>%n with something due</numerusform>
         </translation>
     </message>
 </context>
@@ -125,10 +125,10 @@
 <context>
     <name>alltact::PressCollection</name>
     <message numerus="yes">
-        <source>add %n picture(s)</source>
+        <source>add %n image(s)</source>
         <translation>
-            <numerusform>add %n picture</numerusform>
-            <numerusform>add %n pictures</numerusform>
+            <numerusform>add %n image</numerusform>
+            <numerusform>add %n images</numerusform>
         </translation>
     </message>
 </context>
@@ -224,10 +224,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n frame(s) never came from the source.</source>
+        <source>%n frame(s) did not arrive from the source.</source>
         <translation>
-            <numerusform>%n frame never came from the source.</numerusform>
-            <numerusform>%n frames never came from the source.</numerusform>
+            <numerusform>%n frame did not arrive from the source.</numerusform>
+            <numerusform>%n frames did not arrive from the source.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -252,31 +252,31 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n frame(s) showed a pose that others show as well.</source>
+        <source>%n frame(s) repeated a pose of other frames.</source>
         <translation>
-            <numerusform>%n frame showed a pose that others show as well.</numerusform>
-            <numerusform>%n frames showed a pose that others show as well.</numerusform>
+            <numerusform>%n frame repeated a pose of other frames.</numerusform>
+            <numerusform>%n frames repeated a pose of other frames.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Touched in %n frame(s), which are left out.</source>
+        <source>%n frame(s) with contact are left out.</source>
         <translation>
-            <numerusform>Touched in %n frame, which is left out.</numerusform>
-            <numerusform>Touched in %n frames, which are left out.</numerusform>
+            <numerusform>%n frame with contact is left out.</numerusform>
+            <numerusform>%n frames with contact are left out.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>What it would bring is being worked out, about %n second(s).</source>
+        <source>The expected error is being computed, about %n second(s).</source>
         <translation>
-            <numerusform>What it would bring is being worked out, about %n second.</numerusform>
-            <numerusform>What it would bring is being worked out, about %n seconds.</numerusform>
+            <numerusform>The expected error is being computed, about %n second.</numerusform>
+            <numerusform>The expected error is being computed, about %n seconds.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>It would bring: half of the references off by less than %1 mm, 95 % by less than %2 mm, from %n frame(s).</source>
+        <source>Expected error: half of the references off by less than %1 mm, 95 % by less than %2 mm, from %n frame(s).</source>
         <translation>
-            <numerusform>It would bring: half of the references off by less than %1 mm, 95 % by less than %2 mm, from %n frame.</numerusform>
-            <numerusform>It would bring: half of the references off by less than %1 mm, 95 % by less than %2 mm, from %n frames.</numerusform>
+            <numerusform>Expected error: half of the references off by less than %1 mm, 95 % by less than %2 mm, from %n frame.</numerusform>
+            <numerusform>Expected error: half of the references off by less than %1 mm, 95 % by less than %2 mm, from %n frames.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -290,27 +290,27 @@
 <context>
     <name>alltact::RigCheckBox</name>
     <message numerus="yes">
-        <source>Before the first recording: %n to mend</source>
+        <source>Before the first recording: %n to fix</source>
         <translation>
-            <numerusform>Before the first recording: %n to mend</numerusform>
-            <numerusform>Before the first recording: %n to mend</numerusform>
+            <numerusform>Before the first recording: %n to fix</numerusform>
+            <numerusform>Before the first recording: %n to fix</numerusform>
         </translation>
     </message>
 </context>
 <context>
     <name>alltact::SettingsWords</name>
     <message numerus="yes">
-        <source>%n picture(s) averaged</source>
+        <source>%n image(s) averaged</source>
         <translation>
-            <numerusform>%n picture averaged</numerusform>
-            <numerusform>%n pictures averaged</numerusform>
+            <numerusform>%n image averaged</numerusform>
+            <numerusform>%n images averaged</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>reference from %n picture(s)</source>
+        <source>reference from %n image(s)</source>
         <translation>
-            <numerusform>reference from %n picture</numerusform>
-            <numerusform>reference from %n pictures</numerusform>
+            <numerusform>reference from %n image</numerusform>
+            <numerusform>reference from %n images</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -331,10 +331,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>And %n press(es) more, in the report.</source>
+        <source>%n more press(es) in the report.</source>
         <translation>
-            <numerusform>And %n press more, in the report.</numerusform>
-            <numerusform>And %n presses more, in the report.</numerusform>
+            <numerusform>%n more press in the report.</numerusform>
+            <numerusform>%n more presses in the report.</numerusform>
         </translation>
     </message>
 </context>
@@ -351,10 +351,10 @@
 <context>
     <name>alltact::VerdictPage</name>
     <message numerus="yes">
-        <source>• And %n more, first of the remarks.</source>
+        <source>• %n more at the top of the remarks.</source>
         <translation>
-            <numerusform>• And %n more, first of the remarks.</numerusform>
-            <numerusform>• And %n more, first of the remarks.</numerusform>
+            <numerusform>• %n more at the top of the remarks.</numerusform>
+            <numerusform>• %n more at the top of the remarks.</numerusform>
         </translation>
     </message>
 </context>
@@ -393,19 +393,19 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>{} presses more</source>
+        <source>{} more presses</source>
         <comment>{} press more</comment>
         <translation>
-            <numerusform>{} press more</numerusform>
-            <numerusform>{} presses more</numerusform>
+            <numerusform>{} more press</numerusform>
+            <numerusform>{} more presses</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>no depth in {} pictures</source>
+        <source>no depth in {} images</source>
         <comment>no depth in {} picture</comment>
         <translation>
-            <numerusform>no depth in {} picture</numerusform>
-            <numerusform>no depth in {} pictures</numerusform>
+            <numerusform>no depth in {} image</numerusform>
+            <numerusform>no depth in {} images</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -433,11 +433,11 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>{} presses are different ones, the others their copies</source>
+        <source>{} presses are distinct, the others are their copies</source>
         <comment>{} press is a different one, the others its copies</comment>
         <translation>
-            <numerusform>{} press is a different one, the others its copies</numerusform>
-            <numerusform>{} presses are different ones, the others their copies</numerusform>
+            <numerusform>{} press is distinct, the others are its copies</numerusform>
+            <numerusform>{} presses are distinct, the others are their copies</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -449,11 +449,11 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>{1:.3f} mm of depth error on {0} presses {4} (passes up to {2:.3f} mm), light {3:+.1f} %</source>
+        <source>{1:.3f} mm depth error on {0} presses {4} (passes up to {2:.3f} mm), light {3:+.1f} %</source>
         <comment>{1:.3f} mm of depth error on {0} press {4} (passes up to {2:.3f} mm), light {3:+.1f} %</comment>
         <translation>
-            <numerusform>{1:.3f} mm of depth error on {0} press {4} (passes up to {2:.3f} mm), light {3:+.1f} %</numerusform>
-            <numerusform>{1:.3f} mm of depth error on {0} presses {4} (passes up to {2:.3f} mm), light {3:+.1f} %</numerusform>
+            <numerusform>{1:.3f} mm depth error on {0} press {4} (passes up to {2:.3f} mm), light {3:+.1f} %</numerusform>
+            <numerusform>{1:.3f} mm depth error on {0} presses {4} (passes up to {2:.3f} mm), light {3:+.1f} %</numerusform>
         </translation>
     </message>
     <message numerus="yes">

@@ -4,7 +4,7 @@
 <context>
     <name>Figures</name>
     <message>
-        <source>Depth&apos;s sd (mm)</source>
+        <source>Depth SD (mm)</source>
         <translation>深度标准差 (mm)</translation>
     </message>
     <message>
@@ -17,7 +17,7 @@
     </message>
     <message>
         <source>along the normal</source>
-        <translation>沿 z</translation>
+        <translation>沿法线</translation>
     </message>
     <message>
         <source>projected</source>
@@ -25,11 +25,11 @@
     </message>
     <message>
         <source>Mapping minus ball (mm)</source>
-        <translation>映射减球 (mm)</translation>
+        <translation>映射与球之差 (mm)</translation>
     </message>
     <message>
-        <source>Error of the press (mm)</source>
-        <translation>按压的误差 (mm)</translation>
+        <source>Press error (mm)</source>
+        <translation>按压误差 (mm)</translation>
     </message>
 </context>
 <context>
@@ -39,23 +39,23 @@
         <translation>设置</translation>
     </message>
     <message>
-        <source>Time of a picture (ms)</source>
+        <source>Time per image (ms)</source>
         <translation>每张图像的时间 (ms)</translation>
     </message>
     <message>
-        <source>Depth error, half within (mm)</source>
-        <translation>深度误差，一半在内 (mm)</translation>
+        <source>Median depth error (mm)</source>
+        <translation>深度误差中位数 (mm)</translation>
     </message>
     <message>
         <source>Depth error, 95 % within (mm)</source>
         <translation>深度误差，95 % 在内 (mm)</translation>
     </message>
     <message>
-        <source>Place error, half within (mm)</source>
-        <translation>位置误差，一半在内 (mm)</translation>
+        <source>Median position error (mm)</source>
+        <translation>位置误差中位数 (mm)</translation>
     </message>
     <message>
-        <source>Standing</source>
+        <source>Rating</source>
         <translation>评价</translation>
     </message>
     <message>
@@ -67,58 +67,58 @@
         <translation>不如：%1</translation>
     </message>
     <message>
-        <source>not in every picture</source>
-        <translation>并非每张图像都有</translation>
+        <source>misses some images</source>
+        <translation>部分图像无法测量</translation>
     </message>
     <message>
         <source>in use now; %1</source>
         <translation>正在使用；%1</translation>
     </message>
     <message>
-        <source>what it loses is not in these pictures</source>
-        <translation>它的损失在这些图像中看不出</translation>
+        <source>loss not visible in these images</source>
+        <translation>其损失在这些图像中看不出</translation>
     </message>
 </context>
 <context>
     <name>alltact::AccuracyPage</name>
     <message>
-        <source>How fast must it be, and what error may it have? What settings cost in time and bring in accuracy is measured once on this finger&apos;s own pictures; then one answer stands here.</source>
-        <translation>要多快，又允许多大误差？用此手指自己的图像测量一次各项设置所花的时间和带来的精度，之后这里会给出一个答案。</translation>
+        <source>Set the required speed and error. The program measures once, on images of this finger, what each setting costs in time and gains in accuracy. Then it shows one answer here.</source>
+        <translation>请设定所需的速度和允许的误差。程序用此手指的图像测量一次各项设置所花的时间和带来的精度，然后在此给出一个答案。</translation>
     </message>
     <message>
-        <source>&amp;Measure what settings cost on this finger (about 12 s)</source>
-        <translation>测量各项设置在此手指上的代价（约 12 秒）(&amp;M)</translation>
+        <source>&amp;Measure settings on this finger (about 12 s)</source>
+        <translation>在此手指上测量各项设置（约 12 秒）(&amp;M)</translation>
     </message>
     <message>
-        <source>How many pictures per &amp;second?</source>
-        <translation>每秒多少张图像？(&amp;S)</translation>
+        <source>Images per &amp;second</source>
+        <translation>每秒图像数(&amp;S)</translation>
     </message>
     <message>
-        <source>How many pictures per second?</source>
-        <translation>每秒多少张图像？</translation>
+        <source>Images per second</source>
+        <translation>每秒图像数</translation>
     </message>
     <message>
-        <source>What er&amp;ror may it have?</source>
-        <translation>允许多大误差？(&amp;R)</translation>
+        <source>Maximum er&amp;ror</source>
+        <translation>最大误差(&amp;R)</translation>
     </message>
     <message>
-        <source>What error may it have?</source>
-        <translation>允许多大误差？</translation>
+        <source>Maximum error</source>
+        <translation>最大误差</translation>
     </message>
     <message>
-        <source>Of depth, where 95 % of all points lie within.</source>
-        <translation>深度误差，95 % 的位置在此范围内。</translation>
+        <source>95 % of all points have a smaller depth error.</source>
+        <translation>95 % 的点深度误差小于此值。</translation>
     </message>
     <message>
         <source> mm</source>
         <translation> mm</translation>
     </message>
     <message>
-        <source>as small as fits</source>
+        <source>smallest possible</source>
         <translation>尽可能小</translation>
     </message>
     <message>
-        <source>As cali&amp;brated again</source>
+        <source>Restore as cali&amp;brated</source>
         <translation>恢复标定时的设置(&amp;B)</translation>
     </message>
     <message>
@@ -146,8 +146,8 @@
         <translation>停止(&amp;P)</translation>
     </message>
     <message>
-        <source>What was measured is kept; measuring goes on there another time.</source>
-        <translation>已测得的会保留，下次从那里继续。</translation>
+        <source>Results so far are saved; measuring continues from there next time.</source>
+        <translation>已有结果会保存，下次从那里继续测量。</translation>
     </message>
     <message>
         <source>Accuracy</source>
@@ -162,16 +162,16 @@
         <translation>与标定时相同</translation>
     </message>
     <message>
-        <source>%1 ms a picture; depth: half of all points within %2 mm, 95 % within %3 mm</source>
-        <translation>每张图像 %1 ms；深度：一半位置在 %2 mm 内，95 % 在 %3 mm 内</translation>
+        <source>%1 ms per image; depth: half of all points within %2 mm, 95 % within %3 mm</source>
+        <translation>每张图像 %1 ms；深度：一半的点在 %2 mm 内，95 % 在 %3 mm 内</translation>
     </message>
     <message>
         <source>In use now.</source>
         <translation>正在使用。</translation>
     </message>
     <message>
-        <source>Other than now: %1</source>
-        <translation>与现在不同：%1</translation>
+        <source>Change from now: %1</source>
+        <translation>与当前不同：%1</translation>
     </message>
     <message>
         <source>%1 ms faster than now</source>
@@ -182,20 +182,20 @@
         <translation>比现在慢 %1 ms</translation>
     </message>
     <message>
-        <source>%1 mm closer than now</source>
-        <translation>比现在准 %1 mm</translation>
+        <source>%1 mm more accurate than now</source>
+        <translation>误差比现在小 %1 mm</translation>
     </message>
     <message>
-        <source>%1 mm further off than now</source>
-        <translation>比现在差 %1 mm</translation>
+        <source>%1 mm less accurate than now</source>
+        <translation>误差比现在大 %1 mm</translation>
     </message>
     <message>
         <source>Open a finger first.</source>
         <translation>请先打开手指。</translation>
     </message>
     <message>
-        <source>The finger is being read.</source>
-        <translation>正在读取手指。</translation>
+        <source>The finger is being loaded.</source>
+        <translation>正在加载手指。</translation>
     </message>
     <message>
         <source>Calibrate this finger first.</source>
@@ -212,8 +212,8 @@
         </translation>
     </message>
     <message>
-        <source>measuring what settings cost…</source>
-        <translation>正在测量各项设置的代价…</translation>
+        <source>measuring the settings…</source>
+        <translation>正在测量各项设置…</translation>
     </message>
     <message>
         <source>The finger has changed since this was measured: measure again.</source>
@@ -232,27 +232,27 @@
         <translation>手动选择。在图中按 Esc 返回答案。</translation>
     </message>
     <message>
-        <source>The most accurate of all that take at most %1 ms.</source>
-        <translation>所有不超过 %1 ms 的设置中最准的。</translation>
+        <source>The most accurate setting within %1 ms.</source>
+        <translation>不超过 %1 ms 的设置中最准确的一个。</translation>
     </message>
     <message>
-        <source>The fastest that keeps 95 % of all points within %1 mm.</source>
-        <translation>使 95 % 的位置保持在 %1 mm 内的最快设置。</translation>
+        <source>The fastest setting with 95 % of all points within %1 mm.</source>
+        <translation>使 95 % 的点误差不超过 %1 mm 的最快设置。</translation>
     </message>
     <message>
-        <source>No setting keeps %1 mm. This is the most accurate that takes at most %2 ms.</source>
-        <translation>没有设置能保持 %1 mm。这是不超过 %2 ms 的设置中最准的。</translation>
+        <source>No setting reaches %1 mm. This is the most accurate within %2 ms.</source>
+        <translation>没有设置能达到 %1 mm。这是不超过 %2 ms 的设置中最准确的。</translation>
     </message>
     <message>
-        <source>Keeping %1 mm allows %2 pictures per second. This is the most accurate that is fast enough.</source>
-        <translation>保持 %1 mm 时每秒可达 %2 张图像。这是足够快的设置中最准的。</translation>
+        <source>An error of %1 mm allows %2 images per second. This is the most accurate setting that is fast enough.</source>
+        <translation>误差为 %1 mm 时每秒可处理 %2 张图像。这是足够快的设置中最准确的。</translation>
     </message>
     <message>
-        <source>No setting is so fast on this computer. This is the fastest: %1 pictures per second.</source>
-        <translation>在这台计算机上没有这么快的设置。这是最快的：每秒 %1 张图像。</translation>
+        <source>No setting is that fast on this computer. This is the fastest: %1 images per second.</source>
+        <translation>这台计算机上没有这么快的设置。最快的是这个：每秒 %1 张图像。</translation>
     </message>
     <message>
-        <source>No setting measures this finger&apos;s pictures.</source>
+        <source>No setting can measure this finger&apos;s images.</source>
         <translation>没有设置能测量此手指的图像。</translation>
     </message>
     <message>
@@ -268,35 +268,35 @@
         <translation>重新测量（约 12 秒）(&amp;M)</translation>
     </message>
     <message>
-        <source>&amp;Measure what is missing</source>
-        <translation>测量缺少的部分(&amp;M)</translation>
+        <source>&amp;Measure missing settings</source>
+        <translation>测量缺少的设置(&amp;M)</translation>
     </message>
     <message>
-        <source>&amp;Measure pairs of settings, too</source>
-        <translation>也测量成对的设置(&amp;M)</translation>
+        <source>&amp;Measure setting pairs, too</source>
+        <translation>也测量设置组合(&amp;M)</translation>
     </message>
     <message>
         <source>Live, side by side</source>
         <translation>实时并排</translation>
     </message>
     <message>
-        <source>Figure, table or the live picture with two settings</source>
-        <translation>图、表格，或用两种设置的实时图像</translation>
+        <source>Figure, table or the live image with two settings</source>
+        <translation>图、表格，或用两种设置的实时画面</translation>
     </message>
     <message>
-        <source>What it loses is not in these pictures, whose light is that of the recording.</source>
-        <translation>它的损失在这些图像中看不出，因为图像的光照就是录像时的光照。</translation>
+        <source>These images cannot show its loss: their light is that of the recording.</source>
+        <translation>这些图像看不出它的损失，因为图像的光照就是录像时的光照。</translation>
     </message>
     <message>
-        <source>place: half within %1 mm</source>
-        <translation>位置：一半在 %1 mm 内</translation>
+        <source>position: half within %1 mm</source>
+        <translation>位置：一半的点在 %1 mm 内</translation>
     </message>
 </context>
 <context>
     <name>alltact::AccuracyPlot</name>
     <message>
-        <source>What accuracy costs in time</source>
-        <translation>精度所需的时间</translation>
+        <source>Error versus time per image</source>
+        <translation>误差与每张图像的时间</translation>
     </message>
     <message>
         <source>Nothing has been measured yet</source>
@@ -307,11 +307,11 @@
         <translation>未选择设置</translation>
     </message>
     <message>
-        <source>Time of a picture on this computer (ms)</source>
+        <source>Time per image on this computer (ms)</source>
         <translation>在这台计算机上每张图像的时间 (ms)</translation>
     </message>
     <message>
-        <source>Error of depth (mm)</source>
+        <source>Depth error (mm)</source>
         <translation>深度误差 (mm)</translation>
     </message>
     <message>
@@ -319,7 +319,7 @@
         <translation>比别的更慢或更差</translation>
     </message>
     <message numerus="yes">
-        <source>%n slower or worse, beyond this figure</source>
+        <source>%n slower or worse, outside this figure</source>
         <translation>
             <numerusform>%n 个更慢或更差，在图外</numerusform>
         </translation>
@@ -337,7 +337,7 @@
         <translation>正在使用</translation>
     </message>
     <message>
-        <source>%1 pictures per second</source>
+        <source>%1 images per second</source>
         <translation>每秒 %1 张图像</translation>
     </message>
     <message>
@@ -356,31 +356,31 @@
         <translation>排序依据</translation>
     </message>
     <message>
-        <source>What accuracy costs in time, as a table</source>
-        <translation>精度所需的时间（表格）</translation>
+        <source>Error versus time per image, as a table</source>
+        <translation>误差与每张图像的时间（表格）</translation>
     </message>
 </context>
 <context>
     <name>alltact::AgeLabel</name>
     <message>
-        <source>Age of the picture</source>
+        <source>Image age</source>
         <translation>图像延迟</translation>
     </message>
     <message>
-        <source>pictures without times</source>
-        <translation>图像没有时间</translation>
+        <source>images without timestamps</source>
+        <translation>图像没有时间戳</translation>
     </message>
     <message>
-        <source>picture %1 s old</source>
+        <source>image %1 s old</source>
         <translation>图像延迟 %1 s</translation>
     </message>
     <message>
-        <source>picture %1 ms old</source>
+        <source>image %1 ms old</source>
         <translation>图像延迟 %1 ms</translation>
     </message>
     <message>
-        <source>What moves is seen late. Close other programs, or choose a faster setting in Accuracy.</source>
-        <translation>运动显示有延迟。请关闭其他程序，或在“精度”中选择更快的设置。</translation>
+        <source>Motion appears late. Close other programs, or choose a faster setting on the Accuracy page.</source>
+        <translation>运动显示有延迟。请关闭其他程序，或在“精度”页面选择更快的设置。</translation>
     </message>
 </context>
 <context>
@@ -390,12 +390,12 @@
         <translation>下一步：%1(&amp;N)</translation>
     </message>
     <message>
-        <source>This finger is not calibrated yet, so that no depth is shown.</source>
+        <source>This finger is not calibrated yet, so no depth is shown.</source>
         <translation>此手指尚未标定，因此不显示深度。</translation>
     </message>
     <message>
         <source>Calibrate it with ball presses.</source>
-        <translation>请用钢球按压进行标定。</translation>
+        <translation>请用球按压进行标定。</translation>
     </message>
     <message>
         <source>&amp;Go to Calibrate</source>
@@ -424,12 +424,12 @@
         <translation>三次按压</translation>
     </message>
     <message>
-        <source>Is it still what it was?</source>
-        <translation>它还和原来一样吗？</translation>
+        <source>Verdict</source>
+        <translation>结论</translation>
     </message>
     <message>
-        <source>Press the ball of the calibration in at three places, base, middle and tip, and take a picture of each. The calibration stays as it is.</source>
-        <translation>用标定时的球在根部、中部和指尖三处压入，各拍一张。标定保持不变。</translation>
+        <source>Press the calibration ball at three positions, base, middle and tip, and take an image of each. The calibration does not change.</source>
+        <translation>用标定时的球在根部、中部和指尖三个位置按压，各拍一张图像。标定保持不变。</translation>
     </message>
     <message>
         <source>&amp;Take a press (Space)</source>
@@ -448,7 +448,7 @@
         <translation>检查进度</translation>
     </message>
     <message>
-        <source>There is no live picture: choose a source.</source>
+        <source>There is no live image: choose a source.</source>
         <translation>没有实时画面：请选择来源。</translation>
     </message>
     <message>
@@ -456,7 +456,7 @@
         <translation>手指尚未标定。</translation>
     </message>
     <message>
-        <source>The check is being made.</source>
+        <source>The check is running.</source>
         <translation>正在检查。</translation>
     </message>
     <message>
@@ -492,19 +492,19 @@
         <translation>已排除：%1</translation>
     </message>
     <message>
-        <source>The last check, on %1, was of a calibration before this one.</source>
-        <translation>上次检查（%1）针对的是此前的标定。</translation>
+        <source>The last check, on %1, tested an earlier calibration.</source>
+        <translation>上次检查（%1）针对的是更早的标定。</translation>
     </message>
     <message numerus="yes">
         <source>%n press(es) taken: enough.</source>
         <translation>
-            <numerusform>已采集 %n 次按压：足够了。</numerusform>
+            <numerusform>已拍摄 %n 次按压：足够了。</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Checked last on %1 with %n press(es): %2 mm off (passes up to %3 mm).</source>
+        <source>Last checked on %1 with %n press(es): error %2 mm (limit %3 mm).</source>
         <translation>
-            <numerusform>上次检查：%1，%n 次按压，偏差 %2 mm（不超过 %3 mm 即通过）。</numerusform>
+            <numerusform>上次检查：%1，%n 次按压，误差 %2 mm（限值 %3 mm）。</numerusform>
         </translation>
     </message>
     <message>
@@ -515,8 +515,8 @@
 <context>
     <name>alltact::ContactWords</name>
     <message>
-        <source>Touched on the contact face</source>
-        <translation>接触面被触碰</translation>
+        <source>Contact on the contact face</source>
+        <translation>接触面有接触</translation>
     </message>
     <message>
         <source>Pushed from the back</source>
@@ -559,8 +559,8 @@
         <translation>± %1°</translation>
     </message>
     <message>
-        <source>(the face&apos;s normal)</source>
-        <translation>（面的法线）</translation>
+        <source>(normal to the face)</source>
+        <translation>（接触面法线）</translation>
     </message>
     <message>
         <source>x %1, y %2, z %3</source>
@@ -577,7 +577,7 @@
     <message numerus="yes">
         <source>%n contact(s) on the face.</source>
         <translation>
-            <numerusform>表面上有 %n 处接触。</numerusform>
+            <numerusform>接触面上有 %n 处接触。</numerusform>
         </translation>
     </message>
     <message>
@@ -585,8 +585,8 @@
         <translation>它在表皮上打滑或滚动。</translation>
     </message>
     <message>
-        <source>Not known without a reference recording.</source>
-        <translation>没有参考录像，无法得知。</translation>
+        <source>Unknown without a reference recording.</source>
+        <translation>没有参考录像，无法判断。</translation>
     </message>
     <message>
         <source>Nothing touches the finger.</source>
@@ -605,8 +605,8 @@
         <translation>%1 N</translation>
     </message>
     <message>
-        <source>Along: over the face from its base. Across: from its middle line towards +y. Direction: the way the finger gave, in the camera&apos;s frame; its standard deviation is that within the finger&apos;s section.</source>
-        <translation>纵向：沿面从根部算起。横向：从面的中线向 +y 方向。方向：手指退让的方向，以相机坐标系表示；其标准差是手指横截面内的标准差。</translation>
+        <source>Along: over the face from its base. Across: from its centre line towards +y. Direction: displacement of the finger in the camera&apos;s frame; its standard deviation applies within the finger&apos;s cross-section.</source>
+        <translation>纵向：沿接触面从根部算起。横向：从接触面的中线向 +y 方向。方向：手指的位移方向，以相机坐标系表示；其标准差是手指横截面内的标准差。</translation>
     </message>
 </context>
 <context>
@@ -656,7 +656,7 @@
         <translation>已锁定：请在上方解锁后再改。</translation>
     </message>
     <message>
-        <source>An automatic mode has it in hand.</source>
+        <source>An automatic mode controls it.</source>
         <translation>正由自动模式控制。</translation>
     </message>
     <message>
@@ -668,15 +668,15 @@
         <translation>锁定亮度(&amp;L)</translation>
     </message>
     <message>
-        <source>Automatic modes stay off, and what changes by itself is put back.</source>
+        <source>Automatic modes stay off; unrequested changes are undone.</source>
         <translation>自动模式保持关闭，自行变化的设置会被恢复。</translation>
     </message>
     <message>
-        <source>Brightness is the measurement: locked, nothing changes it. Unlock it before calibrating only.</source>
-        <translation>亮度就是测量值：锁定后不会改变。仅在标定之前解锁。</translation>
+        <source>Brightness is what is measured: when locked, it does not change. Unlock it only before calibrating.</source>
+        <translation>测量的就是亮度：锁定后亮度不会改变。请仅在标定之前解锁。</translation>
     </message>
     <message>
-        <source>A camera&apos;s exposure, gain, white balance and focus stand here. This source is no camera.</source>
+        <source>A camera&apos;s exposure, gain, white balance and focus appear here. This source is not a camera.</source>
         <translation>相机的曝光、增益、白平衡和对焦显示在这里。当前来源不是相机。</translation>
     </message>
     <message>
@@ -695,34 +695,34 @@
 <context>
     <name>alltact::ConvergencePlot</name>
     <message>
-        <source>How the solution settles</source>
-        <translation>解如何收敛</translation>
+        <source>Convergence of the solution</source>
+        <translation>解的收敛过程</translation>
     </message>
     <message numerus="yes">
-        <source>After %n round(s) %1 mm are left.</source>
+        <source>Residual after %n round(s): %1 mm.</source>
         <translation>
-            <numerusform>%n 轮后剩余 %1 mm。</numerusform>
+            <numerusform>%n 轮后残差为 %1 mm。</numerusform>
         </translation>
     </message>
     <message>
-        <source>The solution has not begun to settle yet</source>
+        <source>Convergence has not started yet</source>
         <translation>解尚未开始收敛</translation>
     </message>
     <message>
-        <source>Left over</source>
-        <translation>剩余</translation>
+        <source>Residual</source>
+        <translation>残差</translation>
     </message>
     <message>
-        <source>Left over (mm)</source>
-        <translation>剩余 (mm)</translation>
+        <source>Residual (mm)</source>
+        <translation>残差 (mm)</translation>
     </message>
     <message>
-        <source>Still moves</source>
-        <translation>仍在变化</translation>
+        <source>Change</source>
+        <translation>变化</translation>
     </message>
     <message>
-        <source>Unknowns still move by (mm)</source>
-        <translation>未知量仍变化 (mm)</translation>
+        <source>Change of the unknowns (mm)</source>
+        <translation>未知量的变化 (mm)</translation>
     </message>
     <message>
         <source>Round</source>
@@ -760,11 +760,11 @@
         <translation>弯曲覆盖情况</translation>
     </message>
     <message>
-        <source>No pose has been seen yet.</source>
+        <source>No pose seen yet.</source>
         <translation>还没有看到任何姿态。</translation>
     </message>
     <message>
-        <source>Enough: all directions are reached.</source>
+        <source>Enough: all directions reached.</source>
         <translation>足够：所有方向都已达到。</translation>
     </message>
     <message>
@@ -815,7 +815,7 @@
     </message>
     <message>
         <source>deepest %1 mm in frame %2</source>
-        <translation>最深 %1 mm，在第 %2 帧</translation>
+        <translation>最深 %1 mm，第 %2 帧</translation>
     </message>
     <message>
         <source>%1 of %2 frames measured</source>
@@ -835,11 +835,11 @@
     </message>
     <message>
         <source>Depth over time needs a calibration.</source>
-        <translation>深度随时间的变化需要先标定。</translation>
+        <translation>深度随时间的变化需要先标定手指。</translation>
     </message>
     <message>
-        <source>The recording is being looked through.</source>
-        <translation>正在查看录像。</translation>
+        <source>The recording is being analysed.</source>
+        <translation>正在分析录像。</translation>
     </message>
     <message>
         <source>Frame %1</source>
@@ -864,8 +864,8 @@
         <translation>导出手指</translation>
     </message>
     <message>
-        <source>What finger %1 has learnt, for other programs.</source>
-        <translation>手指 %1 学到的内容，供其他程序使用。</translation>
+        <source>Data of finger %1, for other programs.</source>
+        <translation>手指 %1 的数据，供其他程序使用。</translation>
     </message>
     <message>
         <source>&amp;Folder for the files</source>
@@ -909,7 +909,7 @@
     </message>
     <message>
         <source>&amp;OpenCV: camera.opencv.yaml</source>
-        <translation>OpenCV:camera.opencv.yaml(&amp;O)</translation>
+        <translation>OpenCV：camera.opencv.yaml(&amp;O)</translation>
     </message>
     <message>
         <source>Camera matrix and distortion, for cv::FileStorage.</source>
@@ -920,31 +920,31 @@
         <translation>ROS：camera_info.yaml 和 parameters.yaml(&amp;R)</translation>
     </message>
     <message>
-        <source>The camera as drivers and image_pipeline read it; face, markers and mapping as parameters of a ROS 2 node.</source>
-        <translation>驱动程序和 image_pipeline 所读的相机；面、标记点和映射作为 ROS 2 节点的参数。</translation>
+        <source>The camera in the format of drivers and image_pipeline; face, markers and mapping as parameters of a ROS 2 node.</source>
+        <translation>相机采用驱动程序和 image_pipeline 可读的格式；接触面、标记点和映射作为 ROS 2 节点的参数。</translation>
     </message>
     <message>
         <source>&amp;JSON: calibration.json</source>
-        <translation>JSON:calibration.json(&amp;J)</translation>
+        <translation>JSON：calibration.json(&amp;J)</translation>
     </message>
     <message>
-        <source>All figures in one file, for programs of your own.</source>
+        <source>All values in one file, for your own programs.</source>
         <translation>全部数值放在一个文件中，供自己的程序使用。</translation>
     </message>
     <message>
-        <source>&amp;Whole finger: finger.zip</source>
-        <translation>整个手指：finger.zip(&amp;W)</translation>
+        <source>E&amp;ntire finger: finger.zip</source>
+        <translation>整个手指：finger.zip(&amp;N)</translation>
     </message>
     <message>
-        <source>Every file of the finger, its untouched pictures too: to keep, to send, and to measure with in Python.</source>
+        <source>All files of the finger, with its untouched images: to archive, to send, and to measure with in Python.</source>
         <translation>手指的所有文件，包括未触碰的图像：用于保存、发送，以及在 Python 中测量。</translation>
     </message>
     <message>
-        <source>Nothing is chosen.</source>
+        <source>Nothing is selected.</source>
         <translation>没有选择任何内容。</translation>
     </message>
     <message>
-        <source>No folder is named.</source>
+        <source>No folder is chosen.</source>
         <translation>未指定文件夹。</translation>
     </message>
     <message>
@@ -958,7 +958,7 @@
     <message numerus="yes">
         <source>%n recording(s) that this finger does not use are left out of the zip.</source>
         <translation>
-            <numerusform>此手指未使用的 %n 段录像不放入 zip。</numerusform>
+            <numerusform>此手指未使用的 %n 段录像不包含在 zip 中。</numerusform>
         </translation>
     </message>
 </context>
@@ -966,18 +966,18 @@
     <name>alltact::FaceMapPlot</name>
     <message>
         <source>%1 over the face</source>
-        <translation>面上的%1</translation>
+        <translation>接触面上的%1</translation>
     </message>
     <message>
-        <source>Nothing is known of the face yet</source>
-        <translation>对面还一无所知</translation>
+        <source>No data for the face yet</source>
+        <translation>接触面尚无数据</translation>
     </message>
     <message>
         <source>Along the finger, from the base (mm)</source>
         <translation>沿手指，从根部 (mm)</translation>
     </message>
     <message>
-        <source>Along the picture, from the left (mm)</source>
+        <source>Along the image, from the left (mm)</source>
         <translation>沿图像，从左侧 (mm)</translation>
     </message>
     <message>
@@ -999,8 +999,8 @@
         <translation>尚未标定</translation>
     </message>
     <message>
-        <source>Calibrated; how well is not kept</source>
-        <translation>已标定；没有保存其质量</translation>
+        <source>Calibrated; quality not stored</source>
+        <translation>已标定；未保存质量</translation>
     </message>
     <message>
         <source>Calibrated %1</source>
@@ -1023,7 +1023,7 @@
         <translation>待办：检查</translation>
     </message>
     <message>
-        <source>Drifting: look at the last check</source>
+        <source>Drifting: see the last check</source>
         <translation>漂移：请查看最近一次检查</translation>
     </message>
     <message>
@@ -1061,8 +1061,8 @@
         <translation>标定于 %1</translation>
     </message>
     <message>
-        <source>checked %1, %2 off</source>
-        <translation>检查于 %1，偏差 %2</translation>
+        <source>checked %1, error %2</source>
+        <translation>检查于 %1，误差 %2</translation>
     </message>
     <message>
         <source>Due: more presses</source>
@@ -1096,8 +1096,8 @@
         <translation>手指</translation>
     </message>
     <message>
-        <source>Worth</source>
-        <translation>评价</translation>
+        <source>Quality</source>
+        <translation>质量</translation>
     </message>
     <message>
         <source>Error, mm</source>
@@ -1124,16 +1124,16 @@
         <translation>打开(&amp;O)</translation>
     </message>
     <message>
-        <source>&amp;Look into another folder…</source>
-        <translation>查看其他文件夹(&amp;L)…</translation>
+        <source>&amp;Look in another folder…</source>
+        <translation>在其他文件夹中查找(&amp;L)…</translation>
     </message>
     <message>
         <source>&amp;Close</source>
         <translation>关闭(&amp;C)</translation>
     </message>
     <message>
-        <source>Looking at the fingers&apos; folders…</source>
-        <translation>正在查看手指的文件夹…</translation>
+        <source>Reading the fingers&apos; folders…</source>
+        <translation>正在读取手指的文件夹…</translation>
     </message>
     <message numerus="yes">
         <source>%n finger(s), </source>
@@ -1142,13 +1142,13 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>something is due with %n</source>
+        <source>%n with something due</source>
         <translation>
             <numerusform>%n 个有待办事项</numerusform>
         </translation>
     </message>
     <message>
-        <source>Folder with fingers in it</source>
+        <source>Folder with fingers</source>
         <translation>存放手指的文件夹</translation>
     </message>
 </context>
@@ -1186,20 +1186,20 @@
 <context>
     <name>alltact::FingerPage</name>
     <message>
-        <source>A flat, rigid sensor with a layer of %1 mm, %2 mm before the camera.</source>
+        <source>A flat, rigid sensor with a layer of %1 mm, %2 mm from the camera.</source>
         <translation>平面刚性传感器：层厚 %1 mm，距相机 %2 mm。</translation>
     </message>
     <message>
         <source>A Fin Ray finger whose face is %1 mm wide, with a layer of %2 mm and %3 dots on each side.</source>
-        <translation>Fin Ray 手指：面宽 %1 mm，层厚 %2 mm，每侧 %3 个标记点。</translation>
+        <translation>Fin Ray 手指：接触面宽 %1 mm，层厚 %2 mm，每侧 %3 个标记点。</translation>
     </message>
     <message>
         <source>Geometry</source>
         <translation>几何尺寸</translation>
     </message>
     <message>
-        <source>What it looks like untouched</source>
-        <translation>未触碰时的样子</translation>
+        <source>Untouched finger</source>
+        <translation>未触碰的手指</translation>
     </message>
     <message>
         <source>&amp;Make the finger&apos;s folder…</source>
@@ -1214,44 +1214,44 @@
         <translation>转到录制(&amp;G)</translation>
     </message>
     <message>
-        <source>Take the &amp;untouched picture now</source>
+        <source>Take the &amp;untouched image now</source>
         <translation>立即拍摄未触碰的图像(&amp;U)</translation>
     </message>
     <message>
         <source>The finger is being loaded.</source>
-        <translation>正在载入手指。</translation>
+        <translation>正在加载手指。</translation>
     </message>
     <message>
         <source>The finger needs a folder of its own: make one, or open one.</source>
         <translation>手指需要自己的文件夹：请新建或打开一个。</translation>
     </message>
     <message>
-        <source>Its untouched picture is missing.</source>
-        <translation>缺少未触碰的图像。</translation>
+        <source>The untouched image is missing: take it.</source>
+        <translation>缺少未触碰的图像：请拍摄。</translation>
     </message>
     <message>
-        <source>Its reference recording is missing: record it bending, untouched.</source>
+        <source>The reference recording is missing: record the finger bending, untouched.</source>
         <translation>缺少参考录像：请录制它未被触碰时的弯曲过程。</translation>
     </message>
     <message>
-        <source>Width and layer are measured with a caliper, dots are counted. All that is known of one finger is kept in one folder.</source>
-        <translation>用卡尺测量宽度和层厚，并数出标记点。一个手指的全部信息都保存在一个文件夹里。</translation>
+        <source>Measure width and layer with a caliper, and count the dots. One folder holds all data of one finger.</source>
+        <translation>请用卡尺测量宽度和层厚，并数出标记点。一个手指的全部数据都保存在一个文件夹里。</translation>
     </message>
     <message>
-        <source>Its untouched picture is there.</source>
-        <translation>未触碰的图像已有。</translation>
+        <source>The untouched image is available.</source>
+        <translation>已有未触碰的图像。</translation>
     </message>
     <message>
-        <source>Its reference recording is installed.</source>
+        <source>The reference recording is installed.</source>
         <translation>参考录像已设置。</translation>
     </message>
     <message>
-        <source>Every press is compared with one picture of the untouched face.</source>
-        <translation>每次按压都与一张未触碰面的图像比较。</translation>
+        <source>Every press is compared with one image of the untouched face.</source>
+        <translation>每次按压都与一张未触碰接触面的图像比较。</translation>
     </message>
     <message>
-        <source>Every press is compared with a picture of the finger bent alike and not touched. Record it bending in all directions, then install the recording.</source>
-        <translation>每次按压都与同样弯曲、未被触碰的手指图像比较。请录制它向各个方向弯曲的过程，然后设为参考。</translation>
+        <source>Every press is compared with an image of the finger in the same bend, untouched. Record the finger bending in all directions, then install the recording.</source>
+        <translation>每次按压都与弯曲相同、未被触碰的手指图像比较。请录制手指向各个方向弯曲的过程，然后设为参考。</translation>
     </message>
     <message>
         <source>Finger</source>
@@ -1259,19 +1259,19 @@
     </message>
     <message>
         <source>&amp;Width of the face</source>
-        <translation>面的宽度(&amp;W)</translation>
+        <translation>接触面宽度(&amp;W)</translation>
     </message>
     <message>
         <source>Width of the face</source>
-        <translation>面的宽度</translation>
+        <translation>接触面宽度</translation>
     </message>
     <message>
-        <source>&amp;Layer&apos;s thickness</source>
-        <translation>层的厚度(&amp;L)</translation>
+        <source>&amp;Layer thickness</source>
+        <translation>层厚(&amp;L)</translation>
     </message>
     <message>
-        <source>Thickness of the layer</source>
-        <translation>层的厚度</translation>
+        <source>Layer thickness</source>
+        <translation>层厚</translation>
     </message>
     <message>
         <source> mm</source>
@@ -1282,7 +1282,7 @@
         <translation>更改(&amp;C)</translation>
     </message>
     <message>
-        <source>A calibrated finger has to be calibrated again then.</source>
+        <source>A calibrated finger then needs a new calibration.</source>
         <translation>已标定的手指之后需要重新标定。</translation>
     </message>
     <message>
@@ -1300,8 +1300,8 @@
 <context>
     <name>alltact::FingerSummary</name>
     <message>
-        <source>What is known of this finger</source>
-        <translation>对此手指已知的信息</translation>
+        <source>Summary of this finger</source>
+        <translation>此手指的概况</translation>
     </message>
     <message>
         <source>Go to Record</source>
@@ -1309,7 +1309,7 @@
     </message>
     <message>
         <source>Go to the check</source>
-        <translation>前往检查</translation>
+        <translation>前往“检查”</translation>
     </message>
     <message>
         <source>Go to Calibrate</source>
@@ -1331,40 +1331,40 @@
         <translation>按实测值(&amp;A)</translation>
     </message>
     <message>
-        <source>Forces count from the model&apos;s own zero again.</source>
-        <translation>力重新从模型自身的零点算起。</translation>
+        <source>Forces use the model&apos;s own zero again.</source>
+        <translation>力重新以模型自身的零点为准。</translation>
     </message>
     <message>
         <source>Force now</source>
         <translation>当前的力</translation>
     </message>
     <message>
-        <source>From which zero forces count</source>
-        <translation>力从哪个零点算起</translation>
+        <source>Zero of the forces</source>
+        <translation>力的零点</translation>
     </message>
     <message>
         <source>Force over the last half minute</source>
         <translation>最近半分钟的力</translation>
     </message>
     <message>
-        <source>The force model was trained with nothing like this picture.</source>
-        <translation>力模型的训练数据中没有与此图像相似的情况。</translation>
+        <source>The force model was not trained on images like this one.</source>
+        <translation>力模型未用与此类似的图像训练过。</translation>
     </message>
     <message>
         <source>A recording is shown as it was measured.</source>
         <translation>录像按实测值显示。</translation>
     </message>
     <message>
-        <source>The mean of the last half second counts as no force from now on.</source>
-        <translation>从现在起，最近半秒的平均值视为零力。</translation>
+        <source>From now on, the mean of the last half second is the zero.</source>
+        <translation>从现在起，以最近半秒的平均值为零点。</translation>
     </message>
     <message>
-        <source>There is no reading in range that could count as zero.</source>
-        <translation>没有可作为零点的范围内读数。</translation>
+        <source>No reading in range can serve as zero.</source>
+        <translation>没有可用作零点的有效范围内读数。</translation>
     </message>
     <message>
-        <source>No force is told of this picture.</source>
-        <translation>此图像没有给出力。</translation>
+        <source>No force is estimated for this image.</source>
+        <translation>此图像没有力的估计值。</translation>
     </message>
     <message>
         <source>%1 N</source>
@@ -1383,8 +1383,8 @@
         <translation>零点：模型自身的零点。</translation>
     </message>
     <message>
-        <source>Zero: the reading of %1, while something touched the finger.</source>
-        <translation>零点：%1 的读数，当时有东西触碰手指。</translation>
+        <source>Zero: the reading of %1, with the finger in contact.</source>
+        <translation>零点：%1 的读数，当时手指有接触。</translation>
     </message>
     <message>
         <source>Zero: the reading of %1.</source>
@@ -1413,20 +1413,20 @@
         <translation>请打开一个手指以查看其受力。</translation>
     </message>
     <message>
-        <source>A finger without markers tells no forces.</source>
-        <translation>没有标记点的手指不能给出力。</translation>
+        <source>Forces need a finger with markers.</source>
+        <translation>测力需要带标记点的手指。</translation>
     </message>
     <message>
-        <source>Forces are told once there is a reference recording.</source>
-        <translation>有了参考录像后才会给出力。</translation>
+        <source>Forces need a reference recording: record one.</source>
+        <translation>测力需要参考录像：请录制。</translation>
     </message>
     <message>
-        <source>No force is told of this picture.</source>
-        <translation>此图像没有给出力。</translation>
+        <source>No force is estimated for this image.</source>
+        <translation>此图像没有力的估计值。</translation>
     </message>
     <message>
-        <source>This finger has no force model yet. A table of its markers beside a gauge&apos;s forces trains one:</source>
-        <translation>此手指还没有力模型。可用其标记点与测力计的力并列的表训练一个：</translation>
+        <source>This finger has no force model yet. Train one with a table of its markers and a gauge&apos;s forces:</source>
+        <translation>此手指还没有力模型。请用包含其标记点和测力计读数的表训练一个：</translation>
     </message>
 </context>
 <context>
@@ -1441,7 +1441,7 @@
     </message>
     <message>
         <source>no depth: off the face</source>
-        <translation>无深度：不在面上</translation>
+        <translation>无深度：不在接触面上</translation>
     </message>
     <message>
         <source>u %1 px, v %2 px, grey %3</source>
@@ -1463,39 +1463,39 @@
         <translation>夹爪中的 %1</translation>
     </message>
     <message>
-        <source>Where the camera of %1 sits in the gripper&apos;s frame: its place, and how it is turned about the gripper&apos;s axes, first x, then y, then z. A camera that is not turned looks along the gripper&apos;s z, with x along its picture and y across it.</source>
-        <translation>%1 的相机在夹爪坐标系中的安装位置：其位置，以及绕夹爪各轴的转角，依次为 x、y、z。未转动的相机沿夹爪的 z 方向观察，x 沿图像长度方向，y 沿图像宽度方向。</translation>
+        <source>Pose of the camera of %1 in the gripper&apos;s frame: its position and its rotation about the gripper&apos;s axes, first x, then y, then z. A camera without rotation looks along the gripper&apos;s z; x runs along its image, y across it.</source>
+        <translation>%1 的相机在夹爪坐标系中的位姿：其位置，以及绕夹爪各轴的转角，依次为 x、y、z。未转动的相机沿夹爪的 z 方向观察，x 沿图像长度方向，y 沿图像宽度方向。</translation>
     </message>
     <message>
-        <source>&amp;Place</source>
+        <source>&amp;Position</source>
         <translation>位置(&amp;P)</translation>
     </message>
     <message>
-        <source>&amp;Turned about</source>
+        <source>Ro&amp;tation about</source>
         <translation>转角(&amp;T)</translation>
     </message>
     <message>
-        <source>Place, x</source>
+        <source>Position, x</source>
         <translation>位置，x</translation>
     </message>
     <message>
-        <source>Place, y</source>
+        <source>Position, y</source>
         <translation>位置，y</translation>
     </message>
     <message>
-        <source>Place, z</source>
+        <source>Position, z</source>
         <translation>位置，z</translation>
     </message>
     <message>
-        <source>Turned about x</source>
+        <source>Rotation about x</source>
         <translation>绕 x 的转角</translation>
     </message>
     <message>
-        <source>Turned about y</source>
+        <source>Rotation about y</source>
         <translation>绕 y 的转角</translation>
     </message>
     <message>
-        <source>Turned about z</source>
+        <source>Rotation about z</source>
         <translation>绕 z 的转角</translation>
     </message>
     <message>
@@ -1515,8 +1515,8 @@
         <translation>未知(&amp;N)</translation>
     </message>
     <message>
-        <source>Takes the place out of the finger&apos;s file.</source>
-        <translation>从手指文件中删除该位置。</translation>
+        <source>Removes the pose from the finger&apos;s file.</source>
+        <translation>从手指文件中删除该位姿。</translation>
     </message>
 </context>
 <context>
@@ -1542,16 +1542,16 @@
         <translation>现在 %1 mm：太深</translation>
     </message>
     <message>
-        <source>now %1 mm, %2 mm away from there</source>
-        <translation>现在 %1 mm，距该处 %2 mm</translation>
+        <source>now %1 mm, %2 mm from the target</source>
+        <translation>现在 %1 mm，距目标 %2 mm</translation>
     </message>
     <message>
-        <source>It is taken as soon as ball and finger are held still.</source>
-        <translation>球和手指一保持不动，就会记录。</translation>
+        <source>The press is taken once ball and finger are held still.</source>
+        <translation>球和手指保持不动后，即拍摄此次按压。</translation>
     </message>
     <message>
         <source>Not taken: ball and finger were not held still. Hold them still for half a second.</source>
-        <translation>未记录：球和手指没有保持不动。请保持半秒钟不动。</translation>
+        <translation>未拍摄：球和手指没有保持不动。请保持不动半秒钟。</translation>
     </message>
 </context>
 <context>
@@ -1593,7 +1593,7 @@
         <translation>帮助(&amp;H)</translation>
     </message>
     <message>
-        <source>&amp;Help on this place</source>
+        <source>&amp;Help on this page</source>
         <translation>本页帮助(&amp;H)</translation>
     </message>
     <message>
@@ -1609,7 +1609,7 @@
 
 Turns a clear silicone finger with a camera inside into a measuring instrument.
 
-Its own source is under the BSD-3-Clause licence; with the libraries it uses, the program as a whole is under the GPL, version 3.</source>
+Its own source is under the BSD-3-Clause licence; with the libraries it uses, the entire program is under the GPL, version 3.</source>
         <translation>## AllTact Studio %1
 
 把内置相机的透明硅胶手指变成测量仪器。
@@ -1633,8 +1633,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>保存快速指南</translation>
     </message>
     <message>
-        <source>Pages to print (*.pdf)</source>
-        <translation>可打印的页面 (*.pdf)</translation>
+        <source>PDF files (*.pdf)</source>
+        <translation>PDF 文件 (*.pdf)</translation>
     </message>
 </context>
 <context>
@@ -1663,7 +1663,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 <context>
     <name>alltact::HistogramPlot</name>
     <message>
-        <source>Spread of the errors</source>
+        <source>Distribution of errors</source>
         <translation>误差分布</translation>
     </message>
     <message>
@@ -1672,7 +1672,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>No errors to show yet</source>
-        <translation>尚无误差可显示</translation>
+        <translation>尚无可显示的误差</translation>
     </message>
     <message>
         <source>Share of all blocks (%)</source>
@@ -1719,11 +1719,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 <context>
     <name>alltact::ImageView</name>
     <message>
-        <source>Picture</source>
+        <source>Image</source>
         <translation>图像</translation>
     </message>
     <message>
-        <source>The camera&apos;s picture. The wheel or + and - zoom, 0 shows all of it, 1 its own size. Drag or use the arrow keys to move it; Shift and the arrow keys move the probe.</source>
+        <source>The camera&apos;s image. The wheel or + and - zoom, 0 shows all of it, 1 its original size. Drag or use the arrow keys to move it; Shift and the arrow keys move the probe.</source>
         <translation>相机图像。滚轮或 + 和 - 缩放，0 显示全部，1 为原始大小。拖动或用方向键移动；Shift 加方向键移动探针。</translation>
     </message>
 </context>
@@ -1742,8 +1742,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>此帧中没有可比较的内容。</translation>
     </message>
     <message>
-        <source>It is being measured a second time, to be compared.</source>
-        <translation>正在再测量一次，以便比较。</translation>
+        <source>The frame is being measured again for the comparison.</source>
+        <translation>正在再次测量此帧，以便比较。</translation>
     </message>
 </context>
 <context>
@@ -1765,12 +1765,12 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>已保存的内容</translation>
     </message>
     <message>
-        <source>put point B</source>
-        <translation>放置 B 点</translation>
+        <source>set point B</source>
+        <translation>设置 B 点</translation>
     </message>
     <message>
-        <source>put point A</source>
-        <translation>放置 A 点</translation>
+        <source>set point A</source>
+        <translation>设置 A 点</translation>
     </message>
     <message>
         <source>Shown: the live finger</source>
@@ -1781,19 +1781,19 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>显示：%1</translation>
     </message>
     <message>
-        <source>The finger is not calibrated yet, so brightness cannot be told as depth.</source>
+        <source>The finger is not calibrated yet, so brightness gives no depth.</source>
         <translation>手指尚未标定，无法由亮度得到深度。</translation>
     </message>
     <message>
-        <source>The face was not found in this picture.</source>
-        <translation>在此图片中未找到接触面。</translation>
+        <source>The face was not found in this image.</source>
+        <translation>在此图像中未找到接触面。</translation>
     </message>
     <message>
         <source>The finger is being loaded.</source>
         <translation>正在加载手指。</translation>
     </message>
     <message>
-        <source>Nothing can be shown; above stands why.</source>
+        <source>Nothing can be shown; the reason is above.</source>
         <translation>无法显示；原因见上方。</translation>
     </message>
     <message>
@@ -1802,15 +1802,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>No source is open. Choose one above, or open a recording.</source>
-        <translation>没有打开的图像源。请在上方选择，或打开一段录像。</translation>
+        <translation>没有打开的来源。请在上方选择，或打开一段录像。</translation>
     </message>
     <message>
-        <source>No finger is open. Open the one that is seen, above.</source>
+        <source>No finger is open. Open the visible finger above.</source>
         <translation>没有打开的手指。请在上方打开画面中的手指。</translation>
     </message>
     <message>
-        <source>Waiting for the first picture.</source>
-        <translation>等待第一张图片。</translation>
+        <source>Waiting for the first image.</source>
+        <translation>正在等待第一张图像。</translation>
     </message>
     <message>
         <source>Open a video</source>
@@ -1821,8 +1821,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>视频 (*.mkv *.avi *.mp4)</translation>
     </message>
     <message>
-        <source>Open a folder of pictures</source>
-        <translation>打开图片文件夹</translation>
+        <source>Open a folder of images</source>
+        <translation>打开图像文件夹</translation>
     </message>
     <message>
         <source>Save what is shown</source>
@@ -1845,8 +1845,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>检视 %1</translation>
     </message>
     <message>
-        <source>go on with what was inspected</source>
-        <translation>继续上次检视的内容</translation>
+        <source>continue the last inspection</source>
+        <translation>继续上次检视</translation>
     </message>
     <message>
         <source>inspect the live finger</source>
@@ -1857,24 +1857,24 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>1：%1，2：%2，在夹爪坐标系 X、Y、Z 中</translation>
     </message>
     <message>
-        <source>place %1 in the gripper</source>
-        <translation>设置 %1 在夹爪中的位置</translation>
+        <source>pose of %1 in the gripper</source>
+        <translation>设置 %1 在夹爪中的位姿</translation>
     </message>
     <message>
-        <source>Where the camera of %1 sits in the gripper is not known, so the two fingers are shown each in its own camera&apos;s frame.</source>
-        <translation>尚不知道 %1 的相机在夹爪中的位置，因此两个手指分别显示在各自相机的坐标系中。</translation>
+        <source>The camera pose of %1 in the gripper is not known, so each finger is shown in its own camera&apos;s frame.</source>
+        <translation>%1 的相机在夹爪中的位姿未知，因此每个手指都显示在各自相机的坐标系中。</translation>
     </message>
     <message>
-        <source>Tell its place and how it is turned.</source>
+        <source>Enter its position and rotation.</source>
         <translation>请输入其位置和转角。</translation>
     </message>
     <message>
-        <source>Place of &amp;2…</source>
-        <translation>&amp;2 的位置…</translation>
+        <source>Pose of &amp;2…</source>
+        <translation>&amp;2 的位姿…</translation>
     </message>
     <message>
-        <source>Place of &amp;1…</source>
-        <translation>&amp;1 的位置…</translation>
+        <source>Pose of &amp;1…</source>
+        <translation>&amp;1 的位姿…</translation>
     </message>
     <message>
         <source>show a second finger</source>
@@ -1897,11 +1897,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>接触</translation>
     </message>
     <message>
-        <source>What touches the finger</source>
+        <source>Contacts on the finger</source>
         <translation>触碰手指的东西</translation>
     </message>
     <message>
-        <source>No picture yet.</source>
+        <source>No image yet.</source>
         <translation>还没有图像。</translation>
     </message>
     <message>
@@ -1909,8 +1909,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>视频(&amp;O)…</translation>
     </message>
     <message>
-        <source>Folder of p&amp;ictures…</source>
-        <translation>图片文件夹(&amp;I)…</translation>
+        <source>Folder of &amp;images…</source>
+        <translation>图像文件夹(&amp;I)…</translation>
     </message>
     <message>
         <source>Under the pointer</source>
@@ -1925,16 +1925,16 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>当前显示</translation>
     </message>
     <message>
-        <source>Shown less: %1</source>
+        <source>Shown minus: %1</source>
         <translation>当前显示减去：%1</translation>
     </message>
     <message>
-        <source>Not calibrated yet: the shape of the whole finger, without depth</source>
+        <source>Not calibrated yet: the shape of the entire finger, without depth</source>
         <translation>尚未标定：显示整个手指的形状，没有深度</translation>
     </message>
     <message>
-        <source>Point at the face: what lies there is told here.</source>
-        <translation>把指针移到面上，这里会显示该处的数值。</translation>
+        <source>Point at the face to see its values here.</source>
+        <translation>把指针移到接触面上，这里会显示该处的数值。</translation>
     </message>
 </context>
 <context>
@@ -1978,11 +1978,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>灯的调光器</translation>
     </message>
     <message>
-        <source>Look</source>
+        <source>Search</source>
         <translation>查找</translation>
     </message>
     <message>
-        <source>Look for dimmers</source>
+        <source>Search for dimmers</source>
         <translation>查找调光器</translation>
     </message>
     <message>
@@ -2002,8 +2002,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>MCP2221A，引脚 GP3</translation>
     </message>
     <message>
-        <source>A report, described</source>
-        <translation>自行描述的报告</translation>
+        <source>Custom report</source>
+        <translation>自定义报告</translation>
     </message>
     <message>
         <source>Report that sets the brightness</source>
@@ -2026,15 +2026,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>无</translation>
     </message>
     <message>
-        <source>Set to %1 %. Every picture tells it.</source>
-        <translation>已设为 %1 %。每张图像都会注明。</translation>
+        <source>Set to %1 %. Every image records it.</source>
+        <translation>已设为 %1 %。每张图像都会记录此值。</translation>
     </message>
     <message>
-        <source>The dimmer is being told.</source>
+        <source>The dimmer is being set.</source>
         <translation>正在设置调光器。</translation>
     </message>
     <message>
-        <source>Choose the device that dims the finger&apos;s lamp, where there is one.</source>
+        <source>Choose the device that dims the finger&apos;s lamp, if there is one.</source>
         <translation>如有给手指的灯调光的设备，请选择它。</translation>
     </message>
 </context>
@@ -2063,10 +2063,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <name>alltact::LimitWords</name>
     <message>
         <source>at the layer&apos;s limit</source>
-        <translation>达到涂层极限</translation>
+        <translation>达到层的极限</translation>
     </message>
     <message>
-        <source>beyond what was calibrated</source>
+        <source>beyond the calibrated range</source>
         <translation>超出标定范围</translation>
     </message>
     <message>
@@ -2074,8 +2074,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>光照可疑</translation>
     </message>
     <message>
-        <source>steep: its place matters</source>
-        <translation>陡坡：位置影响大</translation>
+        <source>steep: position matters</source>
+        <translation>陡坡：受位置影响大</translation>
     </message>
 </context>
 <context>
@@ -2129,15 +2129,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>镜头</translation>
     </message>
     <message>
-        <source>usual (Brown)</source>
-        <translation>普通 (Brown)</translation>
+        <source>standard (Brown)</source>
+        <translation>标准 (Brown)</translation>
     </message>
     <message>
         <source>fisheye</source>
         <translation>鱼眼</translation>
     </message>
     <message>
-        <source>Finger&apos;s distance</source>
+        <source>Finger distance</source>
         <translation>手指的距离</translation>
     </message>
     <message>
@@ -2149,39 +2149,39 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>手指在窗口后面</translation>
     </message>
     <message>
-        <source>Tick it where the finger is seen through a plate into silicone and the board was seen in air</source>
-        <translation>如果透过平板看硅胶中的手指，而标定板是在空气中看的，请勾选</translation>
+        <source>Tick this if the finger is seen through a plate into silicone, but the board was in air</source>
+        <translation>如果相机透过平板看硅胶中的手指，而标定板是在空气中看的，请勾选</translation>
     </message>
     <message>
-        <source>Air before it</source>
-        <translation>前面的空气</translation>
+        <source>Air gap</source>
+        <translation>空气间隙</translation>
     </message>
     <message>
         <source>Air between lens and window</source>
         <translation>镜头与窗口之间的空气</translation>
     </message>
     <message>
-        <source>Its thickness</source>
-        <translation>其厚度</translation>
+        <source>Window thickness</source>
+        <translation>窗口厚度</translation>
     </message>
     <message>
         <source>Thickness of the window</source>
         <translation>窗口的厚度</translation>
     </message>
     <message>
-        <source>Its index</source>
-        <translation>其折射率</translation>
+        <source>Window index</source>
+        <translation>窗口折射率</translation>
     </message>
     <message>
-        <source>Index of refraction of the window</source>
+        <source>Refractive index of the window</source>
         <translation>窗口的折射率</translation>
     </message>
     <message>
         <source>Index behind it</source>
-        <translation>后面的折射率</translation>
+        <translation>窗口后折射率</translation>
     </message>
     <message>
-        <source>Index of refraction behind the window</source>
+        <source>Refractive index behind the window</source>
         <translation>窗口后面的折射率</translation>
     </message>
     <message>
@@ -2220,16 +2220,16 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>来自相机文件</translation>
     </message>
     <message>
-        <source>Or measured with pictures of a board</source>
-        <translation>或者用标定板图片测量</translation>
+        <source>Or measured with images of a board</source>
+        <translation>或者用标定板图像测量</translation>
     </message>
     <message>
         <source>Camera file</source>
         <translation>相机文件</translation>
     </message>
     <message>
-        <source>camera.yaml, as the lens calibration writes it</source>
-        <translation>镜头标定写出的 camera.yaml</translation>
+        <source>camera.yaml from the lens calibration</source>
+        <translation>由镜头标定生成的 camera.yaml</translation>
     </message>
     <message>
         <source>&amp;Choose…</source>
@@ -2241,23 +2241,23 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>&amp;Use the simulated camera&apos;s lens</source>
-        <translation>使用模拟相机的镜头(&amp;U)</translation>
+        <translation>使用仿真相机的镜头(&amp;U)</translation>
     </message>
     <message>
-        <source>&amp;Pictures</source>
-        <translation>图片(&amp;P)</translation>
+        <source>Ima&amp;ges</source>
+        <translation>图像(&amp;G)</translation>
     </message>
     <message>
-        <source>Folder of board pictures, or a recording</source>
-        <translation>标定板图片的文件夹，或一段录像</translation>
+        <source>Folder of board images, or a recording</source>
+        <translation>标定板图像的文件夹，或一段录像</translation>
     </message>
     <message>
         <source>Choose…</source>
         <translation>选择…</translation>
     </message>
     <message>
-        <source>Choose the folder of board pictures</source>
-        <translation>选择标定板图片的文件夹</translation>
+        <source>Choose the folder of board images</source>
+        <translation>选择标定板图像的文件夹</translation>
     </message>
     <message>
         <source>&amp;Measure the lens</source>
@@ -2280,8 +2280,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>镜头标定的结果</translation>
     </message>
     <message>
-        <source>The lens has to be known first: choose a camera file, or measure one.</source>
-        <translation>必须先知道镜头：请选择相机文件或进行测量。</translation>
+        <source>The lens is not known yet: choose a camera file, or measure the lens.</source>
+        <translation>镜头尚未知：请选择相机文件或进行测量。</translation>
     </message>
     <message>
         <source>This finger&apos;s camera has %1</source>
@@ -2292,20 +2292,20 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>相机：%1</translation>
     </message>
     <message>
-        <source>A finger measures through its camera&apos;s lens, so the lens comes first. It is measured once for each camera, with ten to twenty pictures of a flat board from all sides.</source>
-        <translation>手指通过相机镜头测量，所以先要知道镜头。每台相机只需测量一次：从各个方向拍摄十到二十张平面标定板的图片。</translation>
+        <source>A finger measures through its camera&apos;s lens, so the lens comes first. Measure it once for each camera, with ten to twenty images of a flat board from all sides.</source>
+        <translation>手指通过相机镜头测量，所以先要知道镜头。每台相机只需测量一次：从各个方向拍摄十到二十张平面标定板的图像。</translation>
     </message>
     <message>
         <source>Camera (*.yaml *.yml)</source>
         <translation>相机 (*.yaml *.yml)</translation>
     </message>
     <message>
-        <source>Folder of board pictures</source>
-        <translation>标定板图片的文件夹</translation>
+        <source>Folder of board images</source>
+        <translation>标定板图像的文件夹</translation>
     </message>
     <message>
-        <source>No folder of pictures is named.</source>
-        <translation>没有指定图片文件夹。</translation>
+        <source>No folder of images is specified.</source>
+        <translation>未指定图像文件夹。</translation>
     </message>
     <message>
         <source>Written to %1.</source>
@@ -2316,20 +2316,20 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>镜头</translation>
     </message>
     <message>
-        <source>With a board before the camera</source>
-        <translation>把标定板放在相机前</translation>
+        <source>Or live, with a board</source>
+        <translation>或者用标定板实时测量</translation>
     </message>
     <message>
         <source>&amp;Take this board (Space)</source>
         <translation>采集这块板(&amp;T)（空格键）</translation>
     </message>
     <message>
-        <source>By &amp;itself where it is new and still</source>
+        <source>Automat&amp;ically when new and still</source>
         <translation>位置新且静止时自动采集(&amp;I)</translation>
     </message>
     <message>
-        <source>Takes the board whenever it is held still in a place, or tilted in a way, that was not taken yet</source>
-        <translation>每当标定板在尚未采集的位置或倾角上保持不动时就采集</translation>
+        <source>Takes the board when it is held still at a new position or tilt</source>
+        <translation>当标定板在新的位置或倾角上保持不动时自动采集</translation>
     </message>
     <message>
         <source>How to hold the board</source>
@@ -2344,8 +2344,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>排除所选视图</translation>
     </message>
     <message>
-        <source>Blue: straight lines of the world, as this lens shows them.</source>
-        <translation>蓝色：此镜头所呈现的现实中的直线。</translation>
+        <source>Blue: straight lines, as this lens shows them.</source>
+        <translation>蓝色：现实中的直线经此镜头所成的像。</translation>
     </message>
     <message>
         <source>Still better with: %1.</source>
@@ -2364,19 +2364,19 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>标定板 %1</translation>
     </message>
     <message>
-        <source>Open the camera as source, and boards can be taken live.</source>
-        <translation>把相机打开为来源，即可实时采集标定板。</translation>
+        <source>Open the camera as source to take boards live.</source>
+        <translation>请把相机打开为来源，即可实时采集标定板。</translation>
     </message>
     <message>
         <source>Looking for the board.</source>
         <translation>正在寻找标定板。</translation>
     </message>
     <message>
-        <source>The board is blurred: hold it still, or further away.</source>
+        <source>The board is blurred: hold it still or further away.</source>
         <translation>标定板模糊：请拿稳，或拿远一些。</translation>
     </message>
     <message>
-        <source>This place is taken: move the board, or tilt it.</source>
+        <source>Position already captured: move or tilt the board.</source>
         <translation>此位置已采集：请移动或倾斜标定板。</translation>
     </message>
     <message>
@@ -2392,7 +2392,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>还缺少：%1。</translation>
     </message>
     <message>
-        <source>%1 mm a pixel</source>
+        <source>%1 mm per pixel</source>
         <translation>每像素 %1 mm</translation>
     </message>
     <message>
@@ -2415,7 +2415,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>第二个手指(&amp;S)…</translation>
     </message>
     <message>
-        <source>Close it</source>
+        <source>Close</source>
         <translation>关闭</translation>
     </message>
     <message>
@@ -2431,36 +2431,36 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>电机位置，单位为圈</translation>
     </message>
     <message>
-        <source>Where the gripper&apos;s motor stands: the figures hold for this position.</source>
-        <translation>夹爪电机所处的位置：数值对应于此位置。</translation>
+        <source>Position of the gripper&apos;s motor; the figures apply to this position.</source>
+        <translation>夹爪电机的位置；数值对应于此位置。</translation>
     </message>
     <message>
         <source>Gap and width</source>
         <translation>间隙和宽度</translation>
     </message>
     <message>
-        <source>Whether both pictures are of one moment</source>
-        <translation>两幅图像是否属于同一时刻</translation>
+        <source>Synchronization of both images</source>
+        <translation>两幅图像的同步情况</translation>
     </message>
     <message>
-        <source>Waiting for the second picture.</source>
+        <source>Waiting for the second image.</source>
         <translation>正在等待第二幅图像。</translation>
     </message>
     <message>
-        <source>Without times of capture: the newest of both.</source>
+        <source>No capture times: the newest image of each camera.</source>
         <translation>没有拍摄时间：显示两者各自最新的图像。</translation>
     </message>
     <message>
-        <source>In time: 2 was taken %1 ms after 1.</source>
+        <source>In sync: 2 was captured %1 ms after 1.</source>
         <translation>同步：2 比 1 晚 %1 ms 拍摄。</translation>
     </message>
     <message>
-        <source>Not in time: 2 was taken %1 ms after 1, more than half a frame.</source>
+        <source>Not in sync: 2 was captured %1 ms after 1, more than half a frame.</source>
         <translation>不同步：2 比 1 晚 %1 ms 拍摄，超过半帧。</translation>
     </message>
     <message>
-        <source>With a gripper.yaml, the gap between the faces and the width of what is held are told here.</source>
-        <translation>有 gripper.yaml 时，此处给出两个面之间的间隙和所夹物体的宽度。</translation>
+        <source>With a gripper.yaml, the gap between the faces and the width of the held object appear here.</source>
+        <translation>有 gripper.yaml 时，此处显示两个接触面之间的间隙和所夹物体的宽度。</translation>
     </message>
     <message>
         <source>Measuring…</source>
@@ -2475,15 +2475,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>间隙</translation>
     </message>
     <message>
-        <source>Held width</source>
-        <translation>夹持宽度</translation>
+        <source>Object width</source>
+        <translation>物体宽度</translation>
     </message>
     <message>
-        <source>No gap is told: both faces need depth.</source>
-        <translation>没有给出间隙：两个面都需要深度。</translation>
+        <source>Gap unknown: both faces need depth.</source>
+        <translation>间隙未知：两个接触面都需要深度。</translation>
     </message>
     <message>
-        <source>Nothing is held by both.</source>
+        <source>No jointly held object.</source>
         <translation>两个手指没有共同夹住任何东西。</translation>
     </message>
 </context>
@@ -2502,12 +2502,12 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>更改深度颜色</translation>
     </message>
     <message>
-        <source>Over the picture</source>
-        <translation>叠加显示</translation>
+        <source>Image overlays</source>
+        <translation>图像叠加</translation>
     </message>
     <message>
         <source>&amp;Edges of the face</source>
-        <translation>面的边缘(&amp;E)</translation>
+        <translation>接触面边缘(&amp;E)</translation>
     </message>
     <message>
         <source>&amp;Markers with numbers</source>
@@ -2526,8 +2526,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>过暗或过亮(&amp;T)</translation>
     </message>
     <message>
-        <source>A ring: the marker is seen. A dashed diamond: its place is an estimate.</source>
-        <translation>圆圈：看得见标记点。虚线菱形：位置为估计值。</translation>
+        <source>Ring: visible marker. Dashed diamond: estimated position.</source>
+        <translation>圆圈：可见的标记点。虚线菱形：估计的位置。</translation>
     </message>
     <message>
         <source>Stripes falling to the right: too bright to measure. Stripes falling to the left: too dark.</source>
@@ -2554,7 +2554,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>接触</translation>
     </message>
     <message>
-        <source>Time of a frame</source>
+        <source>Time per frame</source>
         <translation>每帧用时</translation>
     </message>
     <message>
@@ -2570,7 +2570,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>解锁亮度</translation>
     </message>
     <message>
-        <source>No picture yet.</source>
+        <source>No image yet.</source>
         <translation>还没有图像。</translation>
     </message>
     <message>
@@ -2606,7 +2606,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>接触</translation>
     </message>
     <message>
-        <source>All together</source>
+        <source>Total</source>
         <translation>合计</translation>
     </message>
     <message>
@@ -2618,8 +2618,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>实时(&amp;L)</translation>
     </message>
     <message>
-        <source>What touches the finger</source>
-        <translation>触碰手指的东西</translation>
+        <source>Contacts on the finger</source>
+        <translation>手指上的接触</translation>
     </message>
     <message>
         <source>Force</source>
@@ -2677,7 +2677,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>全屏(&amp;F)</translation>
     </message>
     <message>
-        <source>go on with the last session</source>
+        <source>continue the last session</source>
         <translation>继续上次的会话</translation>
     </message>
     <message>
@@ -2693,12 +2693,12 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>录像 %1</translation>
     </message>
     <message>
-        <source>A recording is under way</source>
+        <source>A recording is running</source>
         <translation>正在录制</translation>
     </message>
     <message>
-        <source>A recording is under way. Quitting ends it; what was recorded until then is kept.</source>
-        <translation>正在录制。退出会结束录制，此前录下的内容会保留。</translation>
+        <source>A recording is running. Quitting ends it; the recording up to then is saved.</source>
+        <translation>正在录制。退出会结束录制，此前录下的内容会保存。</translation>
     </message>
     <message>
         <source>&amp;End it and quit</source>
@@ -2716,12 +2716,12 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>停止(&amp;S)</translation>
     </message>
     <message>
-        <source>Keeps the best solution so far</source>
+        <source>Retains the best solution so far</source>
         <translation>保留目前最好的解</translation>
     </message>
     <message>
-        <source>What has been done</source>
-        <translation>已完成的工作</translation>
+        <source>Calibration log</source>
+        <translation>标定日志</translation>
     </message>
     <message>
         <source>Progress of the calibration</source>
@@ -2736,7 +2736,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>各次按压的误差，最大的在前</translation>
     </message>
     <message>
-        <source>The calibration is being made.</source>
+        <source>The calibration is running.</source>
         <translation>正在标定。</translation>
     </message>
     <message>
@@ -2758,16 +2758,16 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         </translation>
     </message>
     <message>
-        <source>This finger is calibrated. Calibrating again shows the figures.</source>
+        <source>This finger is calibrated. Calibrate again to show the figures.</source>
         <translation>此手指已标定。重新标定可显示图表。</translation>
     </message>
     <message>
-        <source>With one press or more, what every pixel&apos;s darkening means in mm is learnt from the shape of the ball.</source>
-        <translation>有一次或多次按压后，由球的形状学得每个像素变暗意味着多少毫米。</translation>
+        <source>From one press on, the program learns from the ball&apos;s shape what each pixel&apos;s darkening means in mm.</source>
+        <translation>只要有一次按压，程序就能根据球的形状学习每个像素变暗对应多少毫米。</translation>
     </message>
     <message>
-        <source>What every pixel&apos;s darkening means in mm is learnt from the shape of the ball, with all presses together. Each press is left out once to see how well the others foretell it.</source>
-        <translation>每个像素变暗意味着多少毫米，由球的形状和全部按压一起学得。每次按压都会被留出一次，看其余的能预测得多好。</translation>
+        <source>From the ball&apos;s shape in all presses, the program learns what each pixel&apos;s darkening means in mm. It leaves out each press once to test how well the others predict it.</source>
+        <translation>程序根据全部按压中球的形状，学习每个像素变暗对应多少毫米。每次按压都会被留出一次，以检验其余按压对它的预测效果。</translation>
     </message>
     <message>
         <source>Mapping: %1.</source>
@@ -2778,24 +2778,24 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>映射</translation>
     </message>
     <message>
-        <source>The presses are read again to show what each pixel says.</source>
+        <source>The presses are read again to show the result of each pixel.</source>
         <translation>正在重新读取按压，以显示每个像素的结果。</translation>
     </message>
     <message>
-        <source>What these presses would come to; not in use yet.</source>
-        <translation>这些按压将得出的结果；尚未启用。</translation>
+        <source>Result with these presses; not in use yet.</source>
+        <translation>使用这些按压得出的结果；尚未启用。</translation>
     </message>
     <message>
         <source>S&amp;how this press</source>
         <translation>显示这次按压(&amp;H)</translation>
     </message>
     <message>
-        <source>Click a bar or a circle: which points are this press&apos;s, and where.</source>
-        <translation>点击条形或圆圈，可看到哪些点属于该次按压以及它的位置。</translation>
+        <source>Click a bar or circle to show this press&apos;s points and position.</source>
+        <translation>点击条形或圆圈，可显示该次按压的点和位置。</translation>
     </message>
     <message>
-        <source>%1 is taken out: the next calibration goes without it.</source>
-        <translation>%1 已取出：下次标定不使用它。</translation>
+        <source>%1 is left out: the next calibration does not use it.</source>
+        <translation>%1 已排除：下次标定不使用它。</translation>
     </message>
     <message>
         <source>%1: its points are marked +, its circle is bold.</source>
@@ -2810,7 +2810,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>No mapping yet: calibrate with ball presses</source>
-        <translation>尚无映射：请用钢球按压标定</translation>
+        <translation>尚无映射：请用球按压标定</translation>
     </message>
     <message>
         <source>± 2 standard deviations</source>
@@ -2833,7 +2833,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>亮度差 x（无单位）</translation>
     </message>
     <message>
-        <source>Brightness difference x (share of the untouched brightness)</source>
+        <source>Brightness difference x (fraction of the untouched brightness)</source>
         <translation>亮度差 x（占未触碰亮度的比例）</translation>
     </message>
     <message>
@@ -2852,11 +2852,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 <context>
     <name>alltact::MoreDataBox</name>
     <message>
-        <source>What more would bring</source>
-        <translation>再多会带来什么</translation>
+        <source>Benefit of more data</source>
+        <translation>更多数据的收益</translation>
     </message>
     <message>
-        <source>Progress of working it out</source>
+        <source>Progress of the computation</source>
         <translation>计算进度</translation>
     </message>
     <message>
@@ -2864,16 +2864,16 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>停止(&amp;P)</translation>
     </message>
     <message>
-        <source>&amp;Work it out</source>
-        <translation>计算(&amp;W)</translation>
+        <source>Compute no&amp;w</source>
+        <translation>立即计算(&amp;W)</translation>
     </message>
     <message>
-        <source>One more press, more pictures of each, one more minute: told by balls painted into this finger&apos;s own pictures, which calibrate it anew.</source>
-        <translation>多一次按压、每次多几张图像、多一分钟：由画入此手指自己图像中的球得出，并用它们重新标定。</translation>
+        <source>Benefit of one more press, more images of each, one more minute. The program paints balls into this finger&apos;s images and calibrates it with them.</source>
+        <translation>多一次按压、每次多几张图像或多一分钟的收益。程序在此手指的图像中画入球，并据此重新标定。</translation>
     </message>
     <message>
-        <source>Nothing that was tried brings more.</source>
-        <translation>所尝试的都不会带来更多。</translation>
+        <source>No tested option improves the result.</source>
+        <translation>所试的选项都不能改善结果。</translation>
     </message>
 </context>
 <context>
@@ -2883,8 +2883,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>新建手指</translation>
     </message>
     <message>
-        <source>&amp;Folder to make</source>
-        <translation>要新建的文件夹(&amp;F)</translation>
+        <source>New &amp;folder</source>
+        <translation>新文件夹(&amp;F)</translation>
     </message>
     <message>
         <source>&amp;Camera file</source>
@@ -2896,15 +2896,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>&amp;Width of the face</source>
-        <translation>面的宽度(&amp;W)</translation>
+        <translation>接触面宽度(&amp;W)</translation>
     </message>
     <message>
         <source>Thickness of the &amp;layer</source>
-        <translation>层的厚度(&amp;L)</translation>
+        <translation>层厚(&amp;L)</translation>
     </message>
     <message>
         <source>Distance of the &amp;plane</source>
-        <translation>平面的距离(&amp;P)</translation>
+        <translation>平面距离(&amp;P)</translation>
     </message>
     <message>
         <source>&amp;Dots on each side</source>
@@ -2916,22 +2916,22 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>Fin Ray finger: its shape is read from the face&apos;s edges</source>
-        <translation>鳍条手指：形状由面的边缘得出</translation>
+        <translation>Fin Ray 手指：形状由接触面边缘得出</translation>
     </message>
     <message>
         <source>Flat, rigid sensor</source>
         <translation>平面刚性传感器</translation>
     </message>
     <message>
-        <source>found out by the reference recording</source>
+        <source>detected in the reference recording</source>
         <translation>由参考录像判断</translation>
     </message>
     <message>
-        <source>brighter than around them</source>
+        <source>brighter than surroundings</source>
         <translation>比周围亮</translation>
     </message>
     <message>
-        <source>darker than around them</source>
+        <source>darker than surroundings</source>
         <translation>比周围暗</translation>
     </message>
     <message>
@@ -2959,8 +2959,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>取消</translation>
     </message>
     <message>
-        <source>Folder to make</source>
-        <translation>要新建的文件夹</translation>
+        <source>New folder</source>
+        <translation>新文件夹</translation>
     </message>
     <message>
         <source>Camera file</source>
@@ -2971,31 +2971,31 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>相机 (*.yaml *.yml)</translation>
     </message>
     <message>
-        <source>No folder is named.</source>
+        <source>No folder is chosen.</source>
         <translation>未指定文件夹。</translation>
     </message>
     <message>
-        <source>No camera file is named.</source>
+        <source>No camera file is specified.</source>
         <translation>未指定相机文件。</translation>
     </message>
     <message>
-        <source>Measure width and layer with a caliper, and count the dots. The camera file comes from the lens calibration, the first step of Calibrate.</source>
-        <translation>用卡尺测量宽度和层厚，并数出标记点。相机文件来自镜头标定，即“标定”的第一步。</translation>
+        <source>Measure width and layer with a caliper, and count the dots. The camera file comes from the lens calibration, the first step of the Calibrate page.</source>
+        <translation>用卡尺测量宽度和层厚，并数出标记点。相机文件来自镜头标定，即“标定”页面的第一步。</translation>
     </message>
     <message>
-        <source>The first step of Calibrate makes one.</source>
-        <translation>“标定”的第一步会生成它。</translation>
+        <source>The first step of the Calibrate page creates it.</source>
+        <translation>“标定”页面的第一步会生成它。</translation>
     </message>
 </context>
 <context>
     <name>alltact::OutlineEditor</name>
     <message>
-        <source>Picture with the ball&apos;s outline</source>
+        <source>Image with the ball&apos;s outline</source>
         <translation>带球轮廓的图像</translation>
     </message>
     <message>
-        <source>Drag the outline&apos;s centre or rim onto the ball. Arrow keys move it by a tenth of a pixel, Page Up and Page Down change its size, with Shift by a whole pixel. Ctrl and the arrow keys move the picture; the wheel zooms, over the rim it changes the size.</source>
-        <translation>把轮廓的中心或边缘拖到球上。方向键移动十分之一像素，Page Up 和 Page Down 改变大小，加 Shift 为一个像素。Ctrl 加方向键移动画面；滚轮缩放，在边缘上则改变大小。</translation>
+        <source>Drag the outline&apos;s centre or rim onto the ball. Arrow keys move it by a tenth of a pixel, Page Up and Page Down change its size, with Shift by one pixel. Ctrl and the arrow keys move the image; the wheel zooms, over the rim it changes the size.</source>
+        <translation>把轮廓的中心或边缘拖到球上。方向键移动十分之一像素，Page Up 和 Page Down 改变大小，加 Shift 为一个像素。Ctrl 加方向键移动图像；滚轮缩放，在边缘上则改变大小。</translation>
     </message>
     <message>
         <source>Centre u %1 px, v %2 px, radius %3 px; ball at x %4, y %5, z %6 mm</source>
@@ -3013,51 +3013,51 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>第二个手指(&amp;G)…</translation>
     </message>
     <message>
-        <source>Close it</source>
+        <source>Close</source>
         <translation>关闭</translation>
     </message>
     <message>
-        <source>Place of 1…</source>
-        <translation>1 的位置…</translation>
+        <source>Pose of 1…</source>
+        <translation>1 的位姿…</translation>
     </message>
     <message>
-        <source>Place of 2…</source>
-        <translation>2 的位置…</translation>
+        <source>Pose of 2…</source>
+        <translation>2 的位姿…</translation>
     </message>
     <message>
-        <source>Place of the first finger in the gripper</source>
-        <translation>第一个手指在夹爪中的位置</translation>
+        <source>Pose of the first finger in the gripper</source>
+        <translation>第一个手指在夹爪中的位姿</translation>
     </message>
     <message>
-        <source>Place of the second finger in the gripper</source>
-        <translation>第二个手指在夹爪中的位置</translation>
+        <source>Pose of the second finger in the gripper</source>
+        <translation>第二个手指在夹爪中的位姿</translation>
     </message>
     <message>
-        <source>Where this finger&apos;s camera sits in the gripper.</source>
-        <translation>该手指的相机在夹爪中的安装位置。</translation>
+        <source>Pose of this finger&apos;s camera in the gripper.</source>
+        <translation>该手指的相机在夹爪中的位姿。</translation>
     </message>
     <message>
         <source>Distance between the faces</source>
-        <translation>两个面之间的距离</translation>
+        <translation>两个接触面之间的距离</translation>
     </message>
     <message>
-        <source>How the two recordings are joined</source>
+        <source>Matching of the two recordings</source>
         <translation>两段录像的对应方式</translation>
     </message>
     <message>
-        <source>Open a recording first; a second one can be joined to it.</source>
-        <translation>请先打开一段录像，然后可以与第二段录像对应。</translation>
+        <source>Open a recording first; then you can add a second one.</source>
+        <translation>请先打开一段录像，然后可以添加第二段。</translation>
     </message>
     <message>
-        <source>Joined by time stamps; 2 was taken %1 ms after 1.</source>
+        <source>Matched by time stamps; 2 was captured %1 ms after 1.</source>
         <translation>按时间戳对应；2 比 1 晚 %1 ms 拍摄。</translation>
     </message>
     <message>
-        <source>Recorded at different times: their beginnings count as one moment; 2 was taken %1 ms after 1.</source>
-        <translation>录制时间不同：以各自的开头为同一时刻；2 比 1 晚 %1 ms 拍摄。</translation>
+        <source>Recorded at different times, aligned at their starts; 2 was captured %1 ms after 1.</source>
+        <translation>录制时间不同，按各自的开头对齐；2 比 1 晚 %1 ms 拍摄。</translation>
     </message>
     <message>
-        <source>Without time stamps: joined by the number of the frame.</source>
+        <source>No time stamps: matched by frame number.</source>
         <translation>没有时间戳：按帧号对应。</translation>
     </message>
     <message>
@@ -3065,12 +3065,12 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>正在测量距离…</translation>
     </message>
     <message>
-        <source>&lt;b&gt;The faces touch or cross.&lt;/b&gt;</source>
-        <translation>&lt;b&gt;两个面相接触或相交。&lt;/b&gt;</translation>
+        <source>&lt;b&gt;The faces touch or intersect.&lt;/b&gt;</source>
+        <translation>&lt;b&gt;两个接触面相碰或相交。&lt;/b&gt;</translation>
     </message>
     <message>
-        <source>&lt;b&gt;%1 mm&lt;/b&gt; between the faces where they are nearest, around X %2, Y %3, Z %4 mm</source>
-        <translation>两个面最近处相距 &lt;b&gt;%1 mm&lt;/b&gt;，位于 X %2、Y %3、Z %4 mm 附近</translation>
+        <source>&lt;b&gt;%1 mm&lt;/b&gt; shortest distance between the faces, near X %2, Y %3, Z %4 mm</source>
+        <translation>两个接触面最近处相距 &lt;b&gt;%1 mm&lt;/b&gt;，位于 X %2、Y %3、Z %4 mm 附近</translation>
     </message>
 </context>
 <context>
@@ -3103,11 +3103,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>缩小</translation>
     </message>
     <message>
-        <source>Show the whole picture</source>
+        <source>Show the entire image</source>
         <translation>显示整个图像</translation>
     </message>
     <message>
-        <source>Show the picture in its own size</source>
+        <source>Show the image at original size</source>
         <translation>按原始大小显示</translation>
     </message>
     <message>
@@ -3115,8 +3115,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>1:1</translation>
     </message>
     <message>
-        <source>Under the probe</source>
-        <translation>探针处</translation>
+        <source>Values at the probe</source>
+        <translation>探针处的数值</translation>
     </message>
     <message>
         <source>Zoom</source>
@@ -3127,15 +3127,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>正在打开来源。</translation>
     </message>
     <message>
-        <source>The source could not be opened; above stands why.</source>
+        <source>The source could not be opened; the reason is above.</source>
         <translation>无法打开来源；原因见上方。</translation>
     </message>
     <message>
         <source>No source is open. Choose a camera, a recording or the simulated finger.</source>
-        <translation>没有打开来源。请选择相机、录像或仿真手指。</translation>
+        <translation>没有打开的来源。请选择相机、录像或仿真手指。</translation>
     </message>
     <message>
-        <source>Waiting for the first picture.</source>
+        <source>Waiting for the first image.</source>
         <translation>正在等待第一帧。</translation>
     </message>
     <message>
@@ -3147,20 +3147,20 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>%1%</translation>
     </message>
     <message>
-        <source>Freeze the picture</source>
+        <source>Freeze the image</source>
         <translation>定格图像</translation>
     </message>
     <message>
-        <source>Freeze: keep looking at this picture; measuring goes on</source>
-        <translation>定格：继续查看这张图像，测量照常进行</translation>
+        <source>Freeze this image; measuring continues</source>
+        <translation>定格此图像；测量继续进行</translation>
     </message>
     <message>
-        <source>Save the picture</source>
+        <source>Save the image</source>
         <translation>保存图像</translation>
     </message>
     <message>
-        <source>Save the picture, with or without what is drawn over it</source>
-        <translation>保存图像，可包含或不包含绘制在上面的内容</translation>
+        <source>Save the image, with or without its overlays</source>
+        <translation>保存图像，可包含或不包含叠加内容</translation>
     </message>
     <message>
         <source>Frozen</source>
@@ -3170,8 +3170,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 <context>
     <name>alltact::PageHint</name>
     <message>
-        <source>What this place is for</source>
-        <translation>这个页面的用途</translation>
+        <source>Purpose of this page</source>
+        <translation>此页面的用途</translation>
     </message>
     <message>
         <source>How it is &amp;done (F1)</source>
@@ -3189,7 +3189,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>移动点 A</translation>
     </message>
     <message>
-        <source>take the points away</source>
+        <source>remove the points</source>
         <translation>移除这些点</translation>
     </message>
     <message>
@@ -3233,12 +3233,12 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>点 B，横跨手指方向</translation>
     </message>
     <message>
-        <source>Along the face from its base. A point stays there on the finger while that moves.</source>
-        <translation>沿面从根部算起。手指运动时，点停留在手指上的该处。</translation>
+        <source>Along the face from its base. The point stays there on the finger when the finger moves.</source>
+        <translation>沿接触面，从根部算起。手指运动时，点仍停留在手指上的该处。</translation>
     </message>
     <message>
-        <source>Across the face from its middle.</source>
-        <translation>横跨面，从中线算起。</translation>
+        <source>Across the face from its centre line.</source>
+        <translation>横跨接触面，从中线算起。</translation>
     </message>
     <message>
         <source> mm</source>
@@ -3257,7 +3257,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>清除</translation>
     </message>
     <message>
-        <source>Takes both points away.</source>
+        <source>Removes both points.</source>
         <translation>移除两个点。</translation>
     </message>
     <message>
@@ -3305,15 +3305,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>find the ball of %1</source>
-        <translation>寻找 %1 的球</translation>
+        <translation>查找 %1 的球</translation>
     </message>
     <message>
-        <source>take out %1</source>
-        <translation>取出 %1</translation>
+        <source>leave out %1</source>
+        <translation>排除 %1</translation>
     </message>
     <message>
         <source>put back %1</source>
-        <translation>放回 %1</translation>
+        <translation>恢复使用 %1</translation>
     </message>
     <message>
         <source>take %1</source>
@@ -3324,13 +3324,13 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>移除 %1</translation>
     </message>
     <message numerus="yes">
-        <source>add %n picture(s)</source>
+        <source>add %n image(s)</source>
         <translation>
-            <numerusform>添加 %n 张图片</numerusform>
+            <numerusform>添加 %n 张图像</numerusform>
         </translation>
     </message>
     <message>
-        <source>There are presses of these names already: %1.</source>
+        <source>Presses with these names exist already: %1.</source>
         <translation>已有同名的按压：%1。</translation>
     </message>
     <message>
@@ -3343,11 +3343,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>&amp;Put back</source>
-        <translation>放回(&amp;P)</translation>
+        <translation>恢复使用(&amp;P)</translation>
     </message>
     <message>
-        <source>Take &amp;out</source>
-        <translation>取出(&amp;O)</translation>
+        <source>Leave &amp;out</source>
+        <translation>排除(&amp;O)</translation>
     </message>
 </context>
 <context>
@@ -3400,7 +3400,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>映射 − 球，mm</translation>
     </message>
     <message>
-        <source>as the calibration puts it: %1</source>
+        <source>at the calibrated position: %1</source>
         <translation>标定给出的位置：%1</translation>
     </message>
     <message>
@@ -3409,7 +3409,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>Mapping minus ball in this press</source>
-        <translation>此次按压的映射减球</translation>
+        <translation>此次按压中映射与球之差</translation>
     </message>
     <message>
         <source>&lt;b&gt;Mapping − ball here:&lt;/b&gt; %1</source>
@@ -3424,14 +3424,14 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>&amp;Its ball</source>
-        <translation>所用的球(&amp;I)</translation>
+        <translation>此次所用的球(&amp;I)</translation>
     </message>
     <message>
-        <source>Radius of this press&apos; ball</source>
+        <source>Radius of this press&apos;s ball</source>
         <translation>此次按压所用球的半径</translation>
     </message>
     <message>
-        <source>Where this press was made with a ball of another radius</source>
+        <source>If this press was made with a ball of another radius</source>
         <translation>如果此次按压用的是另一半径的球</translation>
     </message>
     <message>
@@ -3447,8 +3447,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>未测量</translation>
     </message>
     <message>
-        <source>How deep the ball was pressed in, normal to the face, from where it first touches, as a stage or a feeler gauge tells it</source>
-        <translation>球压入的深度，沿面的法线方向，从球刚接触处算起，由位移台或塞尺测得</translation>
+        <source>Indentation depth of the ball from first contact, normal to the face, measured with a stage or a feeler gauge</source>
+        <translation>球自刚接触起沿接触面法线方向压入的深度，用位移台或塞尺测得</translation>
     </message>
     <message>
         <source>&amp;Give or take</source>
@@ -3459,8 +3459,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>测得深度的标准差</translation>
     </message>
     <message>
-        <source>How well the depth is known: the standard deviation of measuring it</source>
-        <translation>深度的准确程度：测量的标准差</translation>
+        <source>Uncertainty of the depth: the standard deviation of its measurement</source>
+        <translation>深度的不确定度：测量的标准差</translation>
     </message>
     <message>
         <source>&amp;Step of a punch</source>
@@ -3475,8 +3475,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>球</translation>
     </message>
     <message>
-        <source>Height of the step of a flat punch that was pressed in instead of a ball; no ball is looked for then</source>
-        <translation>代替球压入的平压头的台阶高度；此时不再寻找球</translation>
+        <source>Step height of a flat punch pressed in instead of a ball; the program then searches for no ball</source>
+        <translation>代替球压入的平压头的台阶高度；此时不再查找球</translation>
     </message>
 </context>
 <context>
@@ -3501,20 +3501,20 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 <context>
     <name>alltact::PressModel</name>
     <message>
-        <source>taken out</source>
-        <translation>已取出</translation>
+        <source>left out</source>
+        <translation>已排除</translation>
     </message>
     <message>
-        <source>taken out: %1</source>
-        <translation>已取出：%1</translation>
+        <source>left out: %1</source>
+        <translation>已排除：%1</translation>
     </message>
     <message>
-        <source>ball put by hand</source>
-        <translation>球由手动放置</translation>
+        <source>ball set by hand</source>
+        <translation>手动设定的球</translation>
     </message>
     <message>
-        <source>being looked at</source>
-        <translation>正在查看</translation>
+        <source>being analysed</source>
+        <translation>正在分析</translation>
     </message>
     <message>
         <source>ball found</source>
@@ -3525,20 +3525,20 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>缺少球半径</translation>
     </message>
     <message>
-        <source>a step of %1 mm reads %2 mm</source>
-        <translation>%1 mm 的台阶读数为 %2 mm</translation>
+        <source>%1 mm step measured as %2 mm</source>
+        <translation>%1 mm 的台阶测得 %2 mm</translation>
     </message>
     <message>
         <source>a punch with a step of %1 mm</source>
         <translation>台阶为 %1 mm 的压头</translation>
     </message>
     <message>
-        <source>measured %1 mm deep, the solution has %2 mm</source>
-        <translation>测得深 %1 mm，解为 %2 mm</translation>
+        <source>depth measured %1 mm, fitted %2 mm</source>
+        <translation>深度测得 %1 mm，拟合 %2 mm</translation>
     </message>
     <message>
-        <source>no face seen</source>
-        <translation>看不到面</translation>
+        <source>no face found</source>
+        <translation>未找到接触面</translation>
     </message>
     <message>
         <source>not comparable</source>
@@ -3565,7 +3565,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>超出边缘</translation>
     </message>
     <message>
-        <source>no ball&apos;s disc</source>
+        <source>no disc of a ball</source>
         <translation>不是球的暗斑</translation>
     </message>
     <message>
@@ -3577,8 +3577,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>深 %1 mm，误差 %2 mm：%3</translation>
     </message>
     <message>
-        <source>not written to the disk</source>
-        <translation>未写入磁盘</translation>
+        <source>not saved to disk</source>
+        <translation>未保存到磁盘</translation>
     </message>
     <message>
         <source>%1 mm deep, error unknown</source>
@@ -3592,19 +3592,19 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>按压</translation>
     </message>
     <message>
-        <source>&amp;Add pictures…</source>
-        <translation>添加图片(&amp;A)…</translation>
+        <source>&amp;Add images…</source>
+        <translation>添加图像(&amp;A)…</translation>
     </message>
     <message>
         <source>Re&amp;move</source>
         <translation>移除(&amp;M)</translation>
     </message>
     <message>
-        <source>Takes the press and its picture away (undo brings them back)</source>
-        <translation>移除按压及其图片（可撤销）</translation>
+        <source>Removes the press and its image (undo restores them)</source>
+        <translation>移除按压及其图像（可撤销）</translation>
     </message>
     <message>
-        <source>&amp;Live picture</source>
+        <source>&amp;Live image</source>
         <translation>实时画面(&amp;L)</translation>
     </message>
     <message>
@@ -3648,7 +3648,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>拍摄按压（空格）(&amp;T)</translation>
     </message>
     <message>
-        <source>By &amp;itself when it holds still</source>
+        <source>Automat&amp;ically when still</source>
         <translation>静止时自动拍摄(&amp;I)</translation>
     </message>
     <message>
@@ -3657,18 +3657,18 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>&amp;Find the ball again</source>
-        <translation>重新寻找球(&amp;F)</translation>
+        <translation>重新查找球(&amp;F)</translation>
     </message>
     <message>
-        <source>Forgets where the outline was put by hand</source>
-        <translation>忘记手动放置的轮廓位置</translation>
+        <source>Discards the outline position set by hand</source>
+        <translation>放弃手动设定的轮廓位置</translation>
     </message>
     <message>
-        <source>Yellow: the ball&apos;s outline, dashed as the program found it, whole where a hand put it. Blue: where the ball meets the untouched face, about the dark disc.</source>
-        <translation>黄色：球的轮廓，虚线为程序找到的，实线为手动放置的。蓝色：球与未触碰面相交之处，大致是暗斑。</translation>
+        <source>Yellow: the ball&apos;s outline, dashed if found by the program, solid if set by hand. Blue: where the ball meets the untouched face, roughly the dark disc.</source>
+        <translation>黄色：球的轮廓，虚线为程序找到的，实线为手动设定的。蓝色：球与未触碰的接触面相交之处，大致是暗斑。</translation>
     </message>
     <message>
-        <source>Place of the ball</source>
+        <source>Position of the ball</source>
         <translation>球的位置</translation>
     </message>
     <message>
@@ -3680,15 +3680,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>缺少球半径。</translation>
     </message>
     <message>
-        <source>Take a press first; six at different places are good.</source>
-        <translation>请先拍摄一次按压；在不同位置拍六次为好。</translation>
+        <source>Take a press first, best six at different positions.</source>
+        <translation>请先拍摄一次按压，最好在六个不同位置各拍一次。</translation>
     </message>
     <message>
-        <source>In no press a ball was found yet.</source>
+        <source>No ball was found in any press yet.</source>
         <translation>还没有在任何按压中找到球。</translation>
     </message>
     <message>
-        <source>There is no live picture: choose a source.</source>
+        <source>There is no live image: choose a source.</source>
         <translation>没有实时画面：请选择来源。</translation>
     </message>
     <message>
@@ -3696,16 +3696,16 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>无法将手指与其参考比较。</translation>
     </message>
     <message>
-        <source>The live picture does not fit this finger.</source>
+        <source>The live image does not match this finger.</source>
         <translation>实时画面与此手指不符。</translation>
     </message>
     <message>
-        <source>Pictures of presses</source>
-        <translation>按压图片</translation>
+        <source>Images of presses</source>
+        <translation>按压图像</translation>
     </message>
     <message>
-        <source>Pictures (*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.pgm)</source>
-        <translation>图片 (*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.pgm)</translation>
+        <source>Images (*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.pgm)</source>
+        <translation>图像 (*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.pgm)</translation>
     </message>
     <message>
         <source>Try: %1.</source>
@@ -3716,27 +3716,27 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>或者把轮廓拖到球上。</translation>
     </message>
     <message>
-        <source>As it lies now it is pressed in by %1 mm.</source>
-        <translation>按现在的位置，球压入 %1 mm。</translation>
+        <source>At this position, it is pressed in by %1 mm.</source>
+        <translation>在此位置，球压入 %1 mm。</translation>
     </message>
     <message>
-        <source>As it lies now it does not touch the face.</source>
-        <translation>按现在的位置，球没有碰到面。</translation>
+        <source>At this position, it does not touch the face.</source>
+        <translation>在此位置，球没有碰到接触面。</translation>
     </message>
     <message>
         <source>Chosen &amp;press</source>
         <translation>所选按压(&amp;P)</translation>
     </message>
     <message>
-        <source>A press that is taken out stays with the finger and is not used</source>
-        <translation>取出的按压仍保存在手指中，但不使用</translation>
+        <source>A press that is left out stays with the finger and is not used</source>
+        <translation>被排除的按压仍保存在手指中，但不使用</translation>
     </message>
     <message>
-        <source>The picture is being read.</source>
-        <translation>正在读取图片。</translation>
+        <source>The image is being read.</source>
+        <translation>正在读取图像。</translation>
     </message>
     <message>
-        <source>Centre u %1 px, v %2 px, radius %3 px, %4 mm before the camera</source>
+        <source>Centre u %1 px, v %2 px, radius %3 px, %4 mm from the camera</source>
         <translation>中心 u %1 px，v %2 px，半径 %3 px，距相机 %4 mm</translation>
     </message>
     <message>
@@ -3744,7 +3744,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>这里没有画球。</translation>
     </message>
     <message>
-        <source>No press yet. Press the ball in at different places and depths, base, middle and tip.</source>
+        <source>No press yet. Press the ball in at different positions and depths: base, middle and tip.</source>
         <translation>还没有按压。请在不同位置以不同深度压入球：根部、中部和指尖。</translation>
     </message>
     <message numerus="yes">
@@ -3760,48 +3760,48 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         </translation>
     </message>
     <message>
-        <source>%1 is taken: the mean of %2 pictures held still.</source>
-        <translation>%1 已拍摄：%2 张静止画面的平均。</translation>
+        <source>%1 is taken: the mean of %2 still images.</source>
+        <translation>%1 已拍摄：%2 张静止图像的平均。</translation>
     </message>
     <message>
-        <source>%1 is taken from a single picture; hold ball and finger still for half a second, and its noise falls to a quarter.</source>
-        <translation>%1 取自单张画面；使球和手指保持静止半秒，噪声就会降到四分之一。</translation>
+        <source>%1 comes from a single image. Hold ball and finger still for half a second to reduce its noise to a quarter.</source>
+        <translation>%1 取自单张图像。请使球和手指保持静止半秒，噪声会降到四分之一。</translation>
     </message>
     <message>
         <source>&amp;Error under the ball</source>
         <translation>球下的误差(&amp;E)</translation>
     </message>
     <message>
-        <source>In colours, where the mapping reads deeper (red) or less deep (blue) than the ball is</source>
-        <translation>用颜色表示映射比球读得更深（红）或更浅（蓝）的位置</translation>
+        <source>Shows in colour where the mapping is deeper (red) or shallower (blue) than the ball</source>
+        <translation>用颜色显示映射比球更深（红）或更浅（蓝）的位置</translation>
     </message>
     <message>
-        <source>Where to press next</source>
-        <translation>接下来按压哪里</translation>
+        <source>Next press position</source>
+        <translation>下一次按压位置</translation>
     </message>
     <message>
-        <source>Measured, or another ball</source>
-        <translation>已测量，或使用另一个球</translation>
+        <source>Depth, ball or punch</source>
+        <translation>深度、球或压头</translation>
     </message>
     <message>
         <source>Press %1</source>
         <translation>按压 %1</translation>
     </message>
     <message>
-        <source>Waiting: it cannot be seen whether the face is touched.</source>
-        <translation>等待：看不出面是否被触碰。</translation>
+        <source>Waiting: it is unknown whether something touches the face.</source>
+        <translation>等待：无法判断接触面是否被触碰。</translation>
     </message>
     <message>
-        <source>Waiting: nothing presses yet.</source>
-        <translation>等待：还没有东西按压。</translation>
+        <source>Waiting: no contact yet.</source>
+        <translation>等待：尚无接触。</translation>
     </message>
     <message>
-        <source>Waiting: the contact still moves, or is pressed in deeper.</source>
+        <source>Waiting: the contact still moves or gets deeper.</source>
         <translation>等待：接触仍在移动，或正在加深。</translation>
     </message>
     <message>
-        <source>Taken. Lift the ball, or move it by 2 mm, for the next one.</source>
-        <translation>已采集。请抬起球，或移动 2 mm，再进行下一次。</translation>
+        <source>Taken. For the next one, lift the ball or move it by 2 mm.</source>
+        <translation>已拍摄。请抬起球或移动 2 mm，再进行下一次。</translation>
     </message>
     <message>
         <source>Holds still.</source>
@@ -3811,7 +3811,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 <context>
     <name>alltact::PressesPlot</name>
     <message>
-        <source>Error of depth by the number of presses</source>
+        <source>Depth error by number of presses</source>
         <translation>深度误差随按压次数的变化</translation>
     </message>
     <message numerus="yes">
@@ -3821,7 +3821,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         </translation>
     </message>
     <message>
-        <source>Nothing is worked out yet</source>
+        <source>Nothing is computed yet</source>
         <translation>尚未计算</translation>
     </message>
     <message>
@@ -3829,19 +3829,19 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>画入的球，线段到 95 %</translation>
     </message>
     <message>
-        <source>presses there are now</source>
+        <source>current presses</source>
         <translation>现有的按压</translation>
     </message>
     <message>
         <source>real presses left out</source>
-        <translation>被排除的真实按压</translation>
+        <translation>留出的真实按压</translation>
     </message>
     <message>
         <source>Presses</source>
         <translation>按压次数</translation>
     </message>
     <message>
-        <source>Error of depth (µm)</source>
+        <source>Depth error (µm)</source>
         <translation>深度误差 (µm)</translation>
     </message>
 </context>
@@ -3852,19 +3852,19 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>程序上次意外退出。</translation>
     </message>
     <message>
-        <source>What was worked on is kept.</source>
-        <translation>之前的工作已保留。</translation>
+        <source>Your work is saved.</source>
+        <translation>之前的工作已保存。</translation>
     </message>
     <message>
         <source>&amp;Go on with it</source>
         <translation>继续上次的工作(&amp;G)</translation>
     </message>
     <message>
-        <source>The foot pedal is not heard now.</source>
+        <source>The foot pedal sends no signal now.</source>
         <translation>现在收不到脚踏开关的信号。</translation>
     </message>
     <message>
-        <source>The source has ended; its last picture is shown.</source>
+        <source>The source has ended; its last image is shown.</source>
         <translation>来源已结束；显示的是最后一帧。</translation>
     </message>
     <message>
@@ -3925,7 +3925,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         </translation>
     </message>
     <message>
-        <source>Show the newest alone</source>
+        <source>Show only the newest</source>
         <translation>只显示最新一条</translation>
     </message>
     <message>
@@ -3959,7 +3959,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>no depth: near the face&apos;s edge</source>
-        <translation>无深度：靠近面的边缘</translation>
+        <translation>无深度：靠近接触面的边缘</translation>
     </message>
     <message>
         <source>depth %1 mm</source>
@@ -3967,18 +3967,18 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>at the layer&apos;s limit</source>
-        <translation>达到涂层极限</translation>
+        <translation>达到层的极限</translation>
     </message>
     <message>
         <source>a bulge at the layer&apos;s limit</source>
-        <translation>隆起达到涂层极限</translation>
+        <translation>隆起达到层的极限</translation>
     </message>
     <message>
-        <source>beyond what was calibrated</source>
+        <source>beyond the calibrated range</source>
         <translation>超出标定范围</translation>
     </message>
     <message>
-        <source>steep: a pixel sideways changes it by more</source>
+        <source>steep: one pixel further changes it by more</source>
         <translation>陡坡：偏移一个像素的变化更大</translation>
     </message>
     <message>
@@ -3991,19 +3991,19 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>&lt;b&gt;%1&lt;/b&gt;: off the face</source>
-        <translation>&lt;b&gt;%1&lt;/b&gt;：不在面上</translation>
+        <translation>&lt;b&gt;%1&lt;/b&gt;：不在接触面上</translation>
     </message>
     <message>
         <source>&lt;b&gt;%1&lt;/b&gt;: x %2, y %3, z %4 mm</source>
-        <translation>&lt;b&gt;%1&lt;/b&gt;:x %2、y %3、z %4 mm</translation>
+        <translation>&lt;b&gt;%1&lt;/b&gt;：x %2、y %3、z %4 mm</translation>
     </message>
     <message>
-        <source>&lt;b&gt;A to B&lt;/b&gt;: %1 mm straight, %2 mm over the face</source>
-        <translation>&lt;b&gt;A 到 B&lt;/b&gt;：直线 %1 mm，沿面 %2 mm</translation>
+        <source>&lt;b&gt;A to B&lt;/b&gt;: %1 mm straight, %2 mm along the face</source>
+        <translation>&lt;b&gt;A 到 B&lt;/b&gt;：直线 %1 mm，沿接触面 %2 mm</translation>
     </message>
     <message>
-        <source>by x %1, y %2, z %3 mm</source>
-        <translation>x %1、y %2、z %3 mm</translation>
+        <source>offset x %1, y %2, z %3 mm</source>
+        <translation>偏移 x %1、y %2、z %3 mm</translation>
     </message>
     <message>
         <source>Deepest %1 mm; contact at x %2, y %3, z %4 mm.</source>
@@ -4011,11 +4011,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>Nothing presses on the face.</source>
-        <translation>面上没有受压。</translation>
+        <translation>没有物体压在接触面上。</translation>
     </message>
     <message>
         <source>Click on the face for point A, with the right button for point B.</source>
-        <translation>在面上单击设置 A 点，右键单击设置 B 点。</translation>
+        <translation>在接触面上单击设置 A 点，右键单击设置 B 点。</translation>
     </message>
     <message>
         <source>not calibrated: no depth</source>
@@ -4037,16 +4037,16 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>录制</translation>
     </message>
     <message>
-        <source>What was recorded</source>
-        <translation>录制内容</translation>
+        <source>Recorded video</source>
+        <translation>录制的视频</translation>
     </message>
     <message>
         <source>&amp;File</source>
         <translation>文件(&amp;F)</translation>
     </message>
     <message>
-        <source>File to record to</source>
-        <translation>录制到的文件</translation>
+        <source>Recording file</source>
+        <translation>录制文件</translation>
     </message>
     <message>
         <source>&amp;Choose…</source>
@@ -4062,34 +4062,34 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>Stops the installation; nothing is changed.</source>
-        <translation>停止安装；不作任何更改。</translation>
+        <translation>停止设置参考；不作任何更改。</translation>
     </message>
     <message>
         <source>Progress of the installation</source>
-        <translation>安装进度</translation>
+        <translation>设置参考的进度</translation>
     </message>
     <message>
         <source>Frames that were left out, with the reason</source>
         <translation>被舍弃的帧及原因</translation>
     </message>
     <message>
-        <source>Tick frames that were untouched, and install again.</source>
-        <translation>勾选实际未接触的帧，然后重新安装。</translation>
+        <source>Tick untouched frames, and install again.</source>
+        <translation>勾选实际未触碰的帧，然后重新设为参考。</translation>
     </message>
     <message>
-        <source>It was cleaned, painted or replaced: the last reference then does not tell what pressed on it.</source>
-        <translation>表皮经过清洁、涂漆或更换：上次的参考便无法说明有什么按压过它。</translation>
+        <source>If it was cleaned, painted or replaced, the last reference cannot show what pressed on it.</source>
+        <translation>表皮若经过清洁、涂漆或更换，上次的参考就无法显示有什么按压过它。</translation>
     </message>
     <message>
         <source>The &amp;skin was changed since the last reference</source>
         <translation>自上次参考以来表皮已改变(&amp;S)</translation>
     </message>
     <message>
-        <source>The markers have to be seen to tell how it bends.</source>
-        <translation>必须看得见标记点才能判断弯曲。</translation>
+        <source>The markers must be visible to measure its bending.</source>
+        <translation>标记点必须可见，才能测量弯曲。</translation>
     </message>
     <message>
-        <source>Enough: all directions are reached.</source>
+        <source>Enough: all directions reached.</source>
         <translation>足够：所有方向都已达到。</translation>
     </message>
     <message>
@@ -4101,27 +4101,27 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>录像中找到的内容</translation>
     </message>
     <message>
-        <source>A picture shows what was found in the recording, and what was not.</source>
-        <translation>一张图片显示录像中找到了什么、没找到什么。</translation>
+        <source>An image shows what was found in the recording, and what was not.</source>
+        <translation>一张图像显示录像中找到了什么、没找到什么。</translation>
     </message>
     <message>
-        <source>Show the picture</source>
-        <translation>显示图片</translation>
+        <source>Show the image</source>
+        <translation>显示图像</translation>
     </message>
     <message>
         <source>Set res&amp;t pose</source>
         <translation>设定静止姿态(&amp;T)</translation>
     </message>
     <message>
-        <source>The finger hangs free now: all bending is told from here.</source>
-        <translation>手指现在自由悬垂：所有弯曲都从这里算起。</translation>
+        <source>Click when the finger hangs free; bending is measured from here.</source>
+        <translation>手指自由悬垂时点击；弯曲从这里算起。</translation>
     </message>
     <message>
-        <source>Bending is told from the rest pose that was set.</source>
+        <source>Bending is measured from the rest pose that was set.</source>
         <translation>弯曲从设定的静止姿态算起。</translation>
     </message>
     <message>
-        <source>Bending is told from the middle of all poses.</source>
+        <source>Bending is measured from the middle of all poses.</source>
         <translation>弯曲从所有姿态的中间算起。</translation>
     </message>
     <message>
@@ -4134,7 +4134,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>The recording is being installed.</source>
-        <translation>正在安装录像。</translation>
+        <translation>正在将录像设为参考。</translation>
     </message>
     <message>
         <source>The last frames are being written.</source>
@@ -4173,11 +4173,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>请先打开被录制的手指。</translation>
     </message>
     <message>
-        <source>A flat sensor has one untouched picture instead of a recording.</source>
-        <translation>平面传感器只需一张未接触的图片，不需要录像。</translation>
+        <source>A flat sensor has one untouched image instead of a recording.</source>
+        <translation>平面传感器只需一张未触碰的图像，不需要录像。</translation>
     </message>
     <message>
-        <source>A recording is under way.</source>
+        <source>A recording is running.</source>
         <translation>正在录制。</translation>
     </message>
     <message>
@@ -4191,7 +4191,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n frame(s) never came from the source.</source>
+        <source>%n frame(s) did not arrive from the source.</source>
         <translation>
             <numerusform>有 %n 帧从未由来源送达。</numerusform>
         </translation>
@@ -4213,7 +4213,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message numerus="yes">
         <source>Installed: %1 of %n frame(s) are in the reference.</source>
         <translation>
-            <numerusform>已安装：%n 帧中有 %1 帧进入参考。</numerusform>
+            <numerusform>已设为参考：%n 帧中采用了 %1 帧。</numerusform>
         </translation>
     </message>
     <message>
@@ -4227,12 +4227,12 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         </translation>
     </message>
     <message>
-        <source>Try another disk, or a smaller picture.</source>
+        <source>Try another disk, or a smaller image.</source>
         <translation>请换用其他磁盘或更小的图像。</translation>
     </message>
     <message>
         <source>Keep it free: bend the finger at its tip, its sides or its back.</source>
-        <translation>请保持其空闲：从指尖、侧面或背面弯曲手指。</translation>
+        <translation>请勿触碰接触面：从指尖、侧面或背面弯曲手指。</translation>
     </message>
     <message>
         <source>Little space is left on the disk.</source>
@@ -4247,26 +4247,26 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>开始录制(&amp;R)</translation>
     </message>
     <message>
-        <source>What it leaves open: half of the references made from it are off by less than %1 mm, 95 % by less than %2 mm.</source>
-        <translation>剩余误差：由此得到的参考，一半偏差小于 %1 mm,95 % 小于 %2 mm。</translation>
+        <source>Remaining error: half of the references made from it are off by less than %1 mm, 95 % by less than %2 mm.</source>
+        <translation>剩余误差：由此得到的参考，一半偏差小于 %1 mm，95 % 小于 %2 mm。</translation>
     </message>
     <message numerus="yes">
-        <source>%n frame(s) showed a pose that others show as well.</source>
+        <source>%n frame(s) repeated a pose of other frames.</source>
         <translation>
-            <numerusform>有 %n 帧与其他帧姿态相同。</numerusform>
+            <numerusform>有 %n 帧重复了其他帧的姿态。</numerusform>
         </translation>
     </message>
     <message>
-        <source>It cannot be seen whether the contact face is touched.</source>
+        <source>It is unknown whether something touches the contact face.</source>
         <translation>无法判断接触面是否被触碰。</translation>
     </message>
     <message>
-        <source>Open the finger that belongs to this source, and keep both edges of its face in the picture.</source>
-        <translation>请打开属于此来源的手指，并使其表面的两条边缘都在画面内。</translation>
+        <source>Open the finger that belongs to this source, and keep both edges of its face in the image.</source>
+        <translation>请打开属于此来源的手指，并使其接触面的两条边缘都在画面内。</translation>
     </message>
     <message>
-        <source>Before there is a reference, touching is told from the frames before.</source>
-        <translation>在有参考之前，根据先前的画面判断是否被触碰。</translation>
+        <source>Without a reference, contact is detected from the preceding frames.</source>
+        <translation>没有参考时，根据先前的帧判断是否被触碰。</translation>
     </message>
     <message>
         <source>Begin with nothing on the contact face.</source>
@@ -4289,8 +4289,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>请录制它弯曲的过程，接触面上不要有任何东西。</translation>
     </message>
     <message>
-        <source>It was not twisted; twist it, too, if it is in use.</source>
-        <translation>没有扭转过；如果使用中会扭转，也请扭转。</translation>
+        <source>It was not twisted; twist it, too, if it twists in use.</source>
+        <translation>手指没有扭转过。如果使用中会扭转，也请扭转它。</translation>
     </message>
     <message>
         <source>Files</source>
@@ -4309,12 +4309,12 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>重新录制(&amp;G)</translation>
     </message>
     <message>
-        <source>Puts this video into the waste bin and records another one.</source>
+        <source>Moves this video to the trash and records a new one.</source>
         <translation>把这段视频移到回收站，并重新录制一段。</translation>
     </message>
     <message>
-        <source>Install a &amp;video that is there…</source>
-        <translation>安装已有的视频(&amp;V)…</translation>
+        <source>Install an existing &amp;video…</source>
+        <translation>将已有视频设为参考(&amp;V)…</translation>
     </message>
     <message>
         <source>Follow the outline: %1</source>
@@ -4329,50 +4329,50 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>视频 (*.mkv *.avi *.mp4 *.mov)</translation>
     </message>
     <message numerus="yes">
-        <source>Touched in %n frame(s), which are left out.</source>
+        <source>%n frame(s) with contact are left out.</source>
         <translation>
             <numerusform>有 %n 帧被触碰，已排除。</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>What it would bring is being worked out, about %n second(s).</source>
+        <source>The expected error is being computed, about %n second(s).</source>
         <translation>
-            <numerusform>正在计算它会带来什么，大约 %n 秒。</numerusform>
+            <numerusform>正在计算预期误差，大约还需 %n 秒。</numerusform>
         </translation>
     </message>
     <message>
-        <source>What it would bring is being worked out.</source>
-        <translation>正在计算它会带来什么。</translation>
+        <source>The expected error is being computed.</source>
+        <translation>正在计算预期误差。</translation>
     </message>
     <message>
         <source>It cannot be installed: %1</source>
-        <translation>无法安装：%1</translation>
+        <translation>无法设为参考：%1</translation>
     </message>
     <message numerus="yes">
-        <source>It would bring: half of the references off by less than %1 mm, 95 % by less than %2 mm, from %n frame(s).</source>
+        <source>Expected error: half of the references off by less than %1 mm, 95 % by less than %2 mm, from %n frame(s).</source>
         <translation>
-            <numerusform>它会带来：一半的参考偏差小于 %1 mm，95 % 小于 %2 mm，来自 %n 帧。</numerusform>
+            <numerusform>预期误差：一半的参考偏差小于 %1 mm，95 % 小于 %2 mm，来自 %n 帧。</numerusform>
         </translation>
     </message>
     <message>
-        <source>Kept: %1</source>
-        <translation>已保留：%1</translation>
+        <source>Saved: %1</source>
+        <translation>已保存：%1</translation>
     </message>
     <message>
         <source>Ctrl+R, or Space</source>
         <translation>Ctrl+R 或空格键</translation>
     </message>
     <message>
-        <source>The contact face is touched; such frames are left out.</source>
-        <translation>接触面被触碰；这样的帧会被排除。</translation>
+        <source>Something touches the contact face; such frames are left out.</source>
+        <translation>有物体触碰接触面；这样的帧会被排除。</translation>
     </message>
     <message>
         <source>&amp;Go to Calibrate</source>
         <translation>前往“标定”(&amp;G)</translation>
     </message>
     <message>
-        <source>The finger is being read with its new reference.</source>
-        <translation>正在用新参考读取手指。</translation>
+        <source>The finger is being loaded with its new reference.</source>
+        <translation>正在用新参考加载手指。</translation>
     </message>
     <message numerus="yes">
         <source>room for about %n minute(s)</source>
@@ -4412,15 +4412,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>%1：%2。</translation>
     </message>
     <message>
-        <source>Camera: nothing sets itself.</source>
-        <translation>相机：没有自动调节项。</translation>
+        <source>Camera: all modes are manual.</source>
+        <translation>相机：没有开启自动调节。</translation>
     </message>
     <message>
-        <source>Camera: %1 is on and changes the brightness that is measured. Lock brightness in Live, or switch it off there.</source>
-        <translation>相机：%1 已开启，会改变被测量的亮度。请在“实时”中锁定亮度，或在那里将其关闭。</translation>
+        <source>Camera: %1 is on and changes the measured brightness. Lock brightness on the Live page, or switch it off there.</source>
+        <translation>相机：%1 已开启，会改变所测的亮度。请在“实时”页面锁定亮度，或在那里将其关闭。</translation>
     </message>
     <message numerus="yes">
-        <source>Before the first recording: %n to mend</source>
+        <source>Before the first recording: %n to fix</source>
         <translation>
             <numerusform>首次录制之前：有 %n 项需要处理</numerusform>
         </translation>
@@ -4449,8 +4449,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>三维视频，MKV</translation>
     </message>
     <message>
-        <source>What is saved</source>
-        <translation>保存的内容</translation>
+        <source>Content to save</source>
+        <translation>要保存的内容</translation>
     </message>
     <message>
         <source>&amp;Save…</source>
@@ -4465,8 +4465,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>保存进度</translation>
     </message>
     <message>
-        <source>Picture, PNG (300 dpi)</source>
-        <translation>图片，PNG（300 dpi）</translation>
+        <source>Image, PNG (300 dpi)</source>
+        <translation>图像，PNG（300 dpi）</translation>
     </message>
     <message>
         <source>Cross-section, PDF</source>
@@ -4488,8 +4488,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>第二个手指的文件夹</translation>
     </message>
     <message>
-        <source>What shows the second finger</source>
-        <translation>显示第二个手指的来源</translation>
+        <source>Source of the second finger</source>
+        <translation>第二个手指的来源</translation>
     </message>
     <message>
         <source>Videos and scenes (*.mkv *.avi *.mp4 *.yaml *.yml)</source>
@@ -4508,8 +4508,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>第二个手指</translation>
     </message>
     <message>
-        <source>Another finger of the same gripper with its own camera. Both pictures are shown as of one moment; with a gripper.yaml the gap between the faces and the width of what is held are told, too.</source>
-        <translation>同一夹爪的另一个手指，带有自己的相机。两幅图像按同一时刻显示；有 gripper.yaml 时，还会给出两个面之间的间隙和所夹物体的宽度。</translation>
+        <source>Another finger of the same gripper with its own camera. Both images are shown for the same moment. With a gripper.yaml, the gap between the faces and the width of the held object are shown, too.</source>
+        <translation>同一夹爪的另一个手指，带有自己的相机。两幅图像按同一时刻显示。有 gripper.yaml 时，还会显示两个接触面之间的间隙和所夹物体的宽度。</translation>
     </message>
     <message>
         <source>&amp;Finger&apos;s folder</source>
@@ -4572,7 +4572,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>请选择手指文件夹。</translation>
     </message>
     <message>
-        <source>Choose the camera that watches it.</source>
+        <source>Choose its camera.</source>
         <translation>请选择观察该手指的相机。</translation>
     </message>
 </context>
@@ -4587,7 +4587,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>第二个手指的视频</translation>
     </message>
     <message>
-        <source>The second finger&apos;s folder of pictures</source>
+        <source>Image folder of the second finger</source>
         <translation>第二个手指的图像文件夹</translation>
     </message>
     <message>
@@ -4595,7 +4595,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>第二个手指</translation>
     </message>
     <message>
-        <source>Another finger of the same gripper, with what it recorded at the same time. Both are shown in the gripper&apos;s frame; their frames are joined by the times of capture.</source>
+        <source>Another finger of the same gripper, with its recording from the same time. Both are shown in the gripper&apos;s coordinate frame; their frames are matched by capture time.</source>
         <translation>同一夹爪的另一个手指及其同时录制的内容。两者显示在夹爪坐标系中；各帧按拍摄时间对应。</translation>
     </message>
     <message>
@@ -4627,7 +4627,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>视频…</translation>
     </message>
     <message>
-        <source>Pictures…</source>
+        <source>Images…</source>
         <translation>图像…</translation>
     </message>
     <message>
@@ -4647,8 +4647,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>请选择手指文件夹。</translation>
     </message>
     <message>
-        <source>Choose what it recorded.</source>
-        <translation>请选择其录制的内容。</translation>
+        <source>Choose its recording.</source>
+        <translation>请选择它的录像。</translation>
     </message>
 </context>
 <context>
@@ -4662,8 +4662,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>选择 A、B 两点</translation>
     </message>
     <message>
-        <source>From A over the face (mm)</source>
-        <translation>从 A 沿面的距离 (mm)</translation>
+        <source>From A along the face (mm)</source>
+        <translation>从 A 沿接触面的距离 (mm)</translation>
     </message>
     <message>
         <source>Depth (mm)</source>
@@ -4697,7 +4697,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>语言</translation>
     </message>
     <message>
-        <source>As the system</source>
+        <source>Follow system</source>
         <translation>跟随系统</translation>
     </message>
     <message>
@@ -4725,7 +4725,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>无(&amp;N)</translation>
     </message>
     <message>
-        <source>Listens to no pedal any more.</source>
+        <source>Stops using the pedal.</source>
         <translation>不再使用脚踏开关。</translation>
     </message>
     <message>
@@ -4745,12 +4745,12 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>通过踩踏学习脚踏开关</translation>
     </message>
     <message>
-        <source>None. A pedal takes presses in Calibrate, and starts and stops in Record.</source>
-        <translation>无。脚踏开关在“标定”中采集按压，在“录制”中开始和停止。</translation>
+        <source>None. A pedal takes presses on Calibrate; on Record it starts and stops.</source>
+        <translation>无。脚踏开关在“标定”页面采集按压，在“录制”页面开始和停止录制。</translation>
     </message>
     <message>
-        <source>%1: not heard now</source>
-        <translation>%1：现在收不到信号</translation>
+        <source>%1: no signal</source>
+        <translation>%1：无信号</translation>
     </message>
 </context>
 <context>
@@ -4760,31 +4760,31 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>全部像素</translation>
     </message>
     <message>
-        <source>half the pixels a side</source>
+        <source>half the pixels per side</source>
         <translation>每边一半像素</translation>
     </message>
     <message>
-        <source>a quarter of the pixels a side</source>
+        <source>a quarter of the pixels per side</source>
         <translation>每边四分之一像素</translation>
     </message>
     <message numerus="yes">
-        <source>%n picture(s) averaged</source>
+        <source>%n image(s) averaged</source>
         <translation>
             <numerusform>%n 张图像取平均</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>reference from %n picture(s)</source>
+        <source>reference from %n image(s)</source>
         <translation>
             <numerusform>参考取自 %n 张图像</numerusform>
         </translation>
     </message>
     <message>
-        <source>edges at whole pixels</source>
+        <source>integer-pixel edges</source>
         <translation>边缘取整像素</translation>
     </message>
     <message>
-        <source>edges between pixels</source>
+        <source>subpixel edges</source>
         <translation>边缘取亚像素</translation>
     </message>
     <message numerus="yes">
@@ -4806,24 +4806,24 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>标记点由网络查找</translation>
     </message>
     <message>
-        <source>markers followed as spots</source>
+        <source>markers tracked as spots</source>
         <translation>标记点按斑点跟踪</translation>
     </message>
     <message>
-        <source>compared with the picture at rest</source>
+        <source>compared with the image at rest</source>
         <translation>与静止时的图像比较</translation>
     </message>
     <message>
-        <source>compared with the nearest picture</source>
+        <source>compared with the nearest image</source>
         <translation>与最接近的图像比较</translation>
     </message>
     <message>
-        <source>compared with several pictures</source>
+        <source>compared with several images</source>
         <translation>与多张图像比较</translation>
     </message>
     <message>
-        <source>light taken as recorded</source>
-        <translation>光照视为与录像相同</translation>
+        <source>light as recorded</source>
+        <translation>光照与录像相同</translation>
     </message>
     <message>
         <source>light corrected</source>
@@ -4838,7 +4838,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>平滑 %1 px</translation>
     </message>
     <message>
-        <source>lens taken as one that bends nothing</source>
+        <source>lens assumed distortion-free</source>
         <translation>将镜头视为无畸变</translation>
     </message>
     <message>
@@ -4857,8 +4857,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 <context>
     <name>alltact::SheetWords</name>
     <message>
-        <source>Finger %1: what its calibration is worth</source>
-        <translation>手指 %1：其标定的价值</translation>
+        <source>Finger %1: verdict on its calibration</source>
+        <translation>手指 %1：标定结论</translation>
     </message>
     <message numerus="yes">
         <source>%1, ball of radius %2 mm, %n press(es), AllTact %3</source>
@@ -4868,7 +4868,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>By zone of the face: %1.</source>
-        <translation>按面的区域：%1。</translation>
+        <translation>按接触面的区域：%1。</translation>
     </message>
     <message>
         <source>The presses show a fault</source>
@@ -4879,8 +4879,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>从亮度到深度：每个点是球下的一块像素。</translation>
     </message>
     <message>
-        <source>Where on the face, and how far the mapping is off there.</source>
-        <translation>面上的位置，以及映射在该处的偏差。</translation>
+        <source>Position on the face, and the mapping&apos;s error there.</source>
+        <translation>接触面上的位置，以及映射在该处的误差。</translation>
     </message>
     <message>
         <source>Press</source>
@@ -4895,7 +4895,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>误差 (mm)</translation>
     </message>
     <message numerus="yes">
-        <source>And %n press(es) more, in the report.</source>
+        <source>%n more press(es) in the report.</source>
         <translation>
             <numerusform>另有 %n 次按压，见报告。</numerusform>
         </translation>
@@ -4940,7 +4940,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>所选：%1</translation>
     </message>
     <message>
-        <source>Chosen less in use</source>
+        <source>Chosen minus in use</source>
         <translation>所选减当前</translation>
     </message>
     <message>
@@ -4956,15 +4956,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>请先打开相机或录像。</translation>
     </message>
     <message>
-        <source>One of them tells no depth in this picture.</source>
-        <translation>其中一个在这张图像中没有给出深度。</translation>
+        <source>One setting gives no depth in this image.</source>
+        <translation>其中一种设置在这张图像中没有得出深度。</translation>
     </message>
     <message>
         <source>Difference (mm)</source>
         <translation>差值 (mm)</translation>
     </message>
     <message>
-        <source>This picture: %1 ms with the setting in use, %2 ms with the chosen one.</source>
+        <source>This image: %1 ms with the setting in use, %2 ms with the chosen one.</source>
         <translation>这张图像：当前设置 %1 ms，所选设置 %2 ms。</translation>
     </message>
     <message>
@@ -4972,26 +4972,26 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>在有按压处，一半的点相差小于 %1 µm，95 % 小于 %2 µm。</translation>
     </message>
     <message>
-        <source>Nothing presses: touch the finger to see depths differ.</source>
-        <translation>没有按压：请触碰手指，以查看深度的差别。</translation>
+        <source>No contact: touch the finger to compare depths.</source>
+        <translation>没有接触：请触碰手指以比较深度。</translation>
     </message>
 </context>
 <context>
     <name>alltact::SnapshotWords</name>
     <message>
-        <source>Save the picture</source>
+        <source>Save the image</source>
         <translation>保存图像</translation>
     </message>
     <message>
-        <source>As it is shown (*.png)</source>
-        <translation>按显示的样子 (*.png)</translation>
+        <source>As shown (*.png)</source>
+        <translation>按当前显示 (*.png)</translation>
     </message>
     <message>
-        <source>The camera&apos;s picture alone (*.png)</source>
+        <source>Only the camera&apos;s image (*.png)</source>
         <translation>仅相机图像 (*.png)</translation>
     </message>
     <message>
-        <source>%1 could not be written. Choose another folder, or make room on the disk.</source>
+        <source>%1 could not be written. Choose another folder, or free some disk space.</source>
         <translation>无法写入 %1。请选择其他文件夹，或腾出磁盘空间。</translation>
     </message>
 </context>
@@ -5018,8 +5018,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>视频文件(&amp;V)…</translation>
     </message>
     <message>
-        <source>Folder of &amp;pictures…</source>
-        <translation>图片文件夹(&amp;P)…</translation>
+        <source>Folder of &amp;images…</source>
+        <translation>图像文件夹(&amp;I)…</translation>
     </message>
     <message>
         <source>Scene &amp;file…</source>
@@ -5038,8 +5038,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>视频 (*.mkv *.avi *.mp4)</translation>
     </message>
     <message>
-        <source>Open a folder of pictures</source>
-        <translation>打开图片文件夹</translation>
+        <source>Open a folder of images</source>
+        <translation>打开图像文件夹</translation>
     </message>
     <message>
         <source>Open a scene</source>
@@ -5053,12 +5053,12 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 <context>
     <name>alltact::StartPanel</name>
     <message>
-        <source>What shall be shown?</source>
-        <translation>要显示什么？</translation>
+        <source>Choose a source</source>
+        <translation>选择来源</translation>
     </message>
     <message>
-        <source>Choose where pictures come from. A finger can be opened before or after.</source>
-        <translation>选择图像的来源。手指可以之前或之后再打开。</translation>
+        <source>The source supplies the images. Open a finger before or after.</source>
+        <translation>来源提供图像。手指可在此之前或之后打开。</translation>
     </message>
     <message>
         <source>&amp;Simulated finger</source>
@@ -5069,8 +5069,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>视频文件(&amp;V)…</translation>
     </message>
     <message>
-        <source>Folder of &amp;pictures…</source>
-        <translation>图片文件夹(&amp;P)…</translation>
+        <source>Folder of &amp;images…</source>
+        <translation>图像文件夹(&amp;I)…</translation>
     </message>
     <message>
         <source>&amp;Open a finger…</source>
@@ -5105,16 +5105,16 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>用仿真手指试用(&amp;T)</translation>
     </message>
     <message>
-        <source>A whole day in five minutes: record, press, calibrate and check a finger that is computed</source>
-        <translation>五分钟体验完整的一天：对一个由计算生成的手指进行录制、按压、标定和检查</translation>
+        <source>A full day in five minutes: record, press, calibrate and check a simulated finger</source>
+        <translation>五分钟体验完整的一天：录制、按压、标定并检查一个仿真手指</translation>
     </message>
     <message>
         <source>&amp;All fingers…</source>
         <translation>全部手指(&amp;A)…</translation>
     </message>
     <message>
-        <source>What each is worth, and what is due, in one list</source>
-        <translation>每个手指的评价和待办事项，列在一处</translation>
+        <source>Verdict and due steps of each, in one list</source>
+        <translation>每个手指的结论和待办事项，列在一处</translation>
     </message>
     <message>
         <source>A finger from its side: camera and lamps at its base, and a ball that presses</source>
@@ -5132,15 +5132,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>丢失的帧</translation>
     </message>
     <message>
-        <source>Time of a frame</source>
+        <source>Time per frame</source>
         <translation>每帧用时</translation>
     </message>
     <message>
-        <source>%1 ms a frame</source>
+        <source>%1 ms per frame</source>
         <translation>每帧 %1 ms</translation>
     </message>
     <message>
-        <source>%1 frames/s, %2 delivered, %3 shown a second</source>
+        <source>%1 frames/s, %2 delivered, %3 shown per second</source>
         <translation>%1 帧/秒，已收到 %2 帧，每秒显示 %3 帧</translation>
     </message>
     <message numerus="yes">
@@ -5157,8 +5157,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>完成</translation>
     </message>
     <message>
-        <source>look again</source>
-        <translation>请再看</translation>
+        <source>check again</source>
+        <translation>请复查</translation>
     </message>
     <message>
         <source>to do</source>
@@ -5189,8 +5189,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>两点之间的测量值</translation>
     </message>
     <message>
-        <source>Two points make a box: a ball&apos;s radius, area, volume, roughness; the distance, the step and the angle from A to B.</source>
-        <translation>两个点构成一个方框：球的半径、面积、体积、粗糙度；从 A 到 B 的距离、台阶和角度。</translation>
+        <source>Two points span a box: a ball&apos;s radius, area, volume and roughness inside; distance, step and angle from A to B.</source>
+        <translation>两个点构成一个方框：框内的球半径、面积、体积和粗糙度；从 A 到 B 的距离、台阶和角度。</translation>
     </message>
     <message>
         <source>Copy as text</source>
@@ -5224,7 +5224,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>从 A 到 B 的台阶</translation>
     </message>
     <message>
-        <source>Angle of A to B</source>
+        <source>Angle from A to B</source>
         <translation>从 A 到 B 的角度</translation>
     </message>
     <message>
@@ -5243,7 +5243,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>录像的帧</translation>
     </message>
     <message>
-        <source>Number of the frame</source>
+        <source>Frame number</source>
         <translation>帧号</translation>
     </message>
     <message>
@@ -5251,7 +5251,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>/ %1</translation>
     </message>
     <message>
-        <source>Name of the frame</source>
+        <source>Frame name</source>
         <translation>帧名</translation>
     </message>
     <message>
@@ -5310,7 +5310,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>请录制它弯曲的过程半分钟，然后将录像设为参考。</translation>
     </message>
     <message>
-        <source>Tell the ball&apos;s radius, 4 mm, and press Space whenever the ball is in: six times.</source>
+        <source>Enter the ball&apos;s radius, 4 mm, and press Space each time the ball is in: six times.</source>
         <translation>请输入球半径 4 mm，每当球压入时按空格键：共六次。</translation>
     </message>
     <message>
@@ -5322,7 +5322,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>请像每周那样，用三次按压进行检查。</translation>
     </message>
     <message>
-        <source>That was a finger&apos;s whole day. Look at its contacts in 3D.</source>
+        <source>That was a finger&apos;s full day. View its contacts in 3D.</source>
         <translation>这就是手指完整的一天。请在三维视图中查看它的接触。</translation>
     </message>
 </context>
@@ -5381,15 +5381,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>The report is being written.</source>
-        <translation>正在写报告。</translation>
+        <translation>正在生成报告。</translation>
     </message>
     <message>
         <source>By zone of the face: %1.</source>
-        <translation>按面上的区域：%1。</translation>
+        <translation>按接触面的区域：%1。</translation>
     </message>
     <message>
-        <source>Nothing can be said about it with these presses.</source>
-        <translation>这些按压无法说明这一点。</translation>
+        <source>These presses give no information on this.</source>
+        <translation>这些按压无法提供这方面的信息。</translation>
     </message>
     <message>
         <source>press here next</source>
@@ -5404,7 +5404,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>打印(&amp;P)…</translation>
     </message>
     <message>
-        <source>One sheet to keep beside the finger, on paper or as PDF</source>
+        <source>One sheet to store with the finger, on paper or as PDF</source>
         <translation>一页纸，与手指放在一起，可打印或存为 PDF</translation>
     </message>
     <message>
@@ -5412,16 +5412,16 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>备注（%1）</translation>
     </message>
     <message>
-        <source>With the presses as they are now there is no calibration: %1</source>
-        <translation>以现在的按压无法标定：%1</translation>
+        <source>The current presses give no calibration: %1</source>
+        <translation>用现有按压无法标定：%1</translation>
     </message>
     <message>
-        <source>What the presses come to now is being worked out.</source>
-        <translation>正在计算现在的按压会得出什么。</translation>
+        <source>The result of the current presses is being computed.</source>
+        <translation>正在计算现有按压的结果。</translation>
     </message>
     <message>
-        <source>With the presses as they are now: %1 mm, %2</source>
-        <translation>以现在的按压：%1 mm，%2</translation>
+        <source>With the current presses: %1 mm, %2</source>
+        <translation>用现有按压：%1 mm，%2</translation>
     </message>
     <message>
         <source>%1 (in use: %2 mm).</source>
@@ -5452,8 +5452,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>重新标定(&amp;C)</translation>
     </message>
     <message>
-        <source>Calibrated; how well is not stored</source>
-        <translation>已标定；没有保存其质量</translation>
+        <source>Calibrated; accuracy not stored</source>
+        <translation>已标定；未保存精度</translation>
     </message>
     <message>
         <source>• %1</source>
@@ -5461,7 +5461,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>• %1</translation>
     </message>
     <message numerus="yes">
-        <source>• And %n more, first of the remarks.</source>
+        <source>• %n more at the top of the remarks.</source>
         <translation>
             <numerusform>• 另有 %n 项，列于备注之首。</numerusform>
         </translation>
@@ -5471,11 +5471,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>• 此后按压已有改动：请重新标定。</translation>
     </message>
     <message>
-        <source>So far ±%1 mm are to be expected.</source>
-        <translation>目前预期误差为 ±%1 mm。</translation>
+        <source>Expected error so far: ±%1 mm.</source>
+        <translation>目前的预期误差：±%1 mm。</translation>
     </message>
     <message>
-        <source>It rests on: %1.</source>
+        <source>Based on: %1.</source>
         <translation>依据：%1。</translation>
     </message>
     <message>
@@ -5498,7 +5498,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>显示(&amp;W)</translation>
     </message>
     <message>
-        <source>Look f&amp;rom</source>
+        <source>View f&amp;rom</source>
         <translation>视角(&amp;R)</translation>
     </message>
     <message>
@@ -5518,7 +5518,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>帧号(&amp;N)</translation>
     </message>
     <message>
-        <source>&amp;Colours end at</source>
+        <source>&amp;Colours up to</source>
         <translation>颜色上限(&amp;C)</translation>
     </message>
     <message>
@@ -5526,7 +5526,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>差值上限(&amp;N)</translation>
     </message>
     <message>
-        <source>&amp;Draw depth</source>
+        <source>Scale &amp;depth</source>
         <translation>深度放大(&amp;D)</translation>
     </message>
     <message>
@@ -5543,7 +5543,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>Untou&amp;ched face</source>
-        <translation>未触碰的面(&amp;C)</translation>
+        <translation>未触碰的接触面(&amp;C)</translation>
     </message>
     <message>
         <source>View</source>
@@ -5558,8 +5558,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>高度图</translation>
     </message>
     <message>
-        <source>3D needs OpenGL 3.2, which this screen does not offer.</source>
-        <translation>3D 需要 OpenGL 3.2，此屏幕不提供。</translation>
+        <source>3D needs OpenGL 3.2, which this screen does not support.</source>
+        <translation>3D 需要 OpenGL 3.2，此屏幕不支持。</translation>
     </message>
     <message>
         <source>inside, tilted</source>
@@ -5578,7 +5578,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>侧面</translation>
     </message>
     <message>
-        <source>with nothing</source>
+        <source>no comparison</source>
         <translation>不比较</translation>
     </message>
     <message>
@@ -5598,8 +5598,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>另一帧</translation>
     </message>
     <message>
-        <source>The paper&apos;s own formulas or another setting measure the same frame of the same finger a second time; of another frame the same places of the face are compared.</source>
-        <translation>用原论文的公式或另一种设置对同一手指的同一帧再测量一次；与另一帧比较时，比较面上的相同位置。</translation>
+        <source>The paper&apos;s formulas or another setting measure the same frame again. With another frame, the same positions on the face are compared.</source>
+        <translation>用原论文的公式或另一种设置再次测量同一帧。与另一帧比较时，比较接触面上的相同位置。</translation>
     </message>
     <message>
         <source> mm</source>
@@ -5610,23 +5610,23 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>颜色上限对应的深度</translation>
     </message>
     <message>
-        <source>Difference at which its colours end, to both sides</source>
-        <translation>差值颜色的上限，正负两侧</translation>
+        <source>Difference at both ends of the colour scale</source>
+        <translation>色标两端对应的差值</translation>
     </message>
     <message>
         <source> times</source>
         <translation> 倍</translation>
     </message>
     <message>
-        <source>Times that depth is drawn larger than it is</source>
-        <translation>深度按实际的多少倍绘制</translation>
+        <source>Factor by which depth is drawn larger</source>
+        <translation>深度的放大倍数</translation>
     </message>
     <message>
         <source>show as %1</source>
         <translation>显示为%1</translation>
     </message>
     <message>
-        <source>look from: %1</source>
+        <source>view from: %1</source>
         <translation>视角：%1</translation>
     </message>
     <message>
@@ -5638,7 +5638,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>更改差值的颜色</translation>
     </message>
     <message>
-        <source>draw depth larger</source>
+        <source>scale the depth</source>
         <translation>放大绘制深度</translation>
     </message>
     <message>
@@ -5727,12 +5727,12 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 <context>
     <name>alltact::en</name>
     <message>
-        <source>{} x {} px is no picture size; a side must have 16 to 16384</source>
-        <translation>{} x {} px 不是图片尺寸；边长必须为 16 到 16384</translation>
+        <source>{} x {} px is no image size; each side must be 16 to 16384</source>
+        <translation>{} x {} px 不是有效的图像尺寸；边长必须为 16 到 16384</translation>
     </message>
     <message>
-        <source>the size of the camera&apos;s pictures, [width, height]</source>
-        <translation>相机图片的尺寸，[宽，高]</translation>
+        <source>the size of the camera&apos;s images, [width, height]</source>
+        <translation>相机图像的尺寸，[宽，高]</translation>
     </message>
     <message>
         <source>must be a number from 0.000001 to 100</source>
@@ -5755,8 +5755,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>必须是 {} 到 {} 的数</translation>
     </message>
     <message>
-        <source>the picture&apos;s centre, or run &apos;alltact lens&apos;</source>
-        <translation>图片中心，或运行 &apos;alltact lens&apos;</translation>
+        <source>the image&apos;s centre, or run &apos;alltact lens&apos;</source>
+        <translation>图像中心，或运行 &apos;alltact lens&apos;</translation>
     </message>
     <message>
         <source>no</source>
@@ -5783,7 +5783,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>运行 &apos;alltact lens&apos;</translation>
     </message>
     <message>
-        <source>belongs to a perspective camera; an orthographic one sees no nearer through it</source>
+        <source>belongs to a perspective camera; an orthographic one does not need it</source>
         <translation>属于透视相机；正交相机不需要它</translation>
     </message>
     <message>
@@ -5791,8 +5791,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>去掉它</translation>
     </message>
     <message>
-        <source>the distortion folds over inside the picture: near its border two directions would be seen in one pixel</source>
-        <translation>畸变在画面内折叠：靠近边缘处一个像素会看到两个方向</translation>
+        <source>the distortion folds over inside the image: near its border, one pixel would see two directions</source>
+        <translation>畸变在图像内折叠：靠近边缘处一个像素会看到两个方向</translation>
     </message>
     <message>
         <source>run &apos;alltact lens&apos; with boards that reach into the corners, or with fewer coefficients</source>
@@ -5835,7 +5835,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>“{}”，或者{}</translation>
     </message>
     <message>
-        <source>must be two whole numbers</source>
+        <source>must be two integers</source>
         <translation>必须是两个整数</translation>
     </message>
     <message>
@@ -5843,8 +5843,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>[宽，高]，单位像素</translation>
     </message>
     <message>
-        <source>the air between lens and window in mm</source>
-        <translation>镜头与窗口之间的空气，单位 mm</translation>
+        <source>the lens-to-window air gap in mm</source>
+        <translation>镜头与窗口之间的空气间隙，单位 mm</translation>
     </message>
     <message>
         <source>the window&apos;s thickness in mm</source>
@@ -5855,7 +5855,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>窗口的折射率</translation>
     </message>
     <message>
-        <source>the index of what lies behind it</source>
+        <source>the index of refraction behind it</source>
         <translation>窗口后面介质的折射率</translation>
     </message>
     <message>
@@ -5879,11 +5879,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>“{}”不是数字</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; holds a mark between thousands: write {}</source>
+        <source>&apos;{}&apos; contains a thousands separator: write {}</source>
         <translation>“{}”含有千位分隔符：请写成 {}</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; has &apos;{}&apos; behind the number: leave that out</source>
+        <source>&apos;{}&apos; has &apos;{}&apos; after the number: remove it</source>
         <translation>“{}”在数字后面有“{}”：请去掉</translation>
     </message>
     <message>
@@ -5892,18 +5892,18 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>&apos;{}&apos; is too large or too small a number</source>
-        <translation>“{}”这个数字太大或太小</translation>
+        <translation>数字“{}”太大或太小</translation>
     </message>
     <message>
         <source>&apos;{0}&apos; can mean {1} or {2}: write {1} or {2}</source>
         <translation>“{0}”可能是 {1} 或 {2}：请写成 {1} 或 {2}</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; has too many digits behind the decimal mark (at most {})</source>
+        <source>&apos;{}&apos; has too many digits after the decimal mark (at most {})</source>
         <translation>“{}”的小数位太多（最多 {} 位）</translation>
     </message>
     <message>
-        <source>a comma parts the entries here, and &apos;{}&apos; is none</source>
+        <source>a comma separates entries here, and &apos;{}&apos; is none</source>
         <translation>此处逗号用于分隔各项，而“{}”不是一项</translation>
     </message>
     <message>
@@ -5915,15 +5915,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>必须是 {} 到 {}{} 之间的数字</translation>
     </message>
     <message>
-        <source>must be a whole number from {} to {}</source>
+        <source>must be an integer from {} to {}</source>
         <translation>必须是 {} 到 {} 之间的整数</translation>
     </message>
     <message>
-        <source>{:g} {} is more than usual for {} ({:g} to {:g} {}): check the decimal mark</source>
+        <source>{:g} {} is more than typical for {} ({:g} to {:g} {}): check the decimal mark</source>
         <translation>{} {} 大于{}的常见范围（{} 到 {} {}）：请检查小数点</translation>
     </message>
     <message>
-        <source>{:g} {} is less than usual for {} ({:g} to {:g} {}): check the decimal mark</source>
+        <source>{:g} {} is less than typical for {} ({:g} to {:g} {}): check the decimal mark</source>
         <translation>{} {} 小于{}的常见范围（{} 到 {} {}）：请检查小数点</translation>
     </message>
     <message>
@@ -5936,7 +5936,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the width of a face</source>
-        <translation>面的宽度</translation>
+        <translation>接触面的宽度</translation>
     </message>
     <message>
         <source>the thickness of a layer</source>
@@ -5944,14 +5944,14 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the distance of a flat face</source>
-        <translation>平面的距离</translation>
+        <translation>平坦接触面的距离</translation>
     </message>
     <message>
         <source>the depth of a press</source>
         <translation>按压的深度</translation>
     </message>
     <message>
-        <source>how well a depth is known</source>
+        <source>the uncertainty of a depth</source>
         <translation>深度的不确定度</translation>
     </message>
     <message>
@@ -5972,19 +5972,19 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the distance between the two edges of the view face in mm</source>
-        <translation>面的两条边缘之间的距离，单位 mm</translation>
+        <translation>接触面两条边缘之间的距离，单位 mm</translation>
     </message>
     <message>
-        <source>a fin_ray needs a camera with perspective: its shape comes from it</source>
-        <translation>fin_ray 需要透视相机：形状由它得出</translation>
+        <source>a fin_ray needs a perspective camera: its shape is computed from it</source>
+        <translation>fin_ray 需要透视相机：其形状由此计算</translation>
     </message>
     <message>
         <source>pinhole, brown or fisheye</source>
         <translation>pinhole、brown 或 fisheye</translation>
     </message>
     <message>
-        <source>must be above 0 and at most 10000: the face lies before the camera</source>
-        <translation>必须大于 0 且不超过 10000：面在相机前方</translation>
+        <source>must be above 0 and at most 10000: the face is in front of the camera</source>
+        <translation>必须大于 0 且不超过 10000：接触面在相机前方</translation>
     </message>
     <message>
         <source>must be a number from -10000 to 10000</source>
@@ -5992,7 +5992,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the distance of the face from the camera in mm</source>
-        <translation>面到相机的距离，单位 mm</translation>
+        <translation>接触面到相机的距离，单位 mm</translation>
     </message>
     <message>
         <source>a flat sensor has no markers</source>
@@ -6003,7 +6003,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>删除 &apos;markers&apos; 段</translation>
     </message>
     <message>
-        <source>must be a whole number from 0 to 64</source>
+        <source>must be an integer from 0 to 64</source>
         <translation>必须是 0 到 64 的整数</translation>
     </message>
     <message>
@@ -6031,7 +6031,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>必须是 0 到 1000 的数</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; is no file inside the finger&apos;s folder</source>
+        <source>&apos;{}&apos; is not a file in the finger&apos;s folder</source>
         <translation>“{}”不是手指文件夹内的文件</translation>
     </message>
     <message>
@@ -6039,12 +6039,12 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>把文件复制到文件夹中，只写文件名</translation>
     </message>
     <message>
-        <source>must be a column of the picture and a step of 0.001 to 500 mm</source>
+        <source>must be a column of the image and a step of 0.001 to 500 mm</source>
         <translation>必须是图像的一列和 0.001 到 500 mm 的步长</translation>
     </message>
     <message>
-        <source>there is either a video with its markers or one picture, not both</source>
-        <translation>要么是带标记点的视频，要么是一张图片，不能两者都有</translation>
+        <source>there is either a video with its markers or one image, not both</source>
+        <translation>要么是带标记点的视频，要么是一张图像，不能两者都有</translation>
     </message>
     <message>
         <source>remove one of them</source>
@@ -6059,8 +6059,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>含有 {} 个位置，但有 {} 个标记点</translation>
     </message>
     <message>
-        <source>holds a position far outside the picture</source>
-        <translation>含有远在图片之外的位置</translation>
+        <source>holds a position far outside the image</source>
+        <translation>含有远在图像之外的位置</translation>
     </message>
     <message>
         <source>must be three numbers from -10000 to 10000</source>
@@ -6079,7 +6079,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>相机没有转动时用 [1.0, 0.0, 0.0, 0.0]</translation>
     </message>
     <message>
-        <source>must be a text of 1 to 200 letters</source>
+        <source>must be a text of 1 to 200 characters</source>
         <translation>必须是 1 到 200 个字符的文本</translation>
     </message>
     <message>
@@ -6087,7 +6087,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>写在手指上的名字</translation>
     </message>
     <message>
-        <source>says how a mapping was made, but there is none</source>
+        <source>states how a mapping was made, but there is none</source>
         <translation>记录了映射的来源，但没有映射</translation>
     </message>
     <message>
@@ -6103,7 +6103,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>距离，单位 mm</translation>
     </message>
     <message>
-        <source>must be a list of whole numbers</source>
+        <source>must be a list of integers</source>
         <translation>必须是整数列表</translation>
     </message>
     <message>
@@ -6123,12 +6123,12 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>删除此行：它只供人阅读</translation>
     </message>
     <message>
-        <source>a part of the depth</source>
-        <translation>深度的一部分</translation>
+        <source>a fraction of the depth</source>
+        <translation>深度的比例</translation>
     </message>
     <message>
         <source>must be two numbers: mm along and across the face</source>
-        <translation>必须是两个数：沿面和横向的 mm</translation>
+        <translation>必须是两个数：沿接触面纵向和横向的 mm</translation>
     </message>
     <message>
         <source>must be two numbers, the first of them 0</source>
@@ -6259,7 +6259,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>无法写入文件</translation>
     </message>
     <message>
-        <source>could not make sure that the folder is on the disk</source>
+        <source>could not confirm that the folder is on the disk</source>
         <translation>无法确认文件夹已写到磁盘</translation>
     </message>
     <message>
@@ -6267,7 +6267,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>其文件夹不存在</translation>
     </message>
     <message>
-        <source>make the folder first, or check the path for typing errors</source>
+        <source>create the folder first, or check the path for typing errors</source>
         <translation>先建立文件夹，或检查路径是否输错</translation>
     </message>
     <message>
@@ -6283,27 +6283,27 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>检查文件是否正确</translation>
     </message>
     <message>
-        <source>could not make the folder</source>
+        <source>could not create the folder</source>
         <translation>无法建立文件夹</translation>
     </message>
     <message>
-        <source>a shorter USB cable or another port; if it stays, another format or a lower rate</source>
+        <source>a shorter USB cable or another port; if it persists, another format or a lower rate</source>
         <translation>换短一些的 USB 线或另一接口；若仍如此，换一种格式或降低帧率</translation>
     </message>
     <message>
-        <source>a picture came with {} of {} bytes</source>
-        <translation>收到的图像只有 {} / {} 字节</translation>
+        <source>a frame arrived with {} of {} bytes</source>
+        <translation>收到的帧只有 {} / {} 字节</translation>
     </message>
     <message>
-        <source>a picture came that is no JPEG</source>
-        <translation>收到的图像不是 JPEG</translation>
+        <source>a frame arrived that is no JPEG</source>
+        <translation>收到的帧不是 JPEG</translation>
     </message>
     <message>
-        <source>a picture of {}x{} came where {}x{} was agreed</source>
-        <translation>收到 {}x{} 的图像，而约定为 {}x{}</translation>
+        <source>a {}x{} frame arrived instead of {}x{}</source>
+        <translation>收到 {}x{} 的帧，而约定为 {}x{}</translation>
     </message>
     <message>
-        <source>a JPEG came that is truncated or damaged</source>
+        <source>a JPEG arrived truncated or damaged</source>
         <translation>收到的 JPEG 不完整或已损坏</translation>
     </message>
     <message>
@@ -6311,8 +6311,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>另一个程序</translation>
     </message>
     <message>
-        <source>somebody else is at work here: {0}</source>
-        <translation>这里已有其他程序在工作：{0}</translation>
+        <source>already in use by {0}</source>
+        <translation>正被 {0} 使用</translation>
     </message>
     <message>
         <source>waiting until that is done</source>
@@ -6323,51 +6323,51 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>无法写入</translation>
     </message>
     <message>
-        <source>could not be held</source>
-        <translation>无法占用</translation>
+        <source>could not be locked</source>
+        <translation>无法锁定</translation>
     </message>
     <message>
-        <source>the picture says it is {} x {} px; a side must have 1 to {}</source>
-        <translation>图片标称 {} x {} px；边长必须为 1 到 {}</translation>
+        <source>the image header gives {} x {} px; a side must have 1 to {}</source>
+        <translation>图像标称 {} x {} px；边长必须为 1 到 {}</translation>
     </message>
     <message>
-        <source>a smaller picture, or copy it again if that size is wrong</source>
-        <translation>使用更小的图片；若尺寸有误请重新复制</translation>
+        <source>a smaller image, or copy it again if that size is wrong</source>
+        <translation>使用更小的图像；若尺寸有误请重新复制</translation>
     </message>
     <message>
-        <source>the picture is damaged or cut short</source>
-        <translation>图片已损坏或不完整</translation>
+        <source>the image is damaged or truncated</source>
+        <translation>图像已损坏或不完整</translation>
     </message>
     <message>
         <source>copy or record it again</source>
         <translation>重新复制或录制</translation>
     </message>
     <message>
-        <source>the picture has {} bits per channel (floating point); 8 are needed</source>
-        <translation>图片每通道 {} 位（浮点）；需要 8 位</translation>
+        <source>the image has {} bits per channel (floating point); 8 are needed</source>
+        <translation>图像每通道 {} 位（浮点）；需要 8 位</translation>
     </message>
     <message>
-        <source>the picture has {} bits per channel; 8 are needed</source>
-        <translation>图片每通道 {} 位；需要 8 位</translation>
+        <source>the image has {} bits per channel; 8 are needed</source>
+        <translation>图像每通道 {} 位；需要 8 位</translation>
     </message>
     <message>
-        <source>the camera&apos;s 8-bit pictures</source>
-        <translation>使用相机的 8 位图片</translation>
+        <source>the camera&apos;s 8-bit images</source>
+        <translation>使用相机的 8 位图像</translation>
     </message>
     <message>
-        <source>the picture has transparent parts; a camera takes none</source>
-        <translation>图片有透明部分；相机不会拍出这种图片</translation>
+        <source>the image has transparent parts; a camera image has none</source>
+        <translation>图像有透明部分；相机图像没有透明部分</translation>
     </message>
     <message>
-        <source>the picture as the camera took it, without an alpha channel</source>
+        <source>the image as the camera took it, without an alpha channel</source>
         <translation>使用相机原图，不带 alpha 通道</translation>
     </message>
     <message>
-        <source>the picture has {} channels; 1 or 3 are needed</source>
-        <translation>图片有 {} 个通道；需要 1 或 3 个</translation>
+        <source>the image has {} channels; 1 or 3 are needed</source>
+        <translation>图像有 {} 个通道；需要 1 或 3 个</translation>
     </message>
     <message>
-        <source>the picture as the camera took it</source>
+        <source>the image as the camera took it</source>
         <translation>使用相机原图</translation>
     </message>
     <message>
@@ -6375,60 +6375,60 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>空</translation>
     </message>
     <message>
-        <source>cannot write this kind of picture ({}) under that name</source>
-        <translation>不能用这个名字写出这种图片（{}）</translation>
+        <source>cannot write this kind of image ({}) under that name</source>
+        <translation>不能用这个名称写入此类图像（{}）</translation>
     </message>
     <message>
-        <source>&apos;.png&apos; for 8-bit pictures, &apos;.tiff&apos; for floating point</source>
-        <translation>8 位图片用 &apos;.png&apos;，浮点用 &apos;.tiff&apos;</translation>
+        <source>&apos;.png&apos; for 8-bit images, &apos;.tiff&apos; for floating point</source>
+        <translation>8 位图像用 &apos;.png&apos;，浮点用 &apos;.tiff&apos;</translation>
     </message>
     <message>
-        <source>could not encode the picture</source>
-        <translation>无法编码图片</translation>
+        <source>could not encode the image</source>
+        <translation>无法编码图像</translation>
     </message>
     <message>
-        <source>a smaller picture</source>
-        <translation>使用更小的图片</translation>
+        <source>a smaller image</source>
+        <translation>使用更小的图像</translation>
     </message>
     <message>
-        <source>the picture is of a kind that cannot be used ({})</source>
-        <translation>图片的种类不可用（{}）</translation>
+        <source>this kind of image cannot be used ({})</source>
+        <translation>无法使用此类图像（{}）</translation>
     </message>
     <message>
-        <source>8-bit grey pictures</source>
+        <source>8-bit grey images</source>
         <translation>使用 8 位灰度图</translation>
     </message>
     <message>
-        <source>the picture is in colour: its channels differ from grey by {:.0f} %</source>
-        <translation>图片是彩色的：各通道偏离灰色 {} %</translation>
+        <source>the image is in colour: its channels differ from grey by {:.0f} %</source>
+        <translation>图像是彩色的：各通道偏离灰色 {} %</translation>
     </message>
     <message>
-        <source>a picture of the finger under white light</source>
-        <translation>使用白光下的手指图片</translation>
+        <source>an image of the finger under white light</source>
+        <translation>使用白光下的手指图像</translation>
     </message>
     <message>
-        <source>the picture is all black</source>
-        <translation>图片全黑</translation>
+        <source>the image is all black</source>
+        <translation>图像全黑</translation>
     </message>
     <message>
         <source>switch on the light, or take off the lens cap</source>
         <translation>打开灯，或取下镜头盖</translation>
     </message>
     <message>
-        <source>the picture is no TIFF of 32-bit floating point with 1 or 3 channels</source>
-        <translation>图片不是 1 或 3 通道的 32 位浮点 TIFF</translation>
+        <source>the image is no 32-bit floating-point TIFF with 1 or 3 channels</source>
+        <translation>图像不是 1 或 3 通道的 32 位浮点 TIFF</translation>
     </message>
     <message>
-        <source>a depth or points picture written by this program</source>
+        <source>a depth or points image written by this program</source>
         <translation>使用本程序写出的深度图或点图</translation>
     </message>
     <message>
-        <source>the picture is cut short</source>
-        <translation>图片不完整</translation>
+        <source>the image is truncated</source>
+        <translation>图像不完整</translation>
     </message>
     <message>
-        <source>the picture is damaged</source>
-        <translation>图片已损坏</translation>
+        <source>the image is damaged</source>
+        <translation>图像已损坏</translation>
     </message>
     <message>
         <source>it does not begin with its header</source>
@@ -6439,23 +6439,23 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>校验和不对</translation>
     </message>
     <message>
-        <source>its parts do not join</source>
-        <translation>各部分接不上</translation>
+        <source>its parts do not match</source>
+        <translation>各部分不衔接</translation>
     </message>
     <message>
         <source>it has no header</source>
         <translation>没有文件头</translation>
     </message>
     <message>
-        <source>its header is of a kind no longer in use</source>
-        <translation>文件头是已不再使用的种类</translation>
+        <source>its header is of an obsolete kind</source>
+        <translation>文件头的类型已过时</translation>
     </message>
     <message>
         <source>its width is negative</source>
         <translation>宽度为负</translation>
     </message>
     <message>
-        <source>its header holds something that is no number</source>
+        <source>its header contains something that is no number</source>
         <translation>文件头中有不是数字的内容</translation>
     </message>
     <message>
@@ -6467,8 +6467,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>文件是空的</translation>
     </message>
     <message>
-        <source>the file is no picture of a kind that is known here</source>
-        <translation>文件不是这里认识的图片</translation>
+        <source>the file is not an image of a known kind</source>
+        <translation>文件不是可识别的图像</translation>
     </message>
     <message>
         <source>PNG, JPEG, BMP, binary PGM or TIFF</source>
@@ -6476,7 +6476,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>no surface can be written under such a name</source>
-        <translation>不能用这样的名字写出表面</translation>
+        <translation>不能用这样的名称写入表面</translation>
     </message>
     <message>
         <source>a name that ends in .ply, .vtp, .stl or .glb</source>
@@ -6484,7 +6484,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>there is no point of the face to write</source>
-        <translation>没有可写出的面上的点</translation>
+        <translation>没有可写出的接触面点</translation>
     </message>
     <message>
         <source>the disk is full</source>
@@ -6495,7 +6495,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>腾出空间，或选择另一磁盘上的文件夹</translation>
     </message>
     <message>
-        <source>your share of the disk is used up</source>
+        <source>your disk quota is used up</source>
         <translation>您的磁盘配额已用完</translation>
     </message>
     <message>
@@ -6559,7 +6559,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>磁盘报告故障</translation>
     </message>
     <message>
-        <source>another disk, and look after this one</source>
+        <source>another disk, and check this one</source>
         <translation>换一个磁盘，并检查这个磁盘</translation>
     </message>
     <message>
@@ -6579,7 +6579,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>无法写入压缩包</translation>
     </message>
     <message>
-        <source>another name for the file that is meant</source>
+        <source>another name for this file</source>
         <translation>给该文件换一个名字</translation>
     </message>
     <message>
@@ -6596,7 +6596,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>{}; {}</source>
-        <translation>{};{}</translation>
+        <translation>{}；{}</translation>
     </message>
     <message>
         <source>{}. {}</source>
@@ -6607,7 +6607,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>{}: {}</translation>
     </message>
     <message>
-        <source>this file that comes with the program is not there</source>
+        <source>this file of the program is missing</source>
         <translation>缺少随程序安装的这个文件</translation>
     </message>
     <message>
@@ -6623,8 +6623,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>第 {} 帧比第 {} 帧更早</translation>
     </message>
     <message>
-        <source>move this file away: the video&apos;s own times count then</source>
-        <translation>移走这个文件：之后使用视频自身的时间</translation>
+        <source>move this file away to use the video&apos;s own times</source>
+        <translation>移走这个文件，即可使用视频自身的时间</translation>
     </message>
     <message>
         <source>play it in a video player; if that fails too, record it again</source>
@@ -6639,8 +6639,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>无法打开视频</translation>
     </message>
     <message>
-        <source>its kind of picture has no brightness</source>
-        <translation>其图像种类没有亮度</translation>
+        <source>its pixel format has no brightness</source>
+        <translation>其像素格式没有亮度</translation>
     </message>
     <message>
         <source>a grey or colour video</source>
@@ -6651,7 +6651,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>无法写入视频</translation>
     </message>
     <message>
-        <source>it is being recorded or mended right now</source>
+        <source>it is being recorded or repaired right now</source>
         <translation>它正在被录制或修复</translation>
     </message>
     <message>
@@ -6663,11 +6663,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>这不是 Matroska 文件</translation>
     </message>
     <message>
-        <source>stopped before it was mended</source>
+        <source>stopped before it was repaired</source>
         <translation>修复完成前已停止</translation>
     </message>
     <message>
-        <source>mending an interrupted recording</source>
+        <source>repairing an interrupted recording</source>
         <translation>正在修复中断的录像</translation>
     </message>
     <message>
@@ -6679,7 +6679,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>使用录像的另一份副本</translation>
     </message>
     <message>
-        <source>the interrupted recording cannot be mended</source>
+        <source>the interrupted recording cannot be repaired</source>
         <translation>无法修复中断的录像</translation>
     </message>
     <message>
@@ -6687,27 +6687,27 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>等它结束</translation>
     </message>
     <message>
-        <source>could not put the recording back</source>
-        <translation>无法放回录像</translation>
+        <source>could not restore the recording</source>
+        <translation>无法恢复录像</translation>
     </message>
     <message>
-        <source>stopped when {} of {} MB of the recording were put back</source>
-        <translation>放回录像 {} / {} MB 时已停止</translation>
+        <source>stopped when {} of {} MB of the recording were restored</source>
+        <translation>恢复录像 {} / {} MB 时已停止</translation>
     </message>
     <message>
-        <source>putting the removed recording back: {} of {} MB</source>
-        <translation>正在放回被删除的录像：{} / {} MB</translation>
+        <source>restoring the removed recording: {} of {} MB</source>
+        <translation>正在恢复被删除的录像：{} / {} MB</translation>
     </message>
     <message>
-        <source>the disk is nearly full: {} MB are left, {} MB are kept free</source>
-        <translation>磁盘将满：剩余 {} MB，保留 {} MB</translation>
+        <source>the disk is nearly full: {} MB are left, {} MB must stay free</source>
+        <translation>磁盘将满：剩余 {} MB，须保留 {} MB</translation>
     </message>
     <message>
         <source>free some space, or record to another disk</source>
         <translation>腾出空间，或录制到另一磁盘</translation>
     </message>
     <message>
-        <source>there is a file already</source>
+        <source>the file exists already</source>
         <translation>已有同名文件</translation>
     </message>
     <message>
@@ -6715,16 +6715,16 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>换一个名字，或删除旧文件</translation>
     </message>
     <message>
-        <source>could not begin the recording: its folder does not exist</source>
+        <source>could not start the recording: its folder does not exist</source>
         <translation>无法开始录制：文件夹不存在</translation>
     </message>
     <message>
-        <source>could not begin the recording</source>
+        <source>could not start the recording</source>
         <translation>无法开始录制</translation>
     </message>
     <message>
-        <source>how pictures are stored, all without loss: auto takes the camera&apos;s own packets (mjpeg) where it sends such, else magicyuv; ffv1 is about a tenth smaller and four times slower to read</source>
-        <translation>图片如何存储，均为无损：auto 在相机送出数据包（mjpeg）时直接采用，否则用 magicyuv；ffv1 约小十分之一，但读取慢四倍</translation>
+        <source>how images are stored, always without loss: auto stores the camera&apos;s own packets (mjpeg) where available, else magicyuv; ffv1 is about a tenth smaller and four times slower to read</source>
+        <translation>图像如何存储，均为无损：auto 在相机送出数据包（mjpeg）时直接存储，否则用 magicyuv；ffv1 约小十分之一，但读取慢四倍</translation>
     </message>
     <message>
         <source>memory for frames that wait for the disk, in megabytes</source>
@@ -6739,7 +6739,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>录制过程中录像被删除</translation>
     </message>
     <message>
-        <source>no frame came, so nothing was recorded</source>
+        <source>no frame arrived, so nothing was recorded</source>
         <translation>没有收到帧，因此没有录制</translation>
     </message>
     <message>
@@ -6751,16 +6751,16 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>录制结束时录像被删除</translation>
     </message>
     <message>
-        <source>{}, and it could not be put back ({})</source>
-        <translation>{}，而且无法放回（{}）</translation>
+        <source>{}, and it could not be restored ({})</source>
+        <translation>{}，而且无法恢复（{}）</translation>
     </message>
     <message>
         <source>record again, and leave the folder alone meanwhile</source>
         <translation>重新录制，期间不要动该文件夹</translation>
     </message>
     <message>
-        <source>what was recorded until then was put back</source>
-        <translation>到那时为止录制的内容已放回</translation>
+        <source>what was recorded until then was restored</source>
+        <translation>到那时为止录制的内容已恢复</translation>
     </message>
     <message>
         <source>leave the folder alone while it records</source>
@@ -6795,7 +6795,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>换一种编码，或使用 Debian 的 libavcodec</translation>
     </message>
     <message>
-        <source>only 8-bit grey pictures can be recorded</source>
+        <source>only 8-bit grey images can be recorded</source>
         <translation>只能录制 8 位灰度图</translation>
     </message>
     <message>
@@ -6803,15 +6803,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>使用灰度来源</translation>
     </message>
     <message>
-        <source>the picture is {} x {}, those before were {} x {}</source>
-        <translation>图片为 {} x {}，之前的为 {} x {}</translation>
+        <source>the image is {} x {}, those before were {} x {}</source>
+        <translation>图像为 {} x {}，之前的为 {} x {}</translation>
     </message>
     <message>
         <source>one recording for each size</source>
         <translation>每种尺寸单独录制</translation>
     </message>
     <message>
-        <source>the source gives no JPEG packets that could be stored untouched</source>
+        <source>the source delivers no JPEG packets to store unchanged</source>
         <translation>来源没有可原样存储的 JPEG 数据包</translation>
     </message>
     <message>
@@ -6824,23 +6824,23 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the two long edges of the face were not found</source>
-        <translation>没有找到面的两条长边</translation>
+        <translation>没有找到接触面的两条长边</translation>
     </message>
     <message>
-        <source>the picture</source>
-        <translation>图片</translation>
+        <source>the image</source>
+        <translation>图像</translation>
     </message>
     <message>
-        <source>light the finger as in its recording, and check that the picture shows the face from base to tip with the finger&apos;s length along the picture&apos;s width</source>
-        <translation>按录制时的方式照亮手指，并检查图片是否显示从根部到指尖的面，手指长度方向沿图片宽度</translation>
+        <source>light the finger as in its recording; check that the image shows the face from base to tip, with the finger along the image&apos;s width</source>
+        <translation>按录制时的方式照亮手指；检查图像是否显示从根部到指尖的接触面，且手指沿图像宽度方向</translation>
     </message>
     <message>
         <source>the face&apos;s edges</source>
-        <translation>面的边缘</translation>
+        <translation>接触面的边缘</translation>
     </message>
     <message>
-        <source>a picture in which both long edges of the bright face are visible and lit evenly; check that the lamps are on and that the lens is clean</source>
-        <translation>能看见明亮面两条长边且光照均匀的图片；检查灯是否打开、镜头是否干净</translation>
+        <source>an image in which both long edges of the bright face are visible and lit evenly; check that the lamps are on and that the lens is clean</source>
+        <translation>使用能看见明亮接触面两条长边且光照均匀的图像；检查灯是否打开、镜头是否干净</translation>
     </message>
     <message>
         <source>the shape of a Fin Ray needs a perspective camera, not an orthographic one</source>
@@ -6864,7 +6864,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the {} edge of the face was seen in too few columns</source>
-        <translation>面的{}边缘只在太少的列中可见</translation>
+        <translation>接触面的{}边缘只在很少的列中可见</translation>
     </message>
     <message>
         <source>the two edges were never seen together</source>
@@ -6876,19 +6876,19 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the distance of the face is too uncertain in every column</source>
-        <translation>面的距离在每一列都太不确定</translation>
+        <translation>接触面的距离在每一列都太不确定</translation>
     </message>
     <message>
-        <source>the picture is black: its brightest parts reach {} of 255 grey levels; take the cap off the lens, switch the lamps on, or expose longer</source>
+        <source>the image is black: its brightest parts reach {} of 255 grey levels; take the cap off the lens, switch the lamps on, or expose longer</source>
         <translation>画面全黑：最亮处只有 255 级灰度中的 {}；请取下镜头盖、打开灯或延长曝光</translation>
     </message>
     <message>
-        <source>the picture is too bright: {:.0f} % of it is saturated; expose shorter, or dim the lamps</source>
+        <source>the image is too bright: {:.0f} % of it is saturated; expose shorter, or dim the lamps</source>
         <translation>画面过亮：{} % 已饱和；请缩短曝光或调暗灯光</translation>
     </message>
     <message>
-        <source>the picture is blank: all of it has {} of 255 grey levels, without even a camera&apos;s noise; plug the camera in again</source>
-        <translation>画面空白：处处都是 255 级灰度中的 {}，连相机噪声都没有；请重新插拔相机</translation>
+        <source>the image is blank: every pixel has {} of 255 grey levels, without even camera noise; plug the camera in again</source>
+        <translation>画面空白：所有像素都是 255 级灰度中的 {}，连相机噪声都没有；请重新插拔相机</translation>
     </message>
     <message>
         <source>{:.0f} % of the face is too bright to be measured; expose shorter, or dim the lamps</source>
@@ -6899,8 +6899,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>接触面的 {} % 在这样的姿态下没有录制过；请录制手指向此方向弯得更多的情形</translation>
     </message>
     <message>
-        <source>{:.1f} % of the face, at its end, is hidden in this frame: nothing is told of it, neither that it is touched nor that it is not</source>
-        <translation>接触面末端有 {} % 在此图像中被遮挡：对该部分不作任何判断，既不说被触碰，也不说未被触碰</translation>
+        <source>{:.1f} % of the face, at its end, is hidden in this frame; whether it is in contact there is unknown</source>
+        <translation>接触面末端有 {} % 在此帧中被遮挡；该处是否有接触未知</translation>
     </message>
     <message>
         <source>the face is {:.0f} % darker than when its reference was recorded; set exposure, gain and lamps as they were then</source>
@@ -6911,12 +6911,12 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>接触面比录制参考时亮 {} %；请把曝光、增益和灯光设回当时的值</translation>
     </message>
     <message>
-        <source>{:.0f} % of the face is brighter than its reference: this is another finger, or its skin has changed; choose the finger that it is, or record the reference again</source>
-        <translation>接触面的 {} % 比其参考更亮：这是另一根手指，或其表皮已改变；请选择对应的手指，或重新录制参考</translation>
+        <source>{:.0f} % of the face is brighter than its reference: this is another finger, or its skin has changed; choose the right finger, or record the reference again</source>
+        <translation>接触面的 {} % 比其参考更亮：这是另一个手指，或其表皮已改变；请选择正确的手指，或重新录制参考</translation>
     </message>
     <message>
-        <source>only {} recorded pictures show every marker; at least 2 are needed</source>
-        <translation>只有 {} 张录制的图片显示全部标记点；至少需要 2 张</translation>
+        <source>only {} recorded images show every marker; at least 2 are needed</source>
+        <translation>只有 {} 张录制的图像显示全部标记点；至少需要 2 张</translation>
     </message>
     <message>
         <source>marker model</source>
@@ -6935,35 +6935,35 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>标记点的位置不是有限数</translation>
     </message>
     <message>
-        <source>{} dots were found beside the face, but no third of the {} markers among them fits a pose of the reference recording</source>
-        <translation>在面旁找到 {} 个点，但其中没有三分之一的标记点（共 {} 个）与参考录像的任何姿态相符</translation>
+        <source>{} dots were found next to the face, but less than a third of the {} markers fit any pose of the reference recording</source>
+        <translation>在接触面旁找到 {} 个点，但 {} 个标记点中不到三分之一与参考录像的任一姿态相符</translation>
     </message>
     <message>
         <source>this pose was never recorded: the nearest reference frame is {:.1f} px away; record the finger bending further in this direction</source>
         <translation>这个姿态没有录制过：最近的参考帧相距 {} px；请录制手指向此方向弯得更多的情形</translation>
     </message>
     <message>
-        <source>a picture at the size that the finger was calibrated with</source>
-        <translation>使用与标定时尺寸相同的图片</translation>
+        <source>an image of the size that the finger was calibrated with</source>
+        <translation>使用与标定时尺寸相同的图像</translation>
     </message>
     <message>
-        <source>the picture is the same as the one before to the last grey level: the camera stands still; plug it in again</source>
-        <translation>画面与上一帧逐级灰度完全相同：相机已停住；请重新插拔相机</translation>
+        <source>the image equals the previous one to the last grey level: the camera is frozen; plug it in again</source>
+        <translation>画面的灰度与上一帧完全相同：相机已停止更新；请重新插拔相机</translation>
     </message>
     <message>
         <source>{}.</source>
         <translation>{}。</translation>
     </message>
     <message>
-        <source>too little of the face is seen to tell the pose by its shape</source>
-        <translation>可见的面太少，无法由其形状判断姿态</translation>
+        <source>too little face is visible to estimate the pose from its shape</source>
+        <translation>可见的接触面太少，无法由其形状估计姿态</translation>
     </message>
     <message>
-        <source>the markers were not found: the face&apos;s shape alone tells this pose, so that depth is less sure and neither twist nor what touches the finger is told; uncover and light the dots on the side faces</source>
-        <translation>未找到标记点：只能由接触面的形状判断该姿态，因此深度不太可靠，也无法给出扭转以及手指被什么触碰；请露出并照亮侧面上的圆点</translation>
+        <source>the markers were not found: this pose is estimated from the face&apos;s shape alone, so depth is less certain, and neither twist nor contact is estimated; uncover and light the dots on the side faces</source>
+        <translation>未找到标记点：该姿态仅由接触面的形状估计，因此深度不太可靠，也不估计扭转和接触；请露出并照亮侧面上的圆点</translation>
     </message>
     <message>
-        <source>few recorded frames are near this pose: its reference is {:.0f} times less sure than usual; record the finger bending slowly through it</source>
+        <source>few recorded frames are near this pose: its reference is {:.0f} times less certain than typical; record the finger bending slowly through it</source>
         <translation>此姿态附近录制的帧很少：其参考的不确定度是通常的 {} 倍；请录制手指缓慢弯过此姿态的情形</translation>
     </message>
     <message>
@@ -6971,31 +6971,31 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>手指尚未标定：请用球按压标定</translation>
     </message>
     <message>
-        <source>how the face&apos;s edges are placed: half-way crossing to a fiftieth of a pixel, or the steepest whole pixel</source>
-        <translation>面的边缘如何定位：半高处，精度五十分之一像素，或最陡的整像素</translation>
+        <source>how the face&apos;s edges are located: half-height crossing to a fiftieth of a pixel, or the steepest pixel</source>
+        <translation>接触面的边缘如何定位：半高处，精度五十分之一像素，或最陡的整像素</translation>
     </message>
     <message>
-        <source>pixel columns averaged into one place on each edge</source>
+        <source>pixel columns averaged into one position on each edge</source>
         <translation>每条边缘上合并为一个位置的像素列数</translation>
     </message>
     <message>
         <source>degree of the smooth curve through each edge of the face</source>
-        <translation>通过面每条边缘的平滑曲线的次数</translation>
+        <translation>通过接触面每条边缘的平滑曲线的次数</translation>
     </message>
     <message>
-        <source>whether a change of the light since the reference is read from the untouched skin and taken out</source>
-        <translation>是否由未触碰的表皮读出参考之后的光照变化并扣除</translation>
+        <source>whether a change of light since the reference is measured on the untouched skin and removed</source>
+        <translation>是否在未触碰的表皮上测量参考之后的光照变化并予以扣除</translation>
     </message>
     <message>
-        <source>standard deviation of the smoothing before depth is read, in pixels; 0: none</source>
-        <translation>读取深度前平滑的标准差，单位像素；0：不平滑</translation>
+        <source>standard deviation of the smoothing before depth is computed, in pixels; 0: none</source>
+        <translation>计算深度前平滑的标准差，单位像素；0：不平滑</translation>
     </message>
     <message>
-        <source>depth that counts as touched, in millimetres</source>
-        <translation>算作触碰的深度，单位毫米</translation>
+        <source>depth that counts as contact, in millimetres</source>
+        <translation>算作接触的深度，单位毫米</translation>
     </message>
     <message>
-        <source>make the reference anew from the recording</source>
+        <source>create the reference again from the recording</source>
         <translation>由录像重新生成参考</translation>
     </message>
     <message>
@@ -7019,15 +7019,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>表格过早结束</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; does not close a table of {} frames</source>
-        <translation>“{}”不是 {} 帧表格的结尾</translation>
+        <source>&apos;{}&apos; is not the last line of a table with {} frames</source>
+        <translation>“{}”不是 {} 帧表格的最后一行</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; is not &apos;{}&apos; with possible values</source>
-        <translation>“{}”不是取值合理的“{}”</translation>
+        <source>&apos;{}&apos; does not hold valid values of &apos;{}&apos;</source>
+        <translation>“{}”中没有“{}”的有效值</translation>
     </message>
     <message>
-        <source>marker {} stands where marker {} of {} must</source>
+        <source>marker {} stands where marker {} of {} is expected</source>
         <translation>应为标记点 {1}（共 {2} 个）的位置却是标记点 {0}</translation>
     </message>
     <message>
@@ -7039,27 +7039,27 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>第 {} 帧有 {} 个标记点，应为 {} 个</translation>
     </message>
     <message>
-        <source>marker {} has another radius or contrast than before</source>
+        <source>marker {} has a different radius or contrast than before</source>
         <translation>标记点 {} 的半径或对比度与之前不同</translation>
     </message>
     <message>
-        <source>the table holds no frame</source>
+        <source>the table contains no frames</source>
         <translation>表中没有帧</translation>
     </message>
     <message>
         <source>stopped before the reference was read</source>
-        <translation>读完参考之前已停止</translation>
+        <translation>读取参考完成前已停止</translation>
     </message>
     <message>
         <source>reading reference frame {} of {}</source>
         <translation>正在读取第 {} / {} 个参考帧</translation>
     </message>
     <message>
-        <source>the face was found in {} of {} recorded pictures; 2 are needed</source>
-        <translation>{1} 张录制图片中有 {0} 张找到了面；需要 2 张</translation>
+        <source>the face was found in {} of {} recorded images; 2 are needed</source>
+        <translation>{1} 张录制图像中有 {0} 张找到了接触面；需要 2 张</translation>
     </message>
     <message>
-        <source>the marker table names frame {} but the recording ends after {} frames</source>
+        <source>the marker table lists frame {} but the recording ends after {} frames</source>
         <translation>标记点表中有第 {} 帧，但录像只有 {} 帧</translation>
     </message>
     <message>
@@ -7067,47 +7067,47 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>无法读取录像（{}）</translation>
     </message>
     <message>
-        <source>the sensor has no untouched picture</source>
-        <translation>传感器没有未触碰的图片</translation>
+        <source>the sensor has no untouched image</source>
+        <translation>传感器没有未触碰的图像</translation>
     </message>
     <message>
-        <source>give one with the calibration</source>
-        <translation>标定时给出一张</translation>
+        <source>specify one for the calibration</source>
+        <translation>标定时指定一张</translation>
     </message>
     <message>
-        <source>the untouched picture</source>
-        <translation>未触碰的图片</translation>
+        <source>the untouched image</source>
+        <translation>未触碰的图像</translation>
     </message>
     <message>
-        <source>give the untouched picture anew</source>
-        <translation>重新给出未触碰的图片</translation>
+        <source>specify the untouched image again</source>
+        <translation>重新指定未触碰的图像</translation>
     </message>
     <message>
         <source>the finger has no reference recording</source>
         <translation>手指没有参考录像</translation>
     </message>
     <message>
-        <source>record the bending, untouched finger and make its reference</source>
+        <source>record the untouched finger bending and create its reference</source>
         <translation>录制未触碰手指弯曲的过程并生成参考</translation>
     </message>
     <message>
-        <source>the reference recording is missing or no video</source>
+        <source>the reference recording is missing or not a video</source>
         <translation>参考录像缺失或不是视频</translation>
     </message>
     <message>
-        <source>the recording&apos;s picture</source>
-        <translation>录像的图片</translation>
+        <source>the recording&apos;s image</source>
+        <translation>录像的图像</translation>
     </message>
     <message>
-        <source>the reference picture is not an 8-bit grey picture</source>
-        <translation>参考图片不是 8 位灰度图</translation>
+        <source>the reference image is not an 8-bit grey image</source>
+        <translation>参考图像不是 8 位灰度图</translation>
     </message>
     <message>
         <source>reference</source>
         <translation>参考</translation>
     </message>
     <message>
-        <source>save it as such</source>
+        <source>save it in this format</source>
         <translation>按该格式保存</translation>
     </message>
     <message>
@@ -7119,7 +7119,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>“{}”不是 {}</translation>
     </message>
     <message>
-        <source>depth_mm = {:g} goes through the layer of {:g} mm</source>
+        <source>depth_mm = {:g} reaches through the layer of {:g} mm</source>
         <translation>depth_mm = {} 穿透了 {} mm 的层</translation>
     </message>
     <message>
@@ -7128,23 +7128,23 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>s_mm is beyond the ends of the face</source>
-        <translation>s_mm 超出面的两端</translation>
+        <translation>s_mm 超出接触面的两端</translation>
     </message>
     <message>
         <source>0 to {:g}</source>
         <translation>0 至 {}</translation>
     </message>
     <message>
-        <source>y_mm is beside the face</source>
-        <translation>y_mm 在面之外</translation>
+        <source>y_mm is outside the face</source>
+        <translation>y_mm 在接触面之外</translation>
     </message>
     <message>
         <source>{:g} to {:g}</source>
         <translation>{} 至 {}</translation>
     </message>
     <message>
-        <source>the ball would sink in beyond its middle</source>
-        <translation>球会陷入超过其中部</translation>
+        <source>the ball would sink in past its centre</source>
+        <translation>球会陷入超过球心</translation>
     </message>
     <message>
         <source>depth_mm below radius_mm</source>
@@ -7159,12 +7159,12 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>去掉 bend</translation>
     </message>
     <message>
-        <source>nothing presses, so nothing bulges</source>
-        <translation>没有按压，因此没有隆起</translation>
+        <source>nothing is pressed in, so nothing bulges</source>
+        <translation>没有压入物，因此没有隆起</translation>
     </message>
     <message>
-        <source>name ball or relief too</source>
-        <translation>同时写上 ball 或 relief</translation>
+        <source>add ball or relief</source>
+        <translation>添加 ball 或 relief</translation>
     </message>
     <message>
         <source>there is no lamp</source>
@@ -7183,7 +7183,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>换一个点</translation>
     </message>
     <message>
-        <source>this lobe is not known</source>
+        <source>unknown lobe</source>
         <translation>未知的光束形状</translation>
     </message>
     <message>
@@ -7200,7 +7200,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the dots would cut the face&apos;s edge</source>
-        <translation>标记点会切到面的边缘</translation>
+        <translation>标记点会切到接触面的边缘</translation>
     </message>
     <message>
         <source>less than setback_mm</source>
@@ -7219,27 +7219,27 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>标记点刻在侧面上</translation>
     </message>
     <message>
-        <source>name the effect sides too</source>
-        <translation>同时写上效果 sides</translation>
+        <source>add the effect sides</source>
+        <translation>添加效果 sides</translation>
     </message>
     <message>
-        <source>JPEG needs whole grey levels</source>
+        <source>JPEG needs integer grey levels</source>
         <translation>JPEG 需要整数灰度级</translation>
     </message>
     <message>
-        <source>name the effect quantisation too</source>
-        <translation>同时写上效果 quantisation</translation>
+        <source>add the effect quantisation</source>
+        <translation>添加效果 quantisation</translation>
     </message>
     <message>
         <source>no dot would ever be hidden</source>
         <translation>不会有任何点被遮住</translation>
     </message>
     <message>
-        <source>leave occlusion out, or 1 and more</source>
-        <translation>去掉 occlusion，或取 1 以上</translation>
+        <source>leave occlusion out, or use 1 or more</source>
+        <translation>去掉 occlusion，或取 1 及以上</translation>
     </message>
     <message>
-        <source>{:g} is not a marker&apos;s number</source>
+        <source>{:g} is not a marker number</source>
         <translation>{} 不是标记点编号</translation>
     </message>
     <message>
@@ -7251,8 +7251,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>没有可遮住的点</translation>
     </message>
     <message>
-        <source>name the effect markers too</source>
-        <translation>同时写上效果 markers</translation>
+        <source>add the effect markers</source>
+        <translation>添加效果 markers</translation>
     </message>
     <message>
         <source>there is no marker {}</source>
@@ -7279,12 +7279,12 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>小于 size_mm</translation>
     </message>
     <message>
-        <source>nothing presses, so nothing rolls off</source>
-        <translation>没有按压，因此没有过渡</translation>
+        <source>nothing is pressed in, so nothing rolls off</source>
+        <translation>没有压入物，因此没有过渡</translation>
     </message>
     <message>
         <source>kind hertz is for balls only</source>
-        <translation>kind hertz 只用于球</translation>
+        <translation>kind hertz 仅适用于球</translation>
     </message>
     <message>
         <source>kind: smooth with a length_mm</source>
@@ -7311,7 +7311,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>去掉 sway</translation>
     </message>
     <message>
-        <source>a flat sensor does not give way</source>
+        <source>a flat sensor does not yield</source>
         <translation>平面传感器不会退让</translation>
     </message>
     <message>
@@ -7323,16 +7323,16 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>列表为空</translation>
     </message>
     <message>
-        <source>one pose a frame</source>
+        <source>one pose per frame</source>
         <translation>每帧一个姿态</translation>
     </message>
     <message>
-        <source>the motion moves &apos;{}&apos;, but no effect of the scene does</source>
+        <source>the motion moves &apos;{}&apos;, but the scene has no such effect</source>
         <translation>运动中有“{}”，但场景中没有相应效果</translation>
     </message>
     <message>
-        <source>name `bend` or `sway` among the effects</source>
-        <translation>在效果中写上 `bend` 或 `sway`</translation>
+        <source>add `bend` or `sway` to the effects</source>
+        <translation>在效果中添加 `bend` 或 `sway`</translation>
     </message>
     <message>
         <source>{} = {:g} is outside the effect&apos;s range</source>
@@ -7343,15 +7343,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>运动没有可移动的对象</translation>
     </message>
     <message>
-        <source>name `bend` or `sway` among the effects, or leave the motion out</source>
-        <translation>在效果中写上 `bend` 或 `sway`，或去掉运动</translation>
+        <source>add `bend` or `sway` to the effects, or leave the motion out</source>
+        <translation>在效果中添加 `bend` 或 `sway`，或去掉运动</translation>
     </message>
     <message>
         <source>scene &apos;{}&apos;: finger.camera</source>
         <translation>场景“{}”：finger.camera</translation>
     </message>
     <message>
-        <source>its camera does not give whole grey levels</source>
+        <source>its camera does not deliver integer grey levels</source>
         <translation>其相机给出的不是整数灰度级</translation>
     </message>
     <message>
@@ -7359,7 +7359,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>这不是 [宽，高]</translation>
     </message>
     <message>
-        <source>whole numbers from 16 to 16384</source>
+        <source>integers from 16 to 16384</source>
         <translation>16 到 16384 的整数</translation>
     </message>
     <message>
@@ -7367,7 +7367,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>没有效果 &apos;{}&apos;</translation>
     </message>
     <message>
-        <source>the effect &apos;{}&apos; is named twice</source>
+        <source>the effect &apos;{}&apos; is listed twice</source>
         <translation>效果 &apos;{}&apos; 出现两次</translation>
     </message>
     <message>
@@ -7379,16 +7379,16 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>手指在其长度所在的平面内弯曲</translation>
     </message>
     <message>
-        <source>The layer swells around what presses</source>
-        <translation>涂层在压入物周围隆起</translation>
+        <source>The layer bulges around the object</source>
+        <translation>层在压入物周围隆起</translation>
     </message>
     <message>
-        <source>Frames get lost on their way</source>
+        <source>Frames are lost in transmission</source>
         <translation>帧在传输途中丢失</translation>
     </message>
     <message>
-        <source>Frames come late</source>
-        <translation>帧迟到</translation>
+        <source>Frames arrive late</source>
+        <translation>帧延迟到达</translation>
     </message>
     <message>
         <source>The layer over the black coat is darker where it is thinner</source>
@@ -7403,16 +7403,16 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>侧面刻有标记点</translation>
     </message>
     <message>
-        <source>The camera sends JPEG pictures</source>
-        <translation>相机发送 JPEG 图片</translation>
+        <source>The camera sends JPEG images</source>
+        <translation>相机发送 JPEG 图像</translation>
     </message>
     <message>
         <source>Folds of the side faces hide dots</source>
         <translation>侧面的褶皱遮住标记点</translation>
     </message>
     <message>
-        <source>The sensor counts in whole grey levels from 0 to 255</source>
-        <translation>传感器以 0 到 255 的整数灰度级计数</translation>
+        <source>The sensor outputs integer grey levels from 0 to 255</source>
+        <translation>传感器输出 0 到 255 的整数灰度级</translation>
     </message>
     <message>
         <source>Reading the sensor adds noise</source>
@@ -7423,15 +7423,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>一个带浮雕的物体压入接触面</translation>
     </message>
     <message>
-        <source>The face comes away softly from what presses</source>
-        <translation>接触面从压入物平缓地脱开</translation>
+        <source>The face separates gradually from the object</source>
+        <translation>接触面平缓地脱离压入物</translation>
     </message>
     <message>
-        <source>Light comes in grains, which is noise that grows with brightness</source>
-        <translation>光以颗粒形式到来，这种噪声随亮度增长</translation>
+        <source>Light arrives as photons; their noise grows with brightness</source>
+        <translation>光以光子形式到达，其噪声随亮度增大</translation>
     </message>
     <message>
-        <source>The side faces of the body are seen</source>
+        <source>The side faces of the body are visible</source>
         <translation>可以看到主体的侧面</translation>
     </message>
     <message>
@@ -7443,19 +7443,19 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>{}，在第 {} 到 {} 帧</translation>
     </message>
     <message>
-        <source>its camera does not give whole grey levels in frames {} to {}</source>
+        <source>its camera does not deliver integer grey levels in frames {} to {}</source>
         <translation>其相机在第 {} 到 {} 帧给出的不是整数灰度级</translation>
     </message>
     <message>
-        <source>name the effect quantisation for all frames</source>
-        <translation>请为所有帧写明效果 quantisation</translation>
+        <source>add the effect quantisation for all frames</source>
+        <translation>请为所有帧添加效果 quantisation</translation>
     </message>
     <message>
-        <source>the effect &apos;{}&apos; is named twice for frames {} to {}</source>
+        <source>the effect &apos;{}&apos; is listed twice for frames {} to {}</source>
         <translation>效果 &apos;{}&apos; 在第 {} 到 {} 帧出现两次</translation>
     </message>
     <message>
-        <source>let one end with &apos;until&apos; before the other begins with &apos;from&apos;</source>
+        <source>end one with &apos;until&apos; before the other begins with &apos;from&apos;</source>
         <translation>让其中一个用 &apos;until&apos; 结束，再让另一个用 &apos;from&apos; 开始</translation>
     </message>
     <message>
@@ -7475,31 +7475,31 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>其中一帧，0 到 {}</translation>
     </message>
     <message>
-        <source>it would never be there, for it begins with frame {}</source>
-        <translation>它永远不会出现，因为它从第 {} 帧开始</translation>
+        <source>it would never be active, for it begins with frame {}</source>
+        <translation>它永远不会生效，因为它从第 {} 帧开始</translation>
     </message>
     <message>
         <source>a later frame, or leave the effect out</source>
         <translation>更晚的帧，或者去掉该效果</translation>
     </message>
     <message>
-        <source>the key frame before it stands there too</source>
-        <translation>前一个关键帧也在此处</translation>
+        <source>the key frame before it has the same time</source>
+        <translation>前一个关键帧的时间相同</translation>
     </message>
     <message>
         <source>a later time, or leave one of the two out</source>
         <translation>更晚的时间，或者去掉其中一个</translation>
     </message>
     <message>
-        <source>the key frame before it is a later one</source>
+        <source>the key frame before it has a later time</source>
         <translation>前一个关键帧的时间更晚</translation>
     </message>
     <message>
-        <source>key frames in the order of their times</source>
+        <source>key frames in order of time</source>
         <translation>按时间顺序排列关键帧</translation>
     </message>
     <message>
-        <source>this is not a text</source>
+        <source>this is not text</source>
         <translation>这不是文本</translation>
     </message>
     <message>
@@ -7507,7 +7507,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>单词或句子</translation>
     </message>
     <message>
-        <source>one number a frame</source>
+        <source>one number per frame</source>
         <translation>每帧一个数</translation>
     </message>
     <message>
@@ -7515,7 +7515,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>&apos;from&apos; 不小于 &apos;to&apos;</translation>
     </message>
     <message>
-        <source>a range that grows</source>
+        <source>an increasing range</source>
         <translation>递增的范围</translation>
     </message>
     <message>
@@ -7527,8 +7527,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>向其所有者申请权限</translation>
     </message>
     <message>
-        <source>the folder holds no pictures</source>
-        <translation>文件夹中没有图片</translation>
+        <source>the folder contains no images</source>
+        <translation>文件夹中没有图像</translation>
     </message>
     <message>
         <source>a folder with png, jpg, bmp, tif or pgm files</source>
@@ -7551,11 +7551,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>灯光</translation>
     </message>
     <message>
-        <source>{} was {} and is {}</source>
-        <translation>{} 原为 {}，现为 {}</translation>
+        <source>{} changed from {} to {}</source>
+        <translation>{} 由 {} 变为 {}</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; describes no button</source>
+        <source>&apos;{}&apos; does not describe a button</source>
         <translation>“{}”没有描述按钮</translation>
     </message>
     <message>
@@ -7563,12 +7563,12 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>重新学习按钮</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; names no device and its button</source>
+        <source>&apos;{}&apos; does not name a device and its button</source>
         <translation>“{}”没有指明设备及其按钮</translation>
     </message>
     <message>
-        <source>&apos;alltact devices --learn-button&apos;, which says what to write here</source>
-        <translation>运行 &apos;alltact devices --learn-button&apos;，它会说明这里该写什么</translation>
+        <source>&apos;alltact devices --learn-button&apos;, which shows what to write here</source>
+        <translation>运行 &apos;alltact devices --learn-button&apos;，它会显示这里该写什么</translation>
     </message>
     <message>
         <source>learning the button was stopped</source>
@@ -7583,12 +7583,12 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>再按一次</translation>
     </message>
     <message>
-        <source>no button was pressed and let go twice</source>
+        <source>no button was pressed and released twice</source>
         <translation>没有按钮被按下并松开两次</translation>
     </message>
     <message>
         <source>another device; a pedal that only clicks must be set to send a key</source>
-        <translation>换一个设备；只会点击的脚踏开关须设为发送按键</translation>
+        <translation>换一个设备；只发送鼠标点击的脚踏开关须设为发送按键</translation>
     </message>
     <message>
         <source>the device cannot be opened</source>
@@ -7615,8 +7615,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>重新插上</translation>
     </message>
     <message>
-        <source>the device took no report</source>
-        <translation>设备不接受报告</translation>
+        <source>the device refused the report</source>
+        <translation>设备拒绝了该报告</translation>
     </message>
     <message>
         <source>plug it in again, and check its description</source>
@@ -7627,7 +7627,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>没有找到 HID 设备</translation>
     </message>
     <message>
-        <source>there is no such HID device; there is {}</source>
+        <source>there is no such HID device; available: {}</source>
         <translation>没有这样的 HID 设备；现有 {}</translation>
     </message>
     <message>
@@ -7635,7 +7635,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>插上设备；&apos;alltact devices&apos; 列出找到的设备</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; describes no dimmer</source>
+        <source>&apos;{}&apos; does not describe a dimmer</source>
         <translation>“{}”没有描述调光器</translation>
     </message>
     <message>
@@ -7647,20 +7647,20 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>亮度 {} 不在 0 到 1 之间</translation>
     </message>
     <message>
-        <source>the MCP2221A did not answer as it should</source>
-        <translation>MCP2221A 的应答不正确</translation>
+        <source>the MCP2221A did not answer as expected</source>
+        <translation>MCP2221A 的应答不符合预期</translation>
     </message>
     <message>
         <source>plug it in again; close other programs that use it</source>
         <translation>重新插上；关闭使用它的其他程序</translation>
     </message>
     <message>
-        <source>this is neither a picture, nor a folder of pictures, nor a video, nor a scene</source>
-        <translation>这不是图片、图片文件夹、视频或场景</translation>
+        <source>this is neither an image, nor a folder of images, nor a video, nor a scene</source>
+        <translation>这不是图像、图像文件夹、视频或场景</translation>
     </message>
     <message>
-        <source>png, jpg, bmp, tif or pgm pictures, a mkv, avi or mp4 video, or a yaml scene</source>
-        <translation>png、jpg、bmp、tif 或 pgm 图片，mkv、avi 或 mp4 视频，或 yaml 场景</translation>
+        <source>png, jpg, bmp, tif or pgm images, an mkv, avi or mp4 video, or a yaml scene</source>
+        <translation>png、jpg、bmp、tif 或 pgm 图像，mkv、avi 或 mp4 视频，或 yaml 场景</translation>
     </message>
     <message>
         <source>video</source>
@@ -7675,16 +7675,16 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>{}不能与其他输入混用</translation>
     </message>
     <message>
-        <source>it alone, or pictures only</source>
-        <translation>单独使用它，或只用图片</translation>
+        <source>it alone, or images only</source>
+        <translation>单独使用它，或只用图像</translation>
     </message>
     <message>
         <source>no input was given</source>
         <translation>没有给出输入</translation>
     </message>
     <message>
-        <source>name a picture, a folder of pictures, a video, a scene or a camera</source>
-        <translation>指定图片、图片文件夹、视频、场景或相机</translation>
+        <source>specify an image, a folder of images, a video, a scene or a camera</source>
+        <translation>指定图像、图像文件夹、视频、场景或相机</translation>
     </message>
     <message>
         <source>there is no such file or folder</source>
@@ -7703,11 +7703,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>相机拒绝此值</translation>
     </message>
     <message>
-        <source>a value within its range; &apos;alltact devices --details&apos; lists them</source>
+        <source>a value within its range; &apos;alltact devices --details&apos; lists the ranges</source>
         <translation>使用范围内的值；&apos;alltact devices --details&apos; 列出范围</translation>
     </message>
     <message>
-        <source>an automatic mode has it in hand</source>
+        <source>an automatic mode controls it</source>
         <translation>正由自动模式控制</translation>
     </message>
     <message>
@@ -7715,7 +7715,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>先关闭该自动模式</translation>
     </message>
     <message>
-        <source>the camera took {} instead</source>
+        <source>the camera uses {} instead</source>
         <translation>相机改用了 {}</translation>
     </message>
     <message>
@@ -7727,8 +7727,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>无法关闭“{}”：亮度可能漂移</translation>
     </message>
     <message>
-        <source>it sends its pictures in several planes, which cannot be read here</source>
-        <translation>它用多个平面传送图像，这里无法读取</translation>
+        <source>it sends its images in several planes, which is not supported</source>
+        <translation>它用多个平面传送图像，此处不支持</translation>
     </message>
     <message>
         <source>a USB camera</source>
@@ -7739,8 +7739,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>它不能传送视频流</translation>
     </message>
     <message>
-        <source>it has no format that can be read here</source>
-        <translation>它没有这里能读取的格式</translation>
+        <source>it has no supported format</source>
+        <translation>它没有受支持的格式</translation>
     </message>
     <message>
         <source>a camera with MJPG or YUYV</source>
@@ -7751,8 +7751,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>现在无法使用</translation>
     </message>
     <message>
-        <source>the camera is not there</source>
-        <translation>相机不在</translation>
+        <source>the camera is not connected</source>
+        <translation>相机未连接</translation>
     </message>
     <message>
         <source>plug it in</source>
@@ -7771,7 +7771,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>没有找到相机</translation>
     </message>
     <message>
-        <source>there is no such camera; there is {}</source>
+        <source>there is no such camera; available: {}</source>
         <translation>没有这样的相机；现有 {}</translation>
     </message>
     <message>
@@ -7783,15 +7783,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>使用其中一个名字</translation>
     </message>
     <message>
-        <source>the camera has sent no picture for a second</source>
-        <translation>相机已有一秒没有送出图像</translation>
+        <source>the camera has sent no image for a second</source>
+        <translation>相机已有一秒没有发送图像</translation>
     </message>
     <message>
-        <source>look after the cable and the USB port</source>
+        <source>check the cable and the USB port</source>
         <translation>检查线缆和 USB 接口</translation>
     </message>
     <message>
-        <source>this node gives no pictures that can be read</source>
+        <source>this device node delivers no readable images</source>
         <translation>此设备节点不提供可读取的图像</translation>
     </message>
     <message>
@@ -7799,28 +7799,28 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>使用 &apos;alltact devices&apos; 列为可用的相机</translation>
     </message>
     <message>
-        <source>the camera stopped sending pictures</source>
-        <translation>相机停止送出图像</translation>
+        <source>the camera stopped sending images</source>
+        <translation>相机停止发送图像</translation>
     </message>
     <message>
-        <source>no picture came for {:.1f} seconds</source>
+        <source>no image arrived for {:.1f} seconds</source>
         <translation>已有 {} 秒没有收到图像</translation>
     </message>
     <message>
-        <source>look after the cable and the USB port; the stream is being started again</source>
+        <source>check the cable and the USB port; the stream is being restarted</source>
         <translation>检查线缆和 USB 接口；正在重新启动视频流</translation>
     </message>
     <message>
-        <source>a picture cannot be taken</source>
-        <translation>无法取得图像</translation>
+        <source>an image cannot be captured</source>
+        <translation>无法采集图像</translation>
     </message>
     <message>
-        <source>Pictures come again</source>
-        <translation>又收到图像了</translation>
+        <source>Images arrive again</source>
+        <translation>图像已恢复</translation>
     </message>
     <message>
-        <source>the camera is back and has not sent a picture yet</source>
-        <translation>相机已接回，尚未送出图像</translation>
+        <source>the camera is back and has not sent an image yet</source>
+        <translation>相机已重新连接，尚未发送图像</translation>
     </message>
     <message>
         <source>The camera was plugged in again at {}</source>
@@ -7831,15 +7831,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>相机信号已改变：原为 {}，现为 {}</translation>
     </message>
     <message>
-        <source>look after what is plugged into it, if this was not meant</source>
-        <translation>若非有意，请检查它上面接的是什么</translation>
+        <source>check what is plugged into it, if this was not intended</source>
+        <translation>若非有意，请检查它所接的设备</translation>
     </message>
     <message>
         <source>the camera was unplugged</source>
         <translation>相机已拔出</translation>
     </message>
     <message>
-        <source>plug it in again; it goes on by itself with the same settings</source>
+        <source>plug it in again; it continues by itself with the same settings</source>
         <translation>重新插上；会自动以相同设置继续</translation>
     </message>
     <message>
@@ -7847,7 +7847,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>“{}”被其他程序从 {} 改为 {}</translation>
     </message>
     <message>
-        <source>it was put back</source>
+        <source>it was restored</source>
         <translation>已恢复</translation>
     </message>
     <message>
@@ -7863,8 +7863,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>关闭该程序（fuser -v /dev/video* 可查出它）</translation>
     </message>
     <message>
-        <source>it is not there</source>
-        <translation>它不在</translation>
+        <source>it is not connected</source>
+        <translation>它未连接</translation>
     </message>
     <message>
         <source>plug the camera in; &apos;alltact devices&apos; lists what is found</source>
@@ -7875,7 +7875,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>USB 接口带宽已用完</translation>
     </message>
     <message>
-        <source>another USB port, MJPG instead of YUYV, or smaller pictures</source>
+        <source>another USB port, MJPG instead of YUYV, or smaller images</source>
         <translation>换一个 USB 接口、用 MJPG 代替 YUYV，或用更小的图像</translation>
     </message>
     <message>
@@ -7915,7 +7915,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>{}，每秒 {} 帧</translation>
     </message>
     <message>
-        <source>the camera has no such format that can be read; it offers {}</source>
+        <source>the camera has no such readable format; it offers {}</source>
         <translation>相机没有这种可读取的格式；它提供 {}</translation>
     </message>
     <message>
@@ -7927,7 +7927,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>无法打开相机</translation>
     </message>
     <message>
-        <source>this does not answer as a camera</source>
+        <source>this does not answer like a camera</source>
         <translation>它的应答不像相机</translation>
     </message>
     <message>
@@ -7935,8 +7935,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>无法把相机格式设为 {}</translation>
     </message>
     <message>
-        <source>the camera was asked for {} and chose {}</source>
-        <translation>向相机要求 {}，它选了 {}</translation>
+        <source>{} was requested, but the camera chose {}</source>
+        <translation>请求的是 {}，相机却选了 {}</translation>
     </message>
     <message>
         <source>a format that &apos;alltact devices --details&apos; lists for it</source>
@@ -7947,7 +7947,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>无法设置相机帧率</translation>
     </message>
     <message>
-        <source>the camera takes no buffer</source>
+        <source>the camera accepts no buffer</source>
         <translation>相机不接受缓冲区</translation>
     </message>
     <message>
@@ -7955,7 +7955,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>相机没有启动</translation>
     </message>
     <message>
-        <source>the camera gives no buffers</source>
+        <source>the camera provides no buffers</source>
         <translation>相机没有提供缓冲区</translation>
     </message>
     <message>
@@ -7979,7 +7979,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>这不是 YAML：{}</translation>
     </message>
     <message>
-        <source>look at the brackets, quotes and the space before each key</source>
+        <source>check the brackets, quotes and the space before each key</source>
         <translation>检查括号、引号以及每个键前的空格</translation>
     </message>
     <message>
@@ -7987,7 +7987,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>太大，无法读取</translation>
     </message>
     <message>
-        <source>a file of fewer entries</source>
+        <source>a file with fewer entries</source>
         <translation>使用条目较少的文件</translation>
     </message>
     <message>
@@ -7995,16 +7995,16 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>未知的键 &apos;{}&apos;</translation>
     </message>
     <message>
-        <source>is not known, and too large or too odd to be kept</source>
-        <translation>是未知的，而且太大或太奇怪，无法保留</translation>
+        <source>is unknown, and too large or too unusual to be stored</source>
+        <translation>是未知的，而且太大或太不寻常，无法保存</translation>
     </message>
     <message>
         <source>remove it</source>
         <translation>删除它</translation>
     </message>
     <message>
-        <source>is not known here; it is kept as it is</source>
-        <translation>在这里是未知的；按原样保留</translation>
+        <source>is not known here; it stays unchanged</source>
+        <translation>在这里是未知的；保持不变</translation>
     </message>
     <message>
         <source>&apos;{}&apos;</source>
@@ -8016,7 +8016,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>a block of keys</source>
-        <translation>键的段落</translation>
+        <translation>键值块</translation>
     </message>
     <message>
         <source>a number</source>
@@ -8048,7 +8048,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>must be a block of &apos;key: value&apos; lines, not {}</source>
-        <translation>必须是由 &apos;key: value&apos; 行组成的段落，而不是{}</translation>
+        <translation>必须是由 &apos;key: value&apos; 行组成的块，而不是{}</translation>
     </message>
     <message>
         <source>compare with another file of this kind</source>
@@ -8067,8 +8067,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>出现两次</translation>
     </message>
     <message>
-        <source>leave one of the two</source>
-        <translation>只保留其中一个</translation>
+        <source>delete one of the two</source>
+        <translation>删除其中一个</translation>
     </message>
     <message>
         <source>add &apos;{}: ...&apos;</source>
@@ -8083,11 +8083,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>缺失</translation>
     </message>
     <message>
-        <source>write &apos;{}&apos; for &apos;{}&apos;</source>
+        <source>write &apos;{}&apos; instead of &apos;{}&apos;</source>
         <translation>把“{1}”写成“{0}”</translation>
     </message>
     <message>
-        <source>must be a text, not {}</source>
+        <source>must be text, not {}</source>
         <translation>必须是文本，而不是{}</translation>
     </message>
     <message>
@@ -8099,12 +8099,12 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>必须是数字，{}，而不是{}</translation>
     </message>
     <message>
-        <source>0 would mean that this is absent, and what is absent is not named</source>
-        <translation>0 表示没有，没有的就不要写</translation>
+        <source>0 means that it is absent; leave out what is absent</source>
+        <translation>0 表示没有；没有的项不要写</translation>
     </message>
     <message>
-        <source>leave it out, or give {}</source>
-        <translation>去掉它，或给出{}</translation>
+        <source>leave it out, or enter {}</source>
+        <translation>去掉它，或填写{}</translation>
     </message>
     <message>
         <source>holds {}, which is not {}</source>
@@ -8115,7 +8115,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>必须是{}，而不是{}</translation>
     </message>
     <message>
-        <source>must be a whole number from {} to {}, not {}</source>
+        <source>must be an integer from {} to {}, not {}</source>
         <translation>必须是 {} 到 {} 的整数，而不是{}</translation>
     </message>
     <message>
@@ -8139,7 +8139,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>[{} 到 {} 个数]</translation>
     </message>
     <message>
-        <source>holds {}, which is not a text</source>
+        <source>holds {}, which is not text</source>
         <translation>含有 {}，不是文本</translation>
     </message>
     <message>
@@ -8151,23 +8151,23 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>[[..., ...], ...]</translation>
     </message>
     <message>
-        <source>{}:{}: this is no check and is left out.</source>
-        <translation>{}:{}：这不是检查记录，已舍弃。</translation>
+        <source>{}:{}: this line is not a check and is ignored.</source>
+        <translation>{}:{}：此行不是检查记录，已忽略。</translation>
     </message>
     <message>
-        <source>no untouched picture; give one to calibrate with --reference</source>
-        <translation>没有未触碰的图片；标定时请用 --reference 给出</translation>
+        <source>no untouched image; specify it with --reference to calibrate</source>
+        <translation>没有未触碰的图像；标定时请用 --reference 指定</translation>
     </message>
     <message>
-        <source>no recording of the bending, untouched finger; run alltact reference</source>
+        <source>no recording of the untouched finger bending; run alltact reference</source>
         <translation>没有未触碰手指弯曲的录像；请运行 alltact reference</translation>
     </message>
     <message>
-        <source>one untouched picture</source>
-        <translation>一张未触碰的图片</translation>
+        <source>one untouched image</source>
+        <translation>一张未触碰的图像</translation>
     </message>
     <message>
-        <source>only {} frames; poses between them are guessed, record more bending</source>
+        <source>only {} frames; poses between them are estimates, record more bending</source>
         <translation>只有 {} 帧；其间的姿态是推测的，请多录一些弯曲</translation>
     </message>
     <message numerus="yes">
@@ -8178,27 +8178,27 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         </translation>
     </message>
     <message>
-        <source>no layout at rest, so touch cannot be told; run alltact reference again</source>
-        <translation>没有静止时的排布，无法判断触碰；请重新运行 alltact reference</translation>
+        <source>no layout at rest, so contact cannot be detected; run alltact reference again</source>
+        <translation>没有静止时的排布，无法检测接触；请重新运行 alltact reference</translation>
     </message>
     <message>
-        <source>none; poses are told by the shape of the face, which cannot tell twist</source>
-        <translation>没有；姿态由面的形状判断，无法判断扭转</translation>
+        <source>none; the pose comes from the shape of the face, which hides twist</source>
+        <translation>没有；姿态由接触面的形状估计，无法得出扭转</translation>
     </message>
     <message>
-        <source>{} markers; touch is told from {:.1f} px of summed offset</source>
-        <translation>{} 个标记点；位移总和达 {} px 即判为触碰</translation>
+        <source>{} markers; contact is detected from {:.1f} px of summed offset</source>
+        <translation>{} 个标记点；位移总和达 {} px 即判为接触</translation>
     </message>
     <message>
         <source>not calibrated; run alltact calibrate with ball presses</source>
         <translation>未标定；请用球按压运行 alltact calibrate</translation>
     </message>
     <message>
-        <source>nothing says how it came about or how good it is; run alltact calibrate again</source>
+        <source>its origin and quality are not recorded; run alltact calibrate again</source>
         <translation>没有记录它的来源和质量；请重新运行 alltact calibrate</translation>
     </message>
     <message>
-        <source>made at an unknown date</source>
+        <source>made on an unknown date</source>
         <translation>制作日期不明</translation>
     </message>
     <message>
@@ -8210,16 +8210,16 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>标定无法重复：{}。</translation>
     </message>
     <message>
-        <source>{} of {} press pictures are gone, so the calibration cannot be repeated</source>
-        <translation>{1} 张按压图片中有 {0} 张已不在，标定无法重复</translation>
+        <source>{} of {} press images are missing, so the calibration cannot be repeated</source>
+        <translation>{1} 张按压图像中缺少 {0} 张，标定无法重复</translation>
     </message>
     <message>
-        <source>what is kept is of a calibration that was cut off; complete it with {}</source>
-        <translation>保存的内容来自一次中断的标定；请用 {} 完成</translation>
+        <source>the stored data is of an interrupted calibration; complete it with {}</source>
+        <translation>保存的数据来自一次中断的标定；请用 {} 完成</translation>
     </message>
     <message>
-        <source>{} pictures kept</source>
-        <translation>保存了 {} 张图片</translation>
+        <source>{} images stored</source>
+        <translation>保存了 {} 张图像</translation>
     </message>
     <message>
         <source>{}, {} x {} px</source>
@@ -8234,8 +8234,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>{}：接触覆盖的像素太少</translation>
     </message>
     <message>
-        <source>pressing deeper, or a larger picture</source>
-        <translation>压得更深，或使用更大的图片</translation>
+        <source>pressing deeper, or a larger image</source>
+        <translation>压得更深，或使用更大的图像</translation>
     </message>
     <message>
         <source>{}: no ball fits the contact</source>
@@ -8251,11 +8251,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>no face was found</source>
-        <translation>没有找到面</translation>
+        <translation>没有找到接触面</translation>
     </message>
     <message>
-        <source>the contacts have no ball&apos;s shape: is ball or face dirty?</source>
-        <translation>接触不是球形：球或面脏了吗？</translation>
+        <source>the contacts are not ball-shaped: is the ball or face dirty?</source>
+        <translation>接触不是球形：球或接触面脏了吗？</translation>
     </message>
     <message>
         <source>shallow</source>
@@ -8266,8 +8266,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>深</translation>
     </message>
     <message>
-        <source>the mapping reads {:.0f} % too {}: layer, ball or camera are not what they were</source>
-        <translation>映射的读数偏{1} {0} %：层、球或相机与从前不同</translation>
+        <source>the mapping reads {:.0f} % too {}: layer, ball or camera have changed</source>
+        <translation>映射的读数偏{1} {0} %：层、球或相机已有变化</translation>
     </message>
     <message>
         <source>brighter</source>
@@ -8278,8 +8278,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>暗</translation>
     </message>
     <message>
-        <source>the face is {:.1f} % {} than it was: look at lamps, exposure and layer</source>
-        <translation>面比从前{1} {0} %：请检查灯、曝光和层</translation>
+        <source>the face is {:.1f} % {} than before: check lamps, exposure and layer</source>
+        <translation>接触面比从前{1} {0} %：请检查灯、曝光和层</translation>
     </message>
     <message>
         <source>pass</source>
@@ -8310,11 +8310,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>alltact calibrate</translation>
     </message>
     <message>
-        <source>the finger does not tell the ball it was calibrated with</source>
-        <translation>手指没有记录标定时所用的球</translation>
+        <source>the finger&apos;s data does not name its calibration ball</source>
+        <translation>手指的数据中没有记录标定所用的球</translation>
     </message>
     <message>
-        <source>--ball-radius-mm with the radius of the ball that was pressed</source>
+        <source>--ball-radius-mm with the radius of the pressed ball</source>
         <translation>用 --ball-radius-mm 给出压入的球的半径</translation>
     </message>
     <message>
@@ -8322,7 +8322,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>正在测量按压</translation>
     </message>
     <message>
-        <source>no press is called &apos;{}&apos;</source>
+        <source>no press is named &apos;{}&apos;</source>
         <translation>没有叫“{}”的按压</translation>
     </message>
     <message>
@@ -8330,19 +8330,19 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>没有可用的按压：{}</translation>
     </message>
     <message>
-        <source>pictures of this finger with the ball pressed 0.3 mm or more into its face</source>
-        <translation>球压入此手指的面 0.3 mm 以上的图片</translation>
+        <source>images of this finger with the ball pressed 0.3 mm or more into its face</source>
+        <translation>球压入此手指的接触面 0.3 mm 以上的图像</translation>
     </message>
     <message>
         <source>measuring the presses of the calibration</source>
         <translation>正在测量标定时的按压</translation>
     </message>
     <message>
-        <source>the face is {:.1f} % {} than when its reference was recorded; false depth {:.3f} mm in the worst twentieth of it ({:.3f} mm if the light were not corrected; up to {:.3f} mm is noise)</source>
-        <translation>面比录制参考时{1} {0} %；最差的二十分之一处虚假深度为 {2} mm（不作光照校正则为 {3} mm；不超过 {4} mm 属于噪声）</translation>
+        <source>the face is {:.1f} % {} than in its reference; false depth {:.3f} mm in its worst 5 % ({:.3f} mm without light correction; up to {:.3f} mm is noise)</source>
+        <translation>接触面比录制参考时{1} {0} %；最差的 5 % 处虚假深度为 {2} mm（不作光照校正则为 {3} mm；不超过 {4} mm 属于噪声）</translation>
     </message>
     <message>
-        <source>let the lamps warm up, look at exposure and gain, and record the reference again when it goes on</source>
+        <source>let the lamps warm up, check exposure and gain, and record the reference again if it persists</source>
         <translation>让灯预热，检查曝光和增益，若仍如此请重新录制参考</translation>
     </message>
     <message>
@@ -8355,19 +8355,19 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>nothing could be measured</source>
-        <translation>什么都无法测量</translation>
+        <translation>没有测得任何结果</translation>
     </message>
     <message>
-        <source>none of the pictures can be compared with the reference</source>
-        <translation>没有一张图片能与参考比较</translation>
+        <source>none of the images can be compared with the reference</source>
+        <translation>没有一张图像能与参考比较</translation>
     </message>
     <message>
         <source>{} ({})</source>
         <translation>{}({})</translation>
     </message>
     <message>
-        <source>pictures of the untouched finger in poses that were recorded</source>
-        <translation>未触碰的手指在已录制姿态下的图片</translation>
+        <source>images of the untouched finger in recorded poses</source>
+        <translation>未触碰的手指在已录制姿态下的图像</translation>
     </message>
     <message>
         <source>an orthographic camera</source>
@@ -8378,11 +8378,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>隔着窗口的相机</translation>
     </message>
     <message>
-        <source>{} has no camera matrix, so {} has no form for it</source>
-        <translation>{}没有相机矩阵，因此 {} 没有对应的形式</translation>
+        <source>{} has no camera matrix, so {} cannot describe it</source>
+        <translation>{}没有相机矩阵，因此 {} 无法描述它</translation>
     </message>
     <message>
-        <source>json, or zip for the whole finger</source>
+        <source>json, or zip for the entire finger</source>
         <translation>json，或用 zip 导出整个手指</translation>
     </message>
     <message>
@@ -8402,11 +8402,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>无法读取手指的文件夹：{}</translation>
     </message>
     <message>
-        <source>its permissions, and that its disk is there</source>
-        <translation>检查其权限，以及磁盘是否在</translation>
+        <source>check its permissions, and that its disk is connected</source>
+        <translation>检查其权限，以及磁盘是否已连接</translation>
     </message>
     <message>
-        <source>a zip of the finger cannot lie in the finger&apos;s own folder</source>
+        <source>a zip of the finger cannot be in the finger&apos;s own folder</source>
         <translation>手指的 zip 不能放在手指自己的文件夹里</translation>
     </message>
     <message>
@@ -8415,15 +8415,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>stopped before it was written</source>
-        <translation>写完之前已停止</translation>
+        <translation>写入完成前已停止</translation>
     </message>
     <message>
-        <source>The finger has another reference than it was calibrated with: this is a new calibration.</source>
+        <source>The finger&apos;s reference has changed since its calibration: this is a new calibration.</source>
         <translation>手指的参考与标定时不同：这是一次新的标定。</translation>
     </message>
     <message>
-        <source>The finger&apos;s camera, face or markers are not what they were when it was calibrated: this is a new calibration.</source>
-        <translation>手指的相机、面或标记点与标定时不同：这是一次新的标定。</translation>
+        <source>The finger&apos;s camera, face or markers have changed since its calibration: this is a new calibration.</source>
+        <translation>手指的相机、接触面或标记点与标定时不同：这是一次新的标定。</translation>
     </message>
     <message>
         <source>The finger was calibrated by version {}: this is a new calibration, by version {}.</source>
@@ -8435,15 +8435,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>its camera, face or markers were changed while it was calibrated</source>
-        <translation>标定期间其相机、面或标记点被更改</translation>
+        <translation>标定期间其相机、接触面或标记点被更改</translation>
     </message>
     <message>
         <source>calibrating again</source>
         <translation>重新标定</translation>
     </message>
     <message>
-        <source>only a flat sensor has one untouched picture</source>
-        <translation>只有平面传感器才有单张未触碰图片</translation>
+        <source>only a flat sensor has a single untouched image</source>
+        <translation>只有平面传感器才有单张未触碰图像</translation>
     </message>
     <message>
         <source>leaving --reference out; this finger is compared with its reference recording</source>
@@ -8458,11 +8458,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>完成</translation>
     </message>
     <message>
-        <source>is no checksum of 16 digits</source>
+        <source>is not a checksum of 16 digits</source>
         <translation>不是 16 位的校验和</translation>
     </message>
     <message>
-        <source>names no press</source>
+        <source>lists no press</source>
         <translation>没有列出按压</translation>
     </message>
     <message>
@@ -8474,40 +8474,40 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>每次按压一项</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; is no picture&apos;s name</source>
-        <translation>“{}”不是图片名</translation>
+        <source>&apos;{}&apos; is not an image name</source>
+        <translation>“{}”不是图像名</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; is no checksum of 16 digits</source>
+        <source>&apos;{}&apos; is not a checksum of 16 digits</source>
         <translation>“{}”不是 16 位的校验和</translation>
     </message>
     <message>
-        <source>names &apos;{}&apos; twice</source>
+        <source>lists &apos;{}&apos; twice</source>
         <translation>“{}”出现两次</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; is not among the presses, and something is said of it</source>
-        <translation>&apos;{}&apos; 不在按压之中，却有关于它的说明</translation>
+        <source>&apos;{}&apos; is annotated, but is not among the presses</source>
+        <translation>&apos;{}&apos; 有注释，但不在按压之中</translation>
     </message>
     <message>
-        <source>remove that</source>
-        <translation>请将其删除</translation>
+        <source>remove the annotation</source>
+        <translation>请删除该注释</translation>
     </message>
     <message>
-        <source>the version of this program that wrote it, or calibrating again with the pictures in presses/ (this version writes &apos;{}&apos;)</source>
-        <translation>使用写出它的程序版本，或用 presses/ 中的图片重新标定（此版本写出“{}”）</translation>
+        <source>the version of this program that wrote it, or calibrating again with the images in presses/ (this version writes &apos;{}&apos;)</source>
+        <translation>使用写出它的程序版本，或用 presses/ 中的图像重新标定（此版本写出“{}”）</translation>
     </message>
     <message>
-        <source>there is nothing to repeat: this finger was not calibrated, or by a version that did not keep what with</source>
+        <source>there is nothing to repeat: this finger is not calibrated, or by a version that did not store its data</source>
         <translation>没有可重复的内容：此手指未标定，或标定它的版本没有保存所用的数据</translation>
     </message>
     <message>
-        <source>calibrating it with the pictures in presses/ and --ball-radius-mm</source>
-        <translation>用 presses/ 中的图片和 --ball-radius-mm 标定</translation>
+        <source>calibrating it with the images in presses/ and --ball-radius-mm</source>
+        <translation>用 presses/ 中的图像和 --ball-radius-mm 标定</translation>
     </message>
     <message>
-        <source>{:.3f} mm, more than three times the others; look at the picture, or leave it out</source>
-        <translation>{} mm，超过其他按压的三倍；请查看图片，或舍弃它</translation>
+        <source>{:.3f} mm, more than three times the others; check the image, or leave it out</source>
+        <translation>{} mm，超过其他按压的三倍；请查看图像，或舍弃它</translation>
     </message>
     <message>
         <source>only the joint method uses measured depths and punches with a step</source>
@@ -8522,16 +8522,16 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>没有可用的按压</translation>
     </message>
     <message>
-        <source>pictures of this finger with a ball pressed into its face</source>
-        <translation>此手指的面被球压入时的图片</translation>
+        <source>images of this finger with a ball pressed into its face</source>
+        <translation>球压入此手指接触面时的图像</translation>
     </message>
     <message>
         <source>solving</source>
         <translation>正在求解</translation>
     </message>
     <message>
-        <source>stopped before the end: this is the best solution until then, without a report; calibrating again from what is kept finishes it</source>
-        <translation>提前停止：这是到那时为止最好的解，没有报告；用已保存的内容重新标定即可完成</translation>
+        <source>stopped early: this is the best solution so far, without a report; calibrate again from the stored data to finish it</source>
+        <translation>提前停止：这是当时的最佳解，没有报告；用已保存的数据重新标定即可完成</translation>
     </message>
     <message>
         <source>comparing with other methods</source>
@@ -8542,20 +8542,20 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>标定完成前已停止</translation>
     </message>
     <message>
-        <source>the reference picture</source>
-        <translation>参考图片</translation>
+        <source>the reference image</source>
+        <translation>参考图像</translation>
     </message>
     <message>
-        <source>the untouched picture of this sensor, at the size of its presses</source>
-        <translation>此传感器未触碰的图片，尺寸与按压图片相同</translation>
+        <source>the untouched image of this sensor, at the size of its presses</source>
+        <translation>此传感器未触碰的图像，尺寸与按压图像相同</translation>
     </message>
     <message>
-        <source>this is not the picture that the finger was calibrated with</source>
-        <translation>这不是标定此手指时所用的图片</translation>
+        <source>this is not the image that the finger was calibrated with</source>
+        <translation>这不是标定此手指时所用的图像</translation>
     </message>
     <message>
-        <source>calibrating anew with the pictures that are there</source>
-        <translation>用现有的图片重新标定</translation>
+        <source>calibrating again with the existing images</source>
+        <translation>用现有的图像重新标定</translation>
     </message>
     <message>
         <source>excluded</source>
@@ -8570,8 +8570,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>有两次按压都叫“{}”</translation>
     </message>
     <message>
-        <source>giving the pictures different names; they are kept by name with the finger</source>
-        <translation>给图片取不同的名字；它们按名字保存在手指中</translation>
+        <source>giving the images different names; they are stored by name with the finger</source>
+        <translation>给图像取不同的名字；它们按名字保存在手指中</translation>
     </message>
     <message>
         <source>reading {}</source>
@@ -8582,15 +8582,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>没有给出按压</translation>
     </message>
     <message>
-        <source>at least one picture of a pressed ball</source>
-        <translation>至少一张压入球的图片</translation>
+        <source>at least one image of a pressed ball</source>
+        <translation>至少一张球压入时的图像</translation>
     </message>
     <message>
         <source>there are only presses of a punch with a step</source>
         <translation>只有带台阶压头的按压</translation>
     </message>
     <message>
-        <source>pressing a ball as well, once at least: a step tells how far apart two depths are, not where they begin</source>
+        <source>pressing a ball at least once as well: a step shows how far apart two depths are, not where they begin</source>
         <translation>至少再用球按压一次：台阶只说明两个深度相差多少，不说明从哪里算起</translation>
     </message>
     <message>
@@ -8598,15 +8598,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>{} 次按压都不可用：{}</translation>
     </message>
     <message>
-        <source>pictures in which the ball, and nothing else, is pressed 0.3 mm or more into the face</source>
-        <translation>只有球压入面 0.3 mm 以上的图片</translation>
+        <source>images in which the ball, and nothing else, is pressed 0.3 mm or more into the face</source>
+        <translation>只有球压入接触面 0.3 mm 以上的图像</translation>
     </message>
     <message>
         <source>stopped before there was a solution</source>
         <translation>得到解之前已停止</translation>
     </message>
     <message>
-        <source>the ball lies {:.1f} mm deep in a layer of {:g} mm</source>
+        <source>the ball is {:.1f} mm deep in a layer of {:g} mm</source>
         <translation>球压入 {} mm，而该层只有 {} mm 厚</translation>
     </message>
     <message>
@@ -8622,7 +8622,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>舍弃残差最大的按压、降低次数，或检查球的半径</translation>
     </message>
     <message>
-        <source>solving: round {}, unknowns move by {:.1e} mm</source>
+        <source>solving: round {}, unknowns change by {:.1e} mm</source>
         <translation>正在求解：第 {} 轮，未知量变动 {} mm</translation>
     </message>
     <message>
@@ -8634,7 +8634,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>{}，因为{}在全部样本上并非处处递增</translation>
     </message>
     <message>
-        <source>the solution is no mapping: {}</source>
+        <source>the solution is not a valid mapping: {}</source>
         <translation>解不是有效的映射：{}</translation>
     </message>
     <message>
@@ -8642,7 +8642,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>增加不同深度的按压，或降低次数</translation>
     </message>
     <message>
-        <source>one press cannot separate the ball&apos;s depth from the mapping: add presses of different depth at other places</source>
+        <source>one press cannot separate the ball&apos;s depth from the mapping: add presses of different depth at other positions</source>
         <translation>一次按压无法区分球的深度与映射：请在其他位置增加不同深度的按压</translation>
     </message>
     <message>
@@ -8666,11 +8666,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>减少按压</translation>
     </message>
     <message>
-        <source>how presses become a mapping: all balls and the mapping in one fit; or, to compare with, every ball from its dark border alone: the source paper&apos;s way, a circle on the face, or the cone of the ball&apos;s outline</source>
-        <translation>如何由按压得到映射：所有球与映射一起拟合；或作为比较，每个球只由其暗区边界得出：按原论文、面上的圆，或球轮廓的圆锥</translation>
+        <source>how presses become a mapping: all balls and the mapping in one fit; or, for comparison, every ball from its dark border alone: by the source paper, as a circle on the face, or as the cone of the ball&apos;s outline</source>
+        <translation>如何由按压得到映射：所有球与映射一起拟合；或作为比较，每个球只由其暗区边界得出：按原论文、接触面上的圆，或球轮廓的圆锥</translation>
     </message>
     <message>
-        <source>the mapping&apos;s curve; auto: whichever predicts presses left out best</source>
+        <source>the mapping&apos;s curve; auto: whichever best predicts presses left out</source>
         <translation>映射的曲线；auto：最能预测留出按压的那种</translation>
     </message>
     <message>
@@ -8678,19 +8678,19 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>多项式的次数；0：通过留出按压来选择</translation>
     </message>
     <message>
-        <source>which thickness of the layer brightness follows: along z, along its normal, or that along z projected onto the normal; auto: along the normal unless presses left out say otherwise</source>
+        <source>the thickness of the layer that brightness follows: along z, along its normal, or that along z projected onto the normal; auto: along the normal unless presses left out show otherwise</source>
         <translation>亮度随层的哪种厚度变化：沿 z、沿法线，或沿 z 再投影到法线；auto：沿法线，除非留出的按压另有结论</translation>
     </message>
     <message>
-        <source>whether the mapping may vary slowly over the face, for uneven light or an uneven layer; auto: when presses left out agree clearly better then</source>
-        <translation>映射是否可在面上缓慢变化，用于光照或层不均匀的情况；auto：当留出的按压因此明显更吻合时</translation>
+        <source>whether the mapping may vary slowly over the face, for uneven light or an uneven layer; auto: if presses left out then agree clearly better</source>
+        <translation>映射是否可在接触面上缓慢变化，用于光照或层不均匀的情况；auto：当留出的按压因此明显更吻合时</translation>
     </message>
     <message>
-        <source>the inner {:.0f} % of each contact&apos;s radius was used, where the skin surely touches the ball</source>
+        <source>the inner {:.0f} % of each contact&apos;s radius was used, where the skin certainly touches the ball</source>
         <translation>使用了每处接触半径的内侧 {} %，那里表皮确实贴着球</translation>
     </message>
     <message>
-        <source>the inner {:.0f} % of each contact&apos;s radius was used; the skin comes back from the ball over {:.2f} mm</source>
+        <source>the inner {:.0f} % of each contact&apos;s radius was used; the skin leaves the ball over {:.2f} mm</source>
         <translation>使用了每处接触半径的内侧 {} %；表皮在 {} mm 内离开球面</translation>
     </message>
     <message>
@@ -8707,58 +8707,58 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>{} that varies over the face</source>
-        <translation>在面上变化的{}</translation>
+        <translation>在接触面上变化的{}</translation>
     </message>
     <message>
-        <source>its measured depth of {:.3f} +- {:.3f} mm was left out, because the pictures say {:.3f} +- {:.3f} mm; it counts from where the ball first touches, normal to the face</source>
-        <translation>其测得的深度 {} +- {} mm 未被采用，因为图像给出 {} +- {} mm；深度从球刚接触处算起，沿面的法线方向</translation>
+        <source>its measured depth of {:.3f} +- {:.3f} mm was left out, because the images show {:.3f} +- {:.3f} mm; depth counts from the ball&apos;s first contact, normal to the face</source>
+        <translation>其测得的深度 {} +- {} mm 未被采用，因为图像给出 {} +- {} mm；深度从球刚接触处算起，沿接触面的法线方向</translation>
     </message>
     <message>
-        <source>its step of {:.3f} mm was left out, because the balls say {:.3f} +- {:.3f} mm; is the balls&apos; radius right</source>
-        <translation>其台阶 {} mm 未被采用，因为各球给出 {} +- {} mm；球的半径是否正确</translation>
+        <source>its step of {:.3f} mm was left out, because the balls show {:.3f} +- {:.3f} mm; check the balls&apos; radius</source>
+        <translation>其台阶 {} mm 未被采用，因为各球给出 {} +- {} mm；请检查球的半径</translation>
     </message>
     <message>
         <source>trying a {}</source>
         <translation>正在尝试：{}</translation>
     </message>
     <message>
-        <source>least error on presses left out, {:.4f} mm</source>
+        <source>smallest error on presses left out, {:.4f} mm</source>
         <translation>留出按压的误差最小，{} mm</translation>
     </message>
     <message>
         <source>{:.4f} mm on presses left out, not distinguishable from the best ({}, {:.4f} mm) and simpler</source>
-        <translation>留出按压误差 {} mm，与最好的（{}，{} mm）没有区别，而且更简单</translation>
+        <translation>留出按压误差 {} mm，与最好的（{}，{} mm）无法区分，而且更简单</translation>
     </message>
     <message>
-        <source>with one press nothing can be held out</source>
+        <source>a single press cannot be left out</source>
         <translation>只有一次按压，无法留出</translation>
     </message>
     <message>
-        <source>as asked for</source>
+        <source>as requested</source>
         <translation>按要求</translation>
     </message>
     <message>
-        <source>the mapping varies over the face, as uneven light or an uneven layer make it: by {:+.0f} % from the presses nearest to the base to those nearest to the tip, by {:+.0f} % from side to side; {:.4f} mm on presses left out, against {:.4f} mm with one mapping for all</source>
-        <translation>映射在面上有变化，由光照或层不均匀造成：从最靠近根部到最靠近指尖的按压相差 {} %，两侧之间相差 {} %；留出按压误差 {} mm，全部用同一映射则为 {} mm</translation>
+        <source>the mapping varies over the face, as with uneven light or layer: by {:+.0f} % from the presses nearest the base to those nearest the tip, by {:+.0f} % from side to side; error on presses left out {:.4f} mm, against {:.4f} mm with one mapping for all</source>
+        <translation>映射在接触面上有变化，如同光照或层不均匀时：从最靠近根部到最靠近指尖的按压相差 {} %，两侧之间相差 {} %；留出按压误差 {} mm，全部用同一映射则为 {} mm</translation>
     </message>
     <message>
         <source>no circle goes through the dark border</source>
         <translation>没有圆能通过暗区边界</translation>
     </message>
     <message>
-        <source>the circle&apos;s middle lies off the face</source>
-        <translation>圆心不在面上</translation>
+        <source>the circle&apos;s centre is off the face</source>
+        <translation>圆心不在接触面上</translation>
     </message>
     <message>
-        <source>the circle lies off the face</source>
-        <translation>圆不在面上</translation>
+        <source>the circle is off the face</source>
+        <translation>圆不在接触面上</translation>
     </message>
     <message>
         <source>the circle is larger than the ball</source>
         <translation>圆比球大</translation>
     </message>
     <message>
-        <source>{:.0f} degrees of the ball&apos;s outline are seen, a cone needs {:.0f}; the rest of the dark border is where the skin leaves the ball</source>
+        <source>{:.0f} degrees of the ball&apos;s outline are visible, a cone needs {:.0f}; the rest of the dark border is where the skin leaves the ball</source>
         <translation>看得见球轮廓的 {} 度，圆锥需要 {} 度；其余暗区边界是表皮离开球的地方</translation>
     </message>
     <message>
@@ -8794,12 +8794,12 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>原论文的</translation>
     </message>
     <message>
-        <source>{}, in place of the paper&apos;s cubic</source>
+        <source>{}, instead of the paper&apos;s cubic</source>
         <translation>{}，代替论文的三次曲线</translation>
     </message>
     <message>
         <source>in the middle of the face</source>
-        <translation>在面的中线上</translation>
+        <translation>在接触面的中线上</translation>
     </message>
     <message>
         <source>{:.0f} mm from the middle on the {} side</source>
@@ -8810,12 +8810,12 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>距根部 {} mm，{}</translation>
     </message>
     <message>
-        <source>least certain is the scale: all depths may be too large or too small together, by {:.3f} mm at {:.2f} mm (one standard deviation)</source>
+        <source>the scale is least certain: all depths may be too large or too small together, by {:.3f} mm at {:.2f} mm (one standard deviation)</source>
         <translation>最不确定的是比例：所有深度可能一起偏大或偏小，在 {1} mm 处为 {0} mm（一倍标准差）</translation>
     </message>
     <message>
-        <source>least certain is how shallow and deep go together: by {:.3f} mm at {:.2f} mm (one standard deviation), the other way at the other end</source>
-        <translation>最不确定的是浅处与深处的关系：在 {1} mm 处为 {0} mm（一倍标准差），另一端相反</translation>
+        <source>the relation of shallow to deep is least certain: by {:.3f} mm at {:.2f} mm (one standard deviation), with opposite sign at the other end</source>
+        <translation>最不确定的是浅处与深处的关系：在 {1} mm 处为 {0} mm（一倍标准差），另一端符号相反</translation>
     </message>
     <message>
         <source>smaller</source>
@@ -8826,7 +8826,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>偏大</translation>
     </message>
     <message>
-        <source>a ball 1 % larger than said makes depths {:.1f} % {}; the residual is {:.4f} mm with a radius 1 % smaller, {:.4f} mm as given, {:.4f} mm with one 1 % larger</source>
+        <source>a ball 1 % larger than given makes depths {:.1f} % {}; the residual is {:.4f} mm with a radius 1 % smaller, {:.4f} mm as given, {:.4f} mm with one 1 % larger</source>
         <translation>球若比所给的大 1 %，深度会{1} {0} %；半径小 1 % 时残差为 {2} mm，按所给为 {3} mm，大 1 % 时为 {4} mm</translation>
     </message>
     <message>
@@ -8838,19 +8838,19 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>这些按压显不出半径的错误，请把球量准到百分之一毫米</translation>
     </message>
     <message>
-        <source>press next: at another place, 0.5 to 1 mm deep</source>
+        <source>press next: at another position, 0.5 to 1 mm deep</source>
         <translation>下一次按压：换一处，深 0.5 至 1 mm</translation>
     </message>
     <message>
-        <source>press next: {}, {:.1f} mm deep; no press tells whether the mapping holds in that third</source>
+        <source>press next: {}, {:.1f} mm deep; no press shows whether the mapping holds in that third</source>
         <translation>下一次按压：{}，深 {} mm；还没有按压能说明映射在那三分之一是否成立</translation>
     </message>
     <message>
-        <source>enough: one press more would take the standard deviation of depth from {:.4f} mm to {:.4f} mm at best</source>
+        <source>enough: another press would reduce the standard deviation of depth from {:.4f} mm to {:.4f} mm at best</source>
         <translation>已足够：再按一次最多把深度标准差从 {} mm 降到 {} mm</translation>
     </message>
     <message>
-        <source>press next: {}, {:.1f} mm deep; that would take the standard deviation of depth from {:.4f} mm to {:.4f} mm</source>
+        <source>press next: {}, {:.1f} mm deep; that would reduce the standard deviation of depth from {:.4f} mm to {:.4f} mm</source>
         <translation>下一次按压：{}，深 {} mm；这会把深度标准差从 {} mm 降到 {} mm</translation>
     </message>
     <message>
@@ -8858,28 +8858,28 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>正在 {} 中寻找球</translation>
     </message>
     <message>
-        <source>the same picture as {}, counted once</source>
-        <translation>与 {} 是同一张图片，只计一次</translation>
+        <source>the same image as {}, counted once</source>
+        <translation>与 {} 是同一张图像，只计一次</translation>
     </message>
     <message>
         <source>the contact covers too few pixels</source>
         <translation>接触覆盖的像素太少</translation>
     </message>
     <message>
-        <source>pressing the punch in until the skin lies on both of its levels, each 4 mm wide or more</source>
+        <source>pressing the punch in until the skin rests on both of its levels, each 4 mm wide or more</source>
         <translation>压入压头，直到表皮贴住它的两个平面，每个平面至少宽 4 mm</translation>
     </message>
     <message>
         <source>the punch touches too little of the face</source>
-        <translation>压头接触到的面太小</translation>
+        <translation>压头与接触面的接触太小</translation>
     </message>
     <message>
-        <source>no step is to be seen</source>
+        <source>no step is visible</source>
         <translation>看不到台阶</translation>
     </message>
     <message>
         <source>one of the punch&apos;s levels touches too little of the face</source>
-        <translation>压头的一个平面接触到的面太小</translation>
+        <translation>压头的一个平面与接触面的接触太小</translation>
     </message>
     <message>
         <source>along z</source>
@@ -8890,23 +8890,23 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>沿 z 并投影到法线</translation>
     </message>
     <message>
-        <source>brightness follows the layer&apos;s thickness {}: {:.4f} mm on presses left out, against {:.4f} mm along its normal</source>
+        <source>brightness follows the layer&apos;s thickness {}: error on presses left out {:.4f} mm, against {:.4f} mm along its normal</source>
         <translation>亮度随层{}的厚度变化：留出按压误差 {} mm，沿法线则为 {} mm</translation>
     </message>
     <message>
-        <source>not fit to measure with</source>
+        <source>unfit for measuring</source>
         <translation>不适合测量</translation>
     </message>
     <message>
-        <source>press again with a clean ball of the radius given, whole on the face</source>
-        <translation>请用所给半径的干净球重新按压，使其完全落在面上</translation>
+        <source>press again with a clean ball of the given radius, entirely on the face</source>
+        <translation>请用所给半径的干净球重新按压，使其完全落在接触面上</translation>
     </message>
     <message>
         <source>unproven</source>
         <translation>未经证实</translation>
     </message>
     <message>
-        <source>usable for contact and its place</source>
+        <source>usable for contact and its position</source>
         <translation>可用于判断接触及其位置</translation>
     </message>
     <message>
@@ -8926,7 +8926,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>{} x {} {}</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; is no board; it takes two counts from 3 to 100</source>
+        <source>&apos;{}&apos; is not a board; it needs two counts from 3 to 100</source>
         <translation>“{}”不是标定板；需要两个 3 到 100 的数目</translation>
     </message>
     <message>
@@ -8934,35 +8934,35 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>9x6 表示每行九个内角点、共六行</translation>
     </message>
     <message>
-        <source>the board finder gave up: {}</source>
+        <source>the search for the board failed: {}</source>
         <translation>寻找标定板失败：{}</translation>
     </message>
     <message>
-        <source>another picture</source>
-        <translation>换一张图片</translation>
+        <source>another image</source>
+        <translation>换一张图像</translation>
     </message>
     <message>
-        <source>only {} different views of the board are left, {} are needed at least</source>
+        <source>only {} different views of the board are left; at least {} are needed</source>
         <translation>只剩 {} 张不同的标定板视图，至少需要 {} 张</translation>
     </message>
     <message>
-        <source>{} pictures or more, with the board tilted and in all parts of the picture</source>
-        <translation>{} 张以上的图片，标定板要倾斜并遍及画面各处</translation>
+        <source>{} images or more, with the board tilted and in all parts of the image</source>
+        <translation>{} 张以上的图像，标定板要倾斜并遍及画面各处</translation>
     </message>
     <message>
-        <source>shows the board just where {} shows it</source>
+        <source>shows the board exactly where {} shows it</source>
         <translation>标定板的位置与 {} 完全相同</translation>
     </message>
     <message>
-        <source>no flat board can look so</source>
-        <translation>平的标定板不可能呈现这样</translation>
+        <source>no flat board can look like this</source>
+        <translation>平的标定板不可能呈现这种样子</translation>
     </message>
     <message>
-        <source>stopped before the lens was known</source>
+        <source>stopped before the lens was estimated</source>
         <translation>得出镜头之前已停止</translation>
     </message>
     <message>
-        <source>views that reach into the picture&apos;s corners, or another --model</source>
+        <source>views that reach into the image&apos;s corners, or another --model</source>
         <translation>使用到达画面四角的视图，或换一个 --model</translation>
     </message>
     <message>
@@ -8974,75 +8974,75 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>正在比较两半</translation>
     </message>
     <message>
-        <source>with {} coefficients of distortion the lens folds over inside the picture or stays undetermined; {} are used</source>
+        <source>with {} distortion coefficients the lens folds over inside the image or stays undetermined; {} are used</source>
         <translation>用 {} 个畸变系数时，镜头在画面内折叠或无法确定；改用 {} 个</translation>
     </message>
     <message>
-        <source>corners scatter by {:.2f} px; good boards give 0.2 or less: look at focus, motion, and whether the board is flat</source>
+        <source>corners scatter by {:.2f} px; good boards give 0.2 or less: check focus, motion, and whether the board is flat</source>
         <translation>角点散布 {} px；好的标定板不超过 0.2：请检查对焦、运动以及板是否平整</translation>
     </message>
     <message>
-        <source>stopped before everything was judged</source>
-        <translation>全部评定之前已停止</translation>
+        <source>stopped before everything was evaluated</source>
+        <translation>全部评估完成前已停止</translation>
     </message>
     <message>
-        <source>What is printed on the board</source>
-        <translation>标定板上印的是什么</translation>
+        <source>Pattern printed on the board</source>
+        <translation>标定板上印的图案</translation>
     </message>
     <message>
         <source>brown up to about 120 degrees of view, fisheye beyond</source>
         <translation>视角约 120 度以内用 brown，更大用 fisheye</translation>
     </message>
     <message>
-        <source>Distance of the finger, at which errors are told in mm</source>
+        <source>Distance of the finger, for errors in mm</source>
         <translation>手指的距离，误差按此距离以 mm 表示</translation>
     </message>
     <message>
-        <source>ChArUco: the markers&apos; family</source>
+        <source>ChArUco: family of the markers</source>
         <translation>ChArUco：标记的种类</translation>
     </message>
     <message>
-        <source>ChArUco: a marker&apos;s side as part of a square&apos;s</source>
+        <source>ChArUco: a marker&apos;s side as a fraction of a square&apos;s</source>
         <translation>ChArUco：标记边长占方格边长的比例</translation>
     </message>
     <message>
-        <source>all {} views show the board in the same place</source>
+        <source>all {} views show the board in the same position</source>
         <translation>全部 {} 张视图中标定板都在同一位置</translation>
     </message>
     <message>
-        <source>move and tilt the board, or the camera, between pictures</source>
-        <translation>每张图片之间移动并倾斜标定板或相机</translation>
+        <source>move and tilt the board, or the camera, between images</source>
+        <translation>每张图像之间移动并倾斜标定板或相机</translation>
     </message>
     <message>
-        <source>looking for a first lens</source>
-        <translation>正在寻找初始镜头</translation>
+        <source>estimating a first lens</source>
+        <translation>正在估计初始镜头</translation>
     </message>
     <message>
         <source>fitting the lens</source>
         <translation>正在拟合镜头</translation>
     </message>
     <message>
-        <source>no {} with {} can be seen</source>
+        <source>no {} with {} is visible</source>
         <translation>看不到{}({})</translation>
     </message>
     <message>
-        <source>the picture has hardly any contrast</source>
-        <translation>图片几乎没有对比度</translation>
+        <source>the image has hardly any contrast</source>
+        <translation>图像几乎没有对比度</translation>
     </message>
     <message>
         <source>more light, and the board in focus</source>
         <translation>增加光照，并使标定板清晰</translation>
     </message>
     <message>
-        <source>a large part of the picture is white without detail</source>
-        <translation>图片大部分是没有细节的白色</translation>
+        <source>a large part of the image is white without detail</source>
+        <translation>图像大部分是没有细节的白色</translation>
     </message>
     <message>
         <source>a shorter exposure</source>
         <translation>缩短曝光</translation>
     </message>
     <message>
-        <source>the whole board in the picture, with its white border, sharp and evenly lit</source>
+        <source>the entire board in the image, with its white border, sharp and evenly lit</source>
         <translation>整块标定板连同白边都在画面内，清晰且光照均匀</translation>
     </message>
     <message>
@@ -9058,19 +9058,19 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>一个标记也看不到</translation>
     </message>
     <message>
-        <source>only {} of the ChArUco board&apos;s corners can be seen, {} are needed</source>
+        <source>only {} of the ChArUco board&apos;s corners are visible, {} are needed</source>
         <translation>只看到 ChArUco 板的 {} 个角点，需要 {} 个</translation>
     </message>
     <message>
-        <source>more of the board in the picture, sharp and evenly lit</source>
+        <source>more of the board in the image, sharp and evenly lit</source>
         <translation>让更多标定板进入画面，清晰且光照均匀</translation>
     </message>
     <message>
-        <source>only corners in one line of the ChArUco board can be seen</source>
+        <source>only corners in one line of the ChArUco board are visible</source>
         <translation>只看到 ChArUco 板上同一直线的角点</translation>
     </message>
     <message>
-        <source>more of the board in the picture</source>
+        <source>more of the board in the image</source>
         <translation>让更多标定板进入画面</translation>
     </message>
     <message>
@@ -9078,11 +9078,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>圆点阵列</translation>
     </message>
     <message>
-        <source>a dot of the grid lies at the picture&apos;s border or has no contrast</source>
+        <source>a dot of the grid is at the image border or has no contrast</source>
         <translation>阵列中有圆点位于画面边缘或没有对比度</translation>
     </message>
     <message>
-        <source>the whole board in the picture, evenly lit</source>
+        <source>the entire board in the image, evenly lit</source>
         <translation>整块标定板在画面内，光照均匀</translation>
     </message>
     <message>
@@ -9174,7 +9174,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>再{}张，要倾斜</translation>
     </message>
     <message>
-        <source>large enough to fill the picture</source>
+        <source>large enough to fill the image</source>
         <translation>大到充满画面</translation>
     </message>
     <message>
@@ -9206,20 +9206,20 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>增加视图，标定板向不同方向倾斜 20 到 40 度</translation>
     </message>
     <message>
-        <source>no lens could be fitted to the corners that were found</source>
-        <translation>无法对找到的角点拟合出镜头</translation>
+        <source>no lens model could be fitted to the found corners</source>
+        <translation>无法用找到的角点拟合镜头模型</translation>
     </message>
     <message>
         <source>a flat board of the size given with --board, and views that show it tilted</source>
         <translation>使用与 --board 尺寸相符的平板，并有倾斜的视图</translation>
     </message>
     <message>
-        <source>no lens explains the corners that were found</source>
-        <translation>没有镜头能解释找到的角点</translation>
+        <source>no lens model explains the found corners</source>
+        <translation>没有镜头模型能解释找到的角点</translation>
     </message>
     <message>
         <source>a flat board of the size given with --board; --model fisheye for a lens wider than 120 degrees</source>
-        <translation>使用与 --board 尺寸相符的平板；视角大于 120 度的镜头用 --model fisheye</translation>
+        <translation>使用与 --board 尺寸相符的平板；视角大于 120 度的镜头使用 --model fisheye</translation>
     </message>
     <message>
         <source>usable</source>
@@ -9238,11 +9238,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>但留出的视图（{} px）不如参与拟合的（{} px）吻合</translation>
     </message>
     <message>
-        <source>but the views do not cover the picture and the tilts it needs</source>
-        <translation>但视图没有覆盖画面和所需的倾斜</translation>
+        <source>but the views cover too little of the image or too few tilts</source>
+        <translation>但视图覆盖的图像范围或倾斜角度不足</translation>
     </message>
     <message>
-        <source>with so few views none could be left out to show what it is worth</source>
+        <source>with so few views, none could be left out to test the lens</source>
         <translation>视图太少，无法留出任何一张来检验</translation>
     </message>
     <message>
@@ -9250,12 +9250,12 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>请拍摄{}</translation>
     </message>
     <message>
-        <source>add views, sharp and tilted, that fill the picture</source>
+        <source>add views, sharp and tilted, that fill the image</source>
         <translation>请增加清晰、倾斜且充满画面的视图</translation>
     </message>
     <message>
-        <source>no board was found in any of {} pictures</source>
-        <translation>{} 张图片中都没有找到标定板</translation>
+        <source>no board was found in any of {} images</source>
+        <translation>{} 张图像中都没有找到标定板</translation>
     </message>
     <message>
         <source>{} (the first: {})</source>
@@ -9263,14 +9263,14 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>no board with {} was found, but one with {}</source>
-        <translation>没有找到{}的标定板，但找到了 {} 的</translation>
+        <translation>没有找到 {} 的标定板，但找到了 {} 的</translation>
     </message>
     <message>
         <source>--board with {}: inner corners are counted, not squares</source>
         <translation>--board 用 {}：数的是内角点，不是方格</translation>
     </message>
     <message>
-        <source>--board and --pattern as the board is, and the whole board in the picture</source>
+        <source>--board and --pattern that match the board, and all of it in the image</source>
         <translation>--board 和 --pattern 与标定板一致，且整块板在画面内</translation>
     </message>
     <message>
@@ -9282,36 +9282,36 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>正在 {} 中寻找标定板</translation>
     </message>
     <message>
-        <source>is {} x {} px, the pictures before it {} x {}</source>
-        <translation>为 {} x {} px，之前的图片为 {} x {}</translation>
+        <source>is {} x {} px, the images before it {} x {}</source>
+        <translation>为 {} x {} px，之前的图像为 {} x {}</translation>
     </message>
     <message>
-        <source>pictures of one camera in one mode; a lens differs with the picture&apos;s size</source>
-        <translation>使用同一相机同一模式的图片；镜头随图片尺寸而不同</translation>
+        <source>images from one camera in one mode; the lens changes with the image size</source>
+        <translation>使用同一相机同一模式的图像；镜头参数随图像尺寸而变</translation>
     </message>
     <message>
-        <source>another picture is called &apos;{}&apos; as well</source>
-        <translation>另一张图片也叫“{}”</translation>
+        <source>another image is called &apos;{}&apos; as well</source>
+        <translation>另一张图像也叫“{}”</translation>
     </message>
     <message>
-        <source>giving the pictures different names</source>
-        <translation>给图片取不同的名字</translation>
+        <source>giving the images different names</source>
+        <translation>给图像取不同的名称</translation>
     </message>
     <message>
-        <source>its corners lie {:.2f} px from where the lens sees them, those of the others {:.2f} px</source>
-        <translation>它的角点偏离镜头所见 {} px，其他的为 {} px</translation>
+        <source>its corners are {:.2f} px off the lens model, those of the others {:.2f} px</source>
+        <translation>它的角点偏离镜头模型 {} px，其他的为 {} px</translation>
     </message>
     <message>
         <source>blurred, by motion or focus: its edges are {:.1f} px wide, those of the others {:.1f} px</source>
         <translation>因运动或失焦而模糊：边缘宽 {} px，其他的为 {} px</translation>
     </message>
     <message>
-        <source>the board is bent in it, glue it to something stiff</source>
-        <translation>图中标定板弯曲了，请把它贴在硬物上</translation>
+        <source>the board is bent; glue it to something stiff</source>
+        <translation>标定板弯曲了；请把它贴在硬物上</translation>
     </message>
     <message>
-        <source>{} of its {} corners lie elsewhere: covered, mirrored in something, or blurred</source>
-        <translation>{1} 个角点中有 {0} 个不在应在之处：被遮挡、反光或模糊</translation>
+        <source>{} of its {} corners are misplaced: covered, reflected or blurred</source>
+        <translation>{1} 个角点中有 {0} 个位置不对：被遮挡、反光或模糊</translation>
     </message>
     <message>
         <source>moved during the exposure, or not this board</source>
@@ -9338,20 +9338,20 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>{}，而且 {}</translation>
     </message>
     <message>
-        <source>the board is not the flat, even one it is taken for: {}; with that allowed for fx would be {:.2f} instead of {:.2f} px; use a board on glass or metal</source>
+        <source>the board is not flat and even as assumed: {}; corrected for this, fx would be {:.2f} instead of {:.2f} px; use a board on glass or metal</source>
         <translation>标定板不像假定的那样平整均匀：{}；考虑到这一点，fx 应为 {} 而不是 {} px；请使用玻璃或金属上的标定板</translation>
     </message>
     <message>
         <source>hardly any pixel of the face could be compared with the reference</source>
-        <translation>面上几乎没有像素能与参考比较</translation>
+        <translation>接触面上几乎没有像素能与参考比较</translation>
     </message>
     <message>
         <source>a press and a reference of the same size in which the face is lit</source>
-        <translation>使用尺寸相同、面已照亮的按压图片和参考</translation>
+        <translation>使用尺寸相同、接触面已照亮的按压图像和参考</translation>
     </message>
     <message>
         <source>nothing on the face is clearly darker than in the reference (the darkest part differs by {:.1f} %, the rest scatters by {:.1f} %)</source>
-        <translation>面上没有明显比参考更暗的地方（最暗处相差 {} %，其余散布 {} %）</translation>
+        <translation>接触面上没有明显比参考更暗的地方（最暗处相差 {} %，其余散布 {} %）</translation>
     </message>
     <message>
         <source>pressing the ball in deeper, and checking that the reference shows the same finger in the same pose</source>
@@ -9371,82 +9371,82 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>a press in which only the ball touches the face</source>
-        <translation>只有球接触面的按压</translation>
+        <translation>只有球触及接触面的按压</translation>
     </message>
     <message>
-        <source>the border of the dark part is no arc of a circle</source>
+        <source>the border of the dark part is not a circular arc</source>
         <translation>暗区的边界不是圆弧</translation>
     </message>
     <message>
-        <source>a press in which the ball lies wholly on the face</source>
-        <translation>球完全落在面上的按压</translation>
+        <source>a press in which the ball is entirely on the face</source>
+        <translation>球完全落在接触面上的按压</translation>
     </message>
     <message>
-        <source>only {:.0f} degrees of the dark disc&apos;s rim lie on the face</source>
-        <translation>暗斑的边缘只有 {} 度在面上</translation>
+        <source>only {:.0f} degrees of the dark disc&apos;s rim are on the face</source>
+        <translation>暗斑的边缘只有 {} 度在接触面上</translation>
     </message>
     <message>
-        <source>a press nearer to the middle of the face</source>
-        <translation>更靠近面中央的按压</translation>
+        <source>a press closer to the middle of the face</source>
+        <translation>更靠近接触面中央的按压</translation>
     </message>
     <message>
         <source>the dark part has a radius of {:.2f} mm, more than the ball&apos;s {:g} mm</source>
         <translation>暗区半径为 {} mm，大于球的 {} mm</translation>
     </message>
     <message>
-        <source>checking the ball&apos;s radius, or a picture in which only the ball touches</source>
-        <translation>检查球的半径，或使用只有球接触的图片</translation>
+        <source>checking the ball&apos;s radius, or an image with only the ball in contact</source>
+        <translation>检查球的半径，或使用只有球接触的图像</translation>
     </message>
     <message>
-        <source>the dark part is no disc: its rim is off a circle by {:.0f} % of the radius, and {:.0f} % of the circle is dark</source>
+        <source>the dark part is not a disc: its rim is off a circle by {:.0f} % of the radius, and {:.0f} % of the circle is dark</source>
         <translation>暗区不是圆盘：边缘偏离圆达半径的 {} %，圆内有 {} % 是暗的</translation>
     </message>
     <message>
-        <source>a picture in which a ball, and only the ball, touches the face</source>
-        <translation>只有一个球接触面的图片</translation>
+        <source>an image in which a ball, and only the ball, touches the face</source>
+        <translation>只有一个球触及接触面的图像</translation>
     </message>
     <message>
-        <source>the middle of the dark disc lies off the face</source>
-        <translation>暗斑的中心不在面上</translation>
+        <source>the middle of the dark disc is outside the face</source>
+        <translation>暗斑的中心不在接触面上</translation>
     </message>
     <message>
-        <source>the press has no difference picture</source>
-        <translation>该按压没有差值图</translation>
+        <source>the press has no difference image</source>
+        <translation>该按压没有差值图像</translation>
     </message>
     <message>
-        <source>taking the picture again</source>
-        <translation>重新拍摄图片</translation>
+        <source>taking the image again</source>
+        <translation>重新拍摄图像</translation>
     </message>
     <message>
         <source>OpenCV failed: {}</source>
         <translation>OpenCV 出错：{}</translation>
     </message>
     <message>
-        <source>the finger moves: no more than {} of {} frames in a row show the same</source>
+        <source>the finger moves: at most {} of {} frames in a row are the same</source>
         <translation>手指在动：{1} 帧中连续相同的不超过 {0} 帧</translation>
     </message>
     <message>
-        <source>holding ball and finger still for half a second, at a steady light</source>
+        <source>holding ball and finger still for half a second, in steady light</source>
         <translation>在稳定的光照下使球和手指保持静止半秒</translation>
     </message>
     <message>
-        <source>the mean of {} frames held still, of {} read</source>
-        <translation>读取的 {1} 帧中 {0} 帧静止画面的平均</translation>
+        <source>the mean of {} still frames, of {} read</source>
+        <translation>读取的 {1} 帧中 {0} 个静止帧的平均</translation>
     </message>
     <message>
-        <source>the ball that was put there by hand does not touch the face</source>
-        <translation>手动放置的球没有接触面</translation>
+        <source>the ball that was set by hand does not touch the face</source>
+        <translation>手动设置的球没有触及接触面</translation>
     </message>
     <message>
-        <source>moving its outline onto the dark disc, or having the ball found</source>
-        <translation>把轮廓移到暗斑上，或让程序寻找球</translation>
+        <source>moving its outline to the dark disc, or automatic detection</source>
+        <translation>把轮廓移到暗斑上，或使用自动检测</translation>
     </message>
     <message>
-        <source>one for each press, &quot;&quot; where there is nothing to say</source>
-        <translation>每次按压一个，没有内容处写 &quot;&quot;</translation>
+        <source>one for each press, &quot;&quot; for none</source>
+        <translation>每次按压一项，没有则写 &quot;&quot;</translation>
     </message>
     <message>
-        <source>is not the centre of a ball before the camera</source>
+        <source>is not a ball centre in front of the camera</source>
         <translation>不是相机前方的球心</translation>
     </message>
     <message>
@@ -9482,7 +9482,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>录像中没有这一帧</translation>
     </message>
     <message>
-        <source>frame {} cannot be the finger&apos;s rest: {}</source>
+        <source>frame {} cannot be the rest pose: {}</source>
         <translation>第 {} 帧不能作为手指的静止姿态：{}</translation>
     </message>
     <message>
@@ -9491,26 +9491,26 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>frame {}: something pressed on the contact face, {:.0f} mm from its base ({:.0f} % darker than untouched)</source>
-        <translation>第 {} 帧：接触面受压，距根部 {} mm（比未触碰时暗 {} %）</translation>
+        <translation>第 {} 帧：有物体按压接触面，距根部 {} mm（比未触碰时暗 {} %）</translation>
     </message>
     <message>
         <source>frames {} to {}: something may have pressed on the contact face, {:.0f} mm from its base (up to {:.1f} % darker than untouched)</source>
-        <translation>第 {} 至 {} 帧：接触面上可能有物体按压，距根部 {} mm（比未接触时最多暗 {} %）</translation>
+        <translation>第 {} 至 {} 帧：可能有物体按压接触面，距根部 {} mm（比未触碰时最多暗 {} %）</translation>
     </message>
     <message>
         <source>frames {} to {}: something pressed on the contact face, {:.0f} mm from its base (up to {:.0f} % darker than untouched)</source>
-        <translation>第 {} 至 {} 帧：有物体按压接触面，距根部 {} mm（比未接触时最多暗 {} %）</translation>
+        <translation>第 {} 至 {} 帧：有物体按压接触面，距根部 {} mm（比未触碰时最多暗 {} %）</translation>
     </message>
     <message>
-        <source>In {} of {} frames the face is darker than in the others: something pressed on it most of the time, or most poses were shown once. All frames stay in; if anything touched the face, record again, and show each pose several times</source>
-        <translation>{}/{} 帧中，表面比其余帧更暗：要么大部分时间有物体按压，要么大多数姿态只出现过一次。所有帧都保留；如果有物体碰到表面，请重新录制，并让每个姿态出现多次</translation>
+        <source>In {} of {} frames the face is darker than in the others. Something pressed on it most of the time, or most poses occur once. All frames stay in use. If there was contact, record again, and show each pose several times</source>
+        <translation>{}/{} 帧中，接触面比其余帧更暗。大部分时间有物体按压，或大多数姿态只出现过一次。所有帧仍然使用。如果有物体碰到接触面，请重新录制，并让每个姿态出现多次</translation>
     </message>
     <message>
-        <source>In {} of {} frames the face is darker than in the brightest, and so are frames of near poses: something pressed on it for long, or these poses were shown once. They stay in; if anything touched the face, record again, and show each pose several times</source>
-        <translation>在 {} / {} 帧中接触面比最亮的帧暗，姿态相近的帧也是如此：有物体长时间按压，或这些姿态只出现过一次。这些帧予以保留；如果有物体碰过接触面，请重新录制，并让每个姿态出现多次</translation>
+        <source>In {} of {} frames the face is darker than in the brightest, and so are frames of near poses. Something pressed on it for long, or these poses occur once. They stay in use. If there was contact, record again, and show each pose several times</source>
+        <translation>在 {} / {} 帧中接触面比最亮的帧暗，姿态相近的帧也是如此。有物体长时间按压，或这些姿态只出现过一次。这些帧仍然使用。如果有物体碰过接触面，请重新录制，并让每个姿态出现多次</translation>
     </message>
     <message>
-        <source>only {} frames are left of those that are to be used</source>
+        <source>only {} frames are left to use</source>
         <translation>可用的帧只剩 {} 帧</translation>
     </message>
     <message>
@@ -9522,8 +9522,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>接触面比参考亮 {} %（距根部 {} mm）：录制参考时该处有物体按压，在其第 {} 帧附近；请重新录制参考</translation>
     </message>
     <message>
-        <source>record again with nothing on the contact face, or say that its skin was changed since</source>
-        <translation>在接触面上没有任何物体时重新录制，或说明其表皮此后已改变</translation>
+        <source>record again with nothing on the contact face, or specify that its skin has changed</source>
+        <translation>在接触面上没有任何物体时重新录制，或注明其表皮此后已改变</translation>
     </message>
     <message>
         <source>something pressed on the contact face {:.0f} mm from its base in {} of {} frames: it is {:.0f} % darker there than in the reference from before</source>
@@ -9531,15 +9531,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>in {} of {} presses the face is brighter than its reference {:.0f} mm along it: something pressed there when the reference was recorded; record it again, then calibrate again</source>
-        <translation>{} / {} 次按压中，接触面在沿其 {} mm 处比参考更亮：录制参考时该处有物体按压；请重新录制，然后重新标定</translation>
+        <translation>{} / {} 次按压中，接触面在沿长度 {} mm 处比参考更亮：录制参考时该处有物体按压；请重新录制，然后重新标定</translation>
     </message>
     <message>
-        <source>{} frames show poses that no other frame shows at another time; whether something pressed on the contact face in them is not known</source>
-        <translation>{} 帧的姿态在其他时刻没有出现过；无法得知其中接触面上是否有物体按压</translation>
+        <source>{} frames show poses that occur at no other time; it is unknown whether something pressed on the contact face in them</source>
+        <translation>{} 帧的姿态在其他时刻没有出现过；无法确定其中是否有物体按压接触面</translation>
     </message>
     <message>
-        <source>No markers can be used: {}; poses are told by the shape of the face alone, which cannot tell twist; if the finger has dots, light both side faces so that they stand out, and focus</source>
-        <translation>没有可用的标记点：{}。姿态仅由面的形状判断，无法判断扭转；若手指有标记点，请照亮两个侧面使其突出，并对好焦</translation>
+        <source>No markers can be used: {}. Poses are estimated from the shape of the face alone, without twist. If the finger has dots, light both side faces so that they stand out, and focus</source>
+        <translation>没有可用的标记点：{}。姿态仅由接触面的形状估计，不含扭转。若手指有标记点，请照亮两个侧面使其突出，并对好焦</translation>
     </message>
     <message>
         <source>Markers {} were not found anywhere; the finger works with the other {}</source>
@@ -9589,11 +9589,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>把指尖再向另一侧推</translation>
     </message>
     <message>
-        <source>twist it further one way</source>
+        <source>twist it further to one side</source>
         <translation>再向一个方向扭</translation>
     </message>
     <message>
-        <source>twist it further the other way</source>
+        <source>twist it further to the other side</source>
         <translation>再向另一方向扭</translation>
     </message>
     <message>
@@ -9601,7 +9601,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>把指尖推向一侧的同时弯曲：已看到 {} % 的组合</translation>
     </message>
     <message>
-        <source>a frame shows {} dots on the upper and {} on the lower side face (median of {} frames), but no two rows of up to {} that keep their places on the finger</source>
+        <source>a frame shows {} dots on the upper and {} on the lower side face (median of {} frames), but no two rows of up to {} with fixed positions on the finger</source>
         <translation>一帧中上侧面有 {} 个点、下侧面有 {} 个点（{} 帧的中位数），但没有两排各至多 {} 个在手指上位置不变的点</translation>
     </message>
     <message>
@@ -9613,20 +9613,20 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>只找到 {} 个标记点（共 {} 个）</translation>
     </message>
     <message>
-        <source>the markers lie {:.1f} px from where they can be</source>
+        <source>the markers are {:.1f} px off any possible position</source>
         <translation>标记点偏离可能的位置 {} px</translation>
     </message>
     <message>
-        <source>of {} markers none may be hidden</source>
+        <source>with {} markers, none may be hidden</source>
         <translation>仅有 {} 个标记点，一个都不能被遮挡</translation>
     </message>
     <message>
         <source>no frame shows the face</source>
-        <translation>没有一帧显示面</translation>
+        <translation>没有一帧显示接触面</translation>
     </message>
     <message>
         <source>a recording in which both long edges of the bright face are visible</source>
-        <translation>能看见明亮面两条长边的录像</translation>
+        <translation>能看见明亮接触面两条长边的录像</translation>
     </message>
     <message>
         <source>stopped before the recording was read</source>
@@ -9637,7 +9637,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>正在读取第 {} / {} 帧</translation>
     </message>
     <message>
-        <source>a recording made with this finger&apos;s camera, or the right camera.size and orientation</source>
+        <source>a recording from this finger&apos;s camera, or the right camera.size and orientation</source>
         <translation>用此手指的相机录制，或改正 camera.size 和 orientation</translation>
     </message>
     <message>
@@ -9649,8 +9649,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>写完录像之前已停止</translation>
     </message>
     <message>
-        <source>writing the frames that are kept</source>
-        <translation>正在写入保留的帧</translation>
+        <source>writing the accepted frames</source>
+        <translation>正在写入采用的帧</translation>
     </message>
     <message>
         <source>stopped before the recording was compared</source>
@@ -9665,8 +9665,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>{1} 帧中有 {0} 个标记点位置是估计值，因为标记点被遮挡或未找到</translation>
     </message>
     <message>
-        <source>{} frames are few: a recording of a minute (about 1500 frames) over all directions of bending gives closer references</source>
-        <translation>{} 帧偏少：录制一分钟（约 1500 帧）并覆盖所有弯曲方向，可得到更接近的参考</translation>
+        <source>{} frames are few: one minute (about 1500 frames) over all bending directions gives closer references</source>
+        <translation>{} 帧偏少：录制一分钟（约 1500 帧）并覆盖所有弯曲方向，可得到更准确的参考</translation>
     </message>
     <message>
         <source>Not yet seen: {}</source>
@@ -9677,8 +9677,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>此手指没有标记点，无法录制参考</translation>
     </message>
     <message>
-        <source>a flat sensor takes one untouched picture</source>
-        <translation>平面传感器使用一张未接触的图像</translation>
+        <source>a flat sensor needs one untouched image</source>
+        <translation>平面传感器需要一张未触碰的图像</translation>
     </message>
     <message>
         <source>the recording could not be processed ({})</source>
@@ -9689,16 +9689,16 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>参考已设置</translation>
     </message>
     <message>
-        <source>only a flat sensor takes one untouched picture as its reference</source>
-        <translation>只有平面传感器以一张未触碰的图片为参考</translation>
+        <source>only a flat sensor uses one untouched image as its reference</source>
+        <translation>只有平面传感器以一张未触碰的图像为参考</translation>
     </message>
     <message>
         <source>a recording of the bending, untouched finger</source>
         <translation>使用未触碰手指弯曲的录像</translation>
     </message>
     <message>
-        <source>an untouched picture taken with this sensor&apos;s camera</source>
-        <translation>用此传感器的相机拍摄的未触碰图片</translation>
+        <source>an untouched image taken with this sensor&apos;s camera</source>
+        <translation>用此传感器的相机拍摄的未触碰图像</translation>
     </message>
     <message>
         <source>presses</source>
@@ -9709,31 +9709,31 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>这组按压</translation>
     </message>
     <message>
-        <source>The {} was not taken with one setting of camera and light: {}. Lock them, and record it again.</source>
-        <translation>{}不是在同一相机和灯光设置下拍摄的：{}。请锁定设置后重新录制。</translation>
+        <source>The {} was taken with changing settings of camera or light: {}. Lock them, and record it again.</source>
+        <translation>{}的拍摄过程中相机或灯光设置有变化：{}。请锁定设置后重新录制。</translation>
     </message>
     <message>
-        <source>The {} and the {} were taken with other settings: {}. Depth comes from comparing their brightness: record one of them again.</source>
+        <source>The {} and the {} were taken with different settings: {}. Depth comes from comparing their brightness: record one of them again.</source>
         <translation>{}与{}的拍摄设置不同：{}。深度来自两者亮度的比较：请重新录制其中之一。</translation>
     </message>
     <message>
-        <source>The finger was calibrated with other settings: {}. Set them as they were, or calibrate again.</source>
+        <source>The finger was calibrated with other settings: {}. Restore them, or calibrate again.</source>
         <translation>手指是在不同的设置下标定的：{}。请恢复当时的设置，或重新标定。</translation>
     </message>
     <message>
         <source>the brightness of the untouched face changes from press to press (standard deviation {:.1f} %): exposure or gain is automatic, or the room&apos;s light gets in; lock them, shade the finger and press again</source>
-        <translation>未触碰处的亮度随每次按压而变（标准差 {} %）：曝光或增益为自动，或有环境光进入；请锁定它们，给手指遮光后重新按压</translation>
+        <translation>接触面未触碰处的亮度随每次按压而变（标准差 {} %）：曝光或增益为自动，或有环境光进入；请锁定它们，给手指遮光后重新按压</translation>
     </message>
     <message>
-        <source>the untouched face is {:.1f} % {} in all presses than in the reference: the light, the exposure or the gain has changed between them; depth is corrected for it as far as it is smooth, but let the lamps warm up and record the reference again</source>
-        <translation>所有按压中未触碰处都比参考{1} {0} %：其间光照、曝光或增益有变；深度已对平缓的部分作了校正，但请让灯预热后重新录制参考</translation>
+        <source>the untouched face is {:.1f} % {} in all presses than in the reference: light, exposure or gain has changed in between; the depth is corrected for smooth changes, but let the lamps warm up and record the reference again</source>
+        <translation>所有按压中接触面未触碰处都比参考{1} {0} %：其间光照、曝光或增益有变；深度已对平缓的变化作了校正，但请让灯预热后重新录制参考</translation>
     </message>
     <message>
-        <source>in {} of {} presses the finger is bent in a way that the reference recording does not hold, or it has moved in its mount since: record a reference that bends as far, or press with less bending</source>
-        <translation>{1} 次按压中有 {0} 次手指的弯曲在参考录像中没有，或其后手指在安装座中移动了：请录制弯曲同样大的参考，或按压时少弯曲</translation>
+        <source>in {} of {} presses the finger has a bend that the reference recording does not contain, or it has moved in its mount since: record a reference that bends as far, or press with less bending</source>
+        <translation>{1} 次按压中有 {0} 次手指的弯曲未包含在参考录像中，或其后手指在安装座中移动了：请录制弯曲同样大的参考，或按压时少弯曲</translation>
     </message>
     <message>
-        <source>no mapping came of it</source>
+        <source>no mapping resulted</source>
         <translation>没有得到映射</translation>
     </message>
     <message>
@@ -9776,7 +9776,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>已停止</translation>
     </message>
     <message>
-        <source>results and truth are of different size</source>
+        <source>results and ground truth differ in size</source>
         <translation>结果与真值的尺寸不同</translation>
     </message>
     <message>
@@ -9808,16 +9808,16 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>打开手指</translation>
     </message>
     <message>
-        <source>this recording is not there any more</source>
+        <source>this recording no longer exists</source>
         <translation>这段录像已不存在</translation>
     </message>
     <message>
-        <source>plugging in the disk it lies on, or opening another one</source>
+        <source>plugging in its disk, or opening another one</source>
         <translation>插上存放它的磁盘，或打开另一段录像</translation>
     </message>
     <message>
         <source>there is no face to save</source>
-        <translation>没有可保存的面</translation>
+        <translation>没有可保存的接触面</translation>
     </message>
     <message>
         <source>another frame</source>
@@ -9845,22 +9845,22 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the report could not be printed</source>
-        <translation>无法生成报告的打印版</translation>
+        <translation>无法打印报告</translation>
     </message>
     <message>
         <source>this computer cannot draw in 3D: there is no EGL with OpenGL 3.2</source>
-        <translation>本机无法绘制三维图：没有支持 OpenGL 3.2 的 EGL</translation>
+        <translation>本机无法显示三维图：没有支持 OpenGL 3.2 的 EGL</translation>
     </message>
     <message>
-        <source>installing libegl1 and libgl1-mesa-dri, which draw in software</source>
-        <translation>安装 libegl1 和 libgl1-mesa-dri，它们用软件绘制</translation>
+        <source>installing libegl1 and libgl1-mesa-dri, which render in software</source>
+        <translation>安装 libegl1 和 libgl1-mesa-dri，它们用软件渲染</translation>
     </message>
     <message>
         <source>this is not a session of this program</source>
         <translation>这不是本程序的会话</translation>
     </message>
     <message>
-        <source>beginning a new one</source>
+        <source>starting a new one</source>
         <translation>开始新的会话</translation>
     </message>
     <message>
@@ -9872,7 +9872,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>同时写上效果 leds</translation>
     </message>
     <message>
-        <source>room light comes on top of that of the lamps</source>
+        <source>room light adds to the light of the lamps</source>
         <translation>室内光叠加在灯光之上</translation>
     </message>
     <message>
@@ -9892,7 +9892,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>没有会升温的灯</translation>
     </message>
     <message>
-        <source>no light would be left within the picture</source>
+        <source>parts of the image would have no light</source>
         <translation>图像内会有地方完全没有光</translation>
     </message>
     <message>
@@ -9936,8 +9936,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>大于 1</translation>
     </message>
     <message>
-        <source>an orthographic camera has no focal length to blur by</source>
-        <translation>正交相机没有造成模糊的焦距</translation>
+        <source>an orthographic camera has no focal length for blur</source>
+        <translation>正交相机没有用于计算模糊的焦距</translation>
     </message>
     <message>
         <source>the shutter would be open for longer than a frame lasts</source>
@@ -9972,8 +9972,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>&apos;{}&apos; 不符合 {} 的形式</translation>
     </message>
     <message>
-        <source>there is no layer for the bubble to be in</source>
-        <translation>没有可容纳气泡的层</translation>
+        <source>the bubble needs a layer</source>
+        <translation>气泡需要有层</translation>
     </message>
     <message>
         <source>name the effect layer too</source>
@@ -9992,24 +9992,24 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>手指的各个面互相照亮</translation>
     </message>
     <message>
-        <source>the faces that light each other are the lit view face and side faces</source>
-        <translation>互相照亮的是被照亮的视面和侧面</translation>
+        <source>only the lit view face and side faces light each other</source>
+        <translation>只有被照亮的视面和侧面互相照亮</translation>
     </message>
     <message>
         <source>name the effects sides and leds too</source>
         <translation>也请写出效果 sides 和 leds</translation>
     </message>
     <message>
-        <source>The silicone absorbs light on its way</source>
-        <translation>硅胶在光路上吸收光</translation>
+        <source>The silicone absorbs part of the light</source>
+        <translation>硅胶吸收一部分光</translation>
     </message>
     <message>
-        <source>Light of the room falls on the faces</source>
+        <source>Room light falls on the faces</source>
         <translation>环境光照在各表面上</translation>
     </message>
     <message>
-        <source>The camera exposes by itself, by how bright the picture is</source>
-        <translation>相机按画面亮度自动曝光</translation>
+        <source>The camera adapts its exposure to the image brightness</source>
+        <translation>相机按图像亮度自动曝光</translation>
     </message>
     <message>
         <source>The sensor adds a constant to every pixel</source>
@@ -10028,11 +10028,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>个别像素始终暗或始终亮</translation>
     </message>
     <message>
-        <source>What is not at the distance of sharp focus is blurred</source>
+        <source>Objects outside the focus distance are blurred</source>
         <translation>不在对焦距离上的部分变得模糊</translation>
     </message>
     <message>
-        <source>Every pixel is a little brighter or darker than its neighbours, always the same way</source>
+        <source>Every pixel is always a little brighter or darker than its neighbours</source>
         <translation>每个像素总是比相邻像素略亮或略暗</translation>
     </message>
     <message>
@@ -10044,27 +10044,27 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>相机增益逐帧漂移</translation>
     </message>
     <message>
-        <source>The camera bends its grey levels by a power law</source>
-        <translation>相机按幂律改变灰度</translation>
+        <source>The camera&apos;s grey levels follow a power law</source>
+        <translation>相机的灰度遵循幂律</translation>
     </message>
     <message>
-        <source>A lamp mirrors in the face</source>
+        <source>The face reflects a lamp</source>
         <translation>灯在表面上形成反光</translation>
     </message>
     <message>
-        <source>The coat has a hole through which light comes</source>
-        <translation>涂层有一个透光的孔</translation>
+        <source>Light comes through a hole in the coat</source>
+        <translation>光从涂层的孔中透过</translation>
     </message>
     <message>
         <source>Stray light falls on the sensor</source>
         <translation>杂散光落在传感器上</translation>
     </message>
     <message>
-        <source>The finger moves while a picture is exposed</source>
+        <source>The finger moves during the exposure</source>
         <translation>曝光期间手指在运动</translation>
     </message>
     <message>
-        <source>The rows of a picture are taken one after the other</source>
+        <source>The rows of an image are exposed one after the other</source>
         <translation>图像各行依次曝光</translation>
     </message>
     <message>
@@ -10076,7 +10076,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>一条划痕穿过表面</translation>
     </message>
     <message>
-        <source>A speck of dirt lies on the face</source>
+        <source>A speck of dirt is on the face</source>
         <translation>表面上有一个污点</translation>
     </message>
     <message>
@@ -10084,11 +10084,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>层的厚度不均匀</translation>
     </message>
     <message>
-        <source>Part of the light spreads over the whole picture</source>
+        <source>Part of the light spreads over the entire image</source>
         <translation>部分光散布到整幅图像</translation>
     </message>
     <message>
-        <source>The picture is darker towards its corners</source>
+        <source>The image is darker towards its corners</source>
         <translation>图像向四角变暗</translation>
     </message>
     <message>
@@ -10100,24 +10100,24 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>标记点磨损而变淡</translation>
     </message>
     <message>
-        <source>a point of the mesh is no number</source>
-        <translation>网格中有一个点不是数</translation>
+        <source>a point of the mesh is not a number</source>
+        <translation>网格中有一个点不是有效数值</translation>
     </message>
     <message>
         <source>export it again</source>
         <translation>重新导出</translation>
     </message>
     <message>
-        <source>there is no such mesh</source>
-        <translation>没有这个网格</translation>
+        <source>the mesh does not exist</source>
+        <translation>网格不存在</translation>
     </message>
     <message>
         <source>an STL or OBJ file</source>
         <translation>STL 或 OBJ 文件</translation>
     </message>
     <message>
-        <source>this is not known as a mesh</source>
-        <translation>这不是已知的网格格式</translation>
+        <source>this mesh format is unknown</source>
+        <translation>未知的网格格式</translation>
     </message>
     <message>
         <source>a file that ends in .stl or .obj</source>
@@ -10128,7 +10128,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>网格文件大于 512 MB</translation>
     </message>
     <message>
-        <source>export it coarser</source>
+        <source>export a coarser mesh</source>
         <translation>以更粗的网格导出</translation>
     </message>
     <message>
@@ -10160,15 +10160,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>在生成它的程序中补好孔洞</translation>
     </message>
     <message>
-        <source>which untouched picture a frame is compared with: the one of the finger at rest, the nearest recorded one, or one computed from the nearest several</source>
-        <translation>与哪张未触碰图片比较：手指静止时的图片、最近的录制图片，或由最近几张算出的图片</translation>
+        <source>which untouched image a frame is compared with: the one of the finger at rest, the nearest recorded one, or one computed from several near ones</source>
+        <translation>一帧与哪张未触碰的图像比较：手指静止时的图像、最近的录制图像，或由最近几张算出的图像</translation>
     </message>
     <message>
-        <source>The finger&apos;s body gives way to what pushes it</source>
-        <translation>手指主体受推时变形</translation>
+        <source>The finger&apos;s body deforms under load</source>
+        <translation>手指主体受力变形</translation>
     </message>
     <message>
-        <source>a flat sensor has no body that gives way</source>
+        <source>a flat sensor has no body that deforms</source>
         <translation>平面传感器没有会变形的主体</translation>
     </message>
     <message>
@@ -10176,7 +10176,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>去掉 body</translation>
     </message>
     <message>
-        <source>nothing pushes, so no body gives way</source>
+        <source>nothing pushes, so no body deforms</source>
         <translation>没有推力，因此主体不会变形</translation>
     </message>
     <message>
@@ -10184,11 +10184,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>同时写上 push</translation>
     </message>
     <message>
-        <source>A cylinder is pressed in lying</source>
+        <source>A cylinder is pressed in sideways</source>
         <translation>一个平放的圆柱压入接触面</translation>
     </message>
     <message>
-        <source>sd_px in place of focus_mm and aperture_mm</source>
+        <source>sd_px instead of focus_mm and aperture_mm</source>
         <translation>用 sd_px 代替 focus_mm 和 aperture_mm</translation>
     </message>
     <message>
@@ -10208,11 +10208,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>一条棱压入接触面</translation>
     </message>
     <message>
-        <source>the body would be {:g} mm large</source>
-        <translation>物体的大小会是 {:g} mm</translation>
+        <source>the body would be {:g} mm in size</source>
+        <translation>物体的尺寸会是 {:g} mm</translation>
     </message>
     <message>
-        <source>&apos;scale&apos; says how many mm a unit of the file is</source>
+        <source>&apos;scale&apos; specifies the mm per unit of the file</source>
         <translation>&apos;scale&apos; 表示文件的一个单位是多少 mm</translation>
     </message>
     <message>
@@ -10224,7 +10224,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>相机透过平面窗口看入硅胶</translation>
     </message>
     <message>
-        <source>parallel rays pass a window unbent</source>
+        <source>a window does not bend parallel rays</source>
         <translation>平行光线穿过窗口时不偏折</translation>
     </message>
     <message>
@@ -10236,8 +10236,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>一个平压头压入接触面</translation>
     </message>
     <message>
-        <source>nothing pushes</source>
-        <translation>没有推力</translation>
+        <source>the force is 0</source>
+        <translation>推力为 0</translation>
     </message>
     <message>
         <source>a force above 0, or no push</source>
@@ -10256,7 +10256,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>face: contact</translation>
     </message>
     <message>
-        <source>a body that creeps or is damped remembers a push that is over</source>
+        <source>a body with creep or damping still moves after a push ends</source>
         <translation>会蠕变或有阻尼的主体仍受已结束的推力影响</translation>
     </message>
     <message>
@@ -10264,15 +10264,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>不用 &apos;until&apos;，而让 force_N 降到 0</translation>
     </message>
     <message>
-        <source>nothing drags</source>
-        <translation>没有切向拉力</translation>
+        <source>the drag is 0</source>
+        <translation>切向拉力为 0</translation>
     </message>
     <message>
         <source>another force, or leave it out</source>
         <translation>换一个力，或去掉它</translation>
     </message>
     <message>
-        <source>without its body the finger gives way on its contact face only</source>
+        <source>without its body the finger deforms on its contact face only</source>
         <translation>没有主体时，手指只在接触面上变形</translation>
     </message>
     <message>
@@ -10280,11 +10280,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>同时写上效果 body</translation>
     </message>
     <message>
-        <source>the push bends the finger further than the model reaches</source>
+        <source>the push bends the finger beyond the model&apos;s range</source>
         <translation>推力使手指的弯曲超出模型范围</translation>
     </message>
     <message>
-        <source>up to {:.2g} of these forces, or a stiffer body</source>
+        <source>up to {:.2g} times these forces, or a stiffer body</source>
         <translation>不超过这些力的 {:.2g} 倍，或使用更硬的主体</translation>
     </message>
     <message>
@@ -10309,14 +10309,14 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>marker {} is listed twice</source>
-        <translation>标记点 {} 出现两次</translation>
+        <translation>标记点 {} 列出了两次</translation>
     </message>
     <message>
         <source>each number once</source>
         <translation>每个编号一次</translation>
     </message>
     <message>
-        <source>a modulus or a length of {:g} is not one of a layer</source>
+        <source>a layer cannot have a modulus or a length of {:g}</source>
         <translation>层的弹性模量或长度不可能是 {:g}</translation>
     </message>
     <message>
@@ -10324,7 +10324,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>大于 0 的数</translation>
     </message>
     <message>
-        <source>{:g} N press the ball further into the layer than is known</source>
+        <source>{:g} N press the ball into the layer beyond the known range</source>
         <translation>{:g} N 把球压入层的深度超出已知范围</translation>
     </message>
     <message>
@@ -10332,7 +10332,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>不超过 {:.3g} N，或使用更大的球或更硬的层</translation>
     </message>
     <message>
-        <source>a modulus or a length of {:g} is not one of a body</source>
+        <source>a body cannot have a modulus or a length of {:g}</source>
         <translation>主体的弹性模量或长度不可能是 {:g}</translation>
     </message>
     <message>
@@ -10344,7 +10344,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>壁厚不超过 {:g} mm</translation>
     </message>
     <message>
-        <source>a coupling of {:g} is not a share</source>
+        <source>a coupling of {:g} is not a fraction</source>
         <translation>耦合 {:g} 不是一个比例</translation>
     </message>
     <message>
@@ -10352,7 +10352,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>0 到 1</translation>
     </message>
     <message>
-        <source>{:g} is no modulus, radius, force or friction of a contact</source>
+        <source>{:g} cannot be a contact&apos;s modulus, radius, force or friction</source>
         <translation>{:g} 不可能是接触的弹性模量、半径、力或摩擦系数</translation>
     </message>
     <message>
@@ -10364,7 +10364,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>以牛顿为单位的数</translation>
     </message>
     <message>
-        <source>{:g} N press the ball further into the body than is known</source>
+        <source>{:g} N press the ball into the body beyond the known range</source>
         <translation>{:g} N 把球压入主体的深度超出已知范围</translation>
     </message>
     <message>
@@ -10376,8 +10376,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>邵氏 A 硬度 {:g} 没有已知的弹性模量</translation>
     </message>
     <message>
-        <source>a lens does not change while it looks</source>
-        <translation>镜头在拍摄期间不会改变</translation>
+        <source>a lens does not change over time</source>
+        <translation>镜头不随时间变化</translation>
     </message>
     <message>
         <source>leave &apos;from&apos; and &apos;until&apos; out</source>
@@ -10388,20 +10388,20 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>得出数字孪生之前已停止</translation>
     </message>
     <message>
-        <source>there is no pressed picture</source>
-        <translation>没有按压图片</translation>
+        <source>there is no image of a press</source>
+        <translation>没有按压图像</translation>
     </message>
     <message>
-        <source>pictures of a ball of known radius pressed into the face</source>
-        <translation>半径已知的球压入面的图片</translation>
+        <source>images of a ball of known radius pressed into the face</source>
+        <translation>半径已知的球压入接触面的图像</translation>
     </message>
     <message>
-        <source>noise is told from {} untouched pictures</source>
-        <translation>噪声由 {} 张未触碰的图片得出</translation>
+        <source>noise is estimated from {} untouched images</source>
+        <translation>噪声由 {} 张未触碰的图像估计</translation>
     </message>
     <message>
-        <source>noise in time is told from one untouched picture and {} beside its contact</source>
-        <translation>时间噪声由一张未触碰的图片和 {} 中接触以外的部分得出</translation>
+        <source>temporal noise is estimated from one untouched image and {} outside its contact</source>
+        <translation>时间噪声由一张未触碰的图像和 {} 中接触以外的部分估计</translation>
     </message>
     <message>
         <source>{}: too little around the contact can be compared</source>
@@ -10409,34 +10409,34 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>a press further from the face&apos;s edges</source>
-        <translation>离面的边缘更远的按压</translation>
+        <translation>离接触面边缘更远的按压</translation>
     </message>
     <message>
         <source>fitting the presses</source>
         <translation>正在拟合按压</translation>
     </message>
     <message>
-        <source>not observable: at the end of its range, or another number does the same</source>
-        <translation>无法确定：处于范围的端点，或另一个数有同样的作用</translation>
+        <source>not observable: at its limit, or another number has the same effect</source>
+        <translation>无法确定：处于范围的端点，或另一个参数有同样的作用</translation>
     </message>
     <message>
-        <source>hardly observable in these pictures</source>
-        <translation>由这些图片难以确定</translation>
+        <source>hardly observable in these images</source>
+        <translation>由这些图像难以确定</translation>
     </message>
     <message>
         <source>scattering of the layer, per mm</source>
         <translation>层的散射，每 mm</translation>
     </message>
     <message>
-        <source>what the coat below the layer reflects</source>
+        <source>reflection of the coat below the layer</source>
         <translation>层下涂层的反射</translation>
     </message>
     <message>
-        <source>the coat below the layer is taken to be black: the presses do not say otherwise</source>
-        <translation>层下的涂层视为黑色：按压没有表明不是这样</translation>
+        <source>the coat below the layer is assumed to be black: the presses show nothing else</source>
+        <translation>假定层下涂层为黑色：按压没有显示相反的情况</translation>
     </message>
     <message>
-        <source>absorption in the layer is not observable: scattering and coat bend the same curve</source>
+        <source>absorption in the layer is not observable: scattering and coat change the same curve</source>
         <translation>层内的吸收无法确定：散射和涂层改变的是同一条曲线</translation>
     </message>
     <message>
@@ -10444,11 +10444,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>过渡长度，mm</translation>
     </message>
     <message>
-        <source>no swelling around the contacts is to be seen</source>
+        <source>no swelling is visible around the contacts</source>
         <translation>接触周围看不到隆起</translation>
     </message>
     <message>
-        <source>height of the swelling, share of the layer</source>
+        <source>height of the swelling, fraction of the layer</source>
         <translation>隆起的高度，占层厚的比例</translation>
     </message>
     <message>
@@ -10456,7 +10456,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>隆起到接触边缘的距离，mm</translation>
     </message>
     <message>
-        <source>how steeply it falls off</source>
+        <source>steepness of its slope</source>
         <translation>隆起下降的陡度</translation>
     </message>
     <message>
@@ -10464,7 +10464,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>模糊，标准差，单位像素</translation>
     </message>
     <message>
-        <source>no blur is to be seen beside the roll-off</source>
+        <source>no blur is visible apart from the roll-off</source>
         <translation>除过渡之外看不到模糊</translation>
     </message>
     <message>
@@ -10472,16 +10472,16 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>{}：深度，mm</translation>
     </message>
     <message>
-        <source>{}: place along the face, mm</source>
-        <translation>{}：沿面的位置，mm</translation>
+        <source>{}: position along the face, mm</source>
+        <translation>{}：沿接触面的位置，mm</translation>
     </message>
     <message>
-        <source>{}: place across the face, mm</source>
-        <translation>{}：面上横向的位置，mm</translation>
+        <source>{}: position across the face, mm</source>
+        <translation>{}：接触面上的横向位置，mm</translation>
     </message>
     <message>
-        <source>{}: light, share of that in its untouched picture</source>
-        <translation>{}：光照，占其未触碰图片中光照的比例</translation>
+        <source>{}: light, relative to its untouched image</source>
+        <translation>{}：光照，相对于其未触碰的图像</translation>
     </message>
     <message>
         <source>lamp {}: power</source>
@@ -10489,15 +10489,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>lamp {}: distance from the face, mm</source>
-        <translation>灯 {}：到面的距离，mm</translation>
+        <translation>灯 {}：到接触面的距离，mm</translation>
     </message>
     <message>
         <source>lamp {}: distance from the camera, mm</source>
         <translation>灯 {}：到相机的距离，mm</translation>
     </message>
     <message>
-        <source>the lamps make the light on the face, and need not be where the real ones are: {} of {} places are not observable</source>
-        <translation>这些灯给出面上的光照，不一定在真实灯的位置：有 {} 个位置（共 {} 个）无法确定</translation>
+        <source>the lamps reproduce the light on the face, not the positions of the real ones: {} of {} positions are not observable</source>
+        <translation>这些灯再现接触面上的光照，不一定在真实灯的位置：有 {} 个位置（共 {} 个）无法确定</translation>
     </message>
     <message>
         <source>read noise, grey levels</source>
@@ -10508,96 +10508,96 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>散粒噪声，灰度级</translation>
     </message>
     <message>
-        <source>shot noise cannot be told from read noise: the face is too evenly lit, or there is none</source>
-        <translation>散粒噪声与读出噪声无法区分：面的光照太均匀，或没有散粒噪声</translation>
+        <source>shot noise and read noise cannot be separated: the face is too evenly lit, or shot noise is absent</source>
+        <translation>散粒噪声与读出噪声无法区分：接触面的光照太均匀，或没有散粒噪声</translation>
     </message>
     <message>
-        <source>fixed pattern, share</source>
+        <source>fixed pattern, fraction</source>
         <translation>固定图案，比例</translation>
     </message>
     <message>
-        <source>the scene holds the face alone: no side faces, no dots, no twist</source>
+        <source>the scene contains the face only: no side faces, no dots, no twist</source>
         <translation>场景只含接触面：没有侧面、标记点和扭转</translation>
     </message>
     <message>
-        <source>there is no untouched picture of this finger to compare with</source>
-        <translation>没有可供比较的此手指未触碰的图片</translation>
+        <source>there is no untouched image of this finger to compare with</source>
+        <translation>没有可供比较的此手指未触碰时的图像</translation>
     </message>
     <message>
-        <source>--reference with a picture in which nothing touches it</source>
-        <translation>用 --reference 给出没有东西触碰它的图片</translation>
+        <source>--reference with an image in which nothing touches it</source>
+        <translation>用 --reference 给出没有东西触碰它的图像</translation>
     </message>
     <message>
-        <source>a picture of this finger, at the size of its camera</source>
-        <translation>此手指的图片，尺寸与其相机相同</translation>
+        <source>an image of this finger, at the size of its camera</source>
+        <translation>此手指的图像，尺寸与其相机相同</translation>
     </message>
     <message>
-        <source>a punch with a step is no ball</source>
+        <source>a punch with a step is not a ball</source>
         <translation>带台阶的压头不是球</translation>
     </message>
     <message>
         <source>the radius of the ball that was pressed is not known</source>
-        <translation>压入的球的半径未知</translation>
+        <translation>压入球的半径未知</translation>
     </message>
     <message>
         <source>--ball-radius-mm with the radius of the ball</source>
         <translation>用 --ball-radius-mm 给出球的半径</translation>
     </message>
     <message>
-        <source>no press was given, and the finger keeps none</source>
-        <translation>没有给出按压，手指中也没有保存</translation>
+        <source>no press was specified, and the finger has none</source>
+        <translation>没有指定按压，手指中也没有</translation>
     </message>
     <message>
-        <source>pictures of a ball of known radius pressed into its face</source>
-        <translation>半径已知的球压入其面的图片</translation>
+        <source>images of a ball of known radius pressed into its face</source>
+        <translation>半径已知的球压入其接触面的图像</translation>
     </message>
     <message>
-        <source>too little of the untouched face is seen</source>
-        <translation>看得见的未触碰面太少</translation>
+        <source>too little of the untouched face is visible</source>
+        <translation>接触面未触碰的可见部分太少</translation>
     </message>
     <message>
-        <source>pictures in which the whole face is seen</source>
-        <translation>看得见整个面的图片</translation>
+        <source>images in which the entire face is visible</source>
+        <translation>整个接触面可见的图像</translation>
     </message>
     <message>
         <source>no lamp would light the face</source>
-        <translation>没有灯会照亮面</translation>
+        <translation>没有灯会照亮接触面</translation>
     </message>
     <message>
         <source>checking the finger&apos;s face</source>
-        <translation>检查手指的面</translation>
+        <translation>检查手指的接触面</translation>
     </message>
     <message>
         <source>finding the lamps</source>
         <translation>正在寻找灯</translation>
     </message>
     <message>
-        <source>no lamp comes near the untouched picture</source>
-        <translation>没有灯能接近未触碰的图片</translation>
+        <source>no lamp reproduces the untouched image</source>
+        <translation>没有灯能近似再现未触碰的图像</translation>
     </message>
     <message>
-        <source>noise is told from single pictures: a fixed pattern of the camera cannot be told from noise in time</source>
-        <translation>噪声由单张图片得出：相机的固定图案与时间噪声无法区分</translation>
+        <source>noise is estimated from single images: fixed pattern and temporal noise of the camera cannot be separated</source>
+        <translation>噪声由单张图像估计：相机的固定图案与时间噪声无法区分</translation>
     </message>
     <message>
-        <source>too little of the finger&apos;s length is seen</source>
-        <translation>看得见的手指长度太短</translation>
+        <source>too little of the finger&apos;s length is visible</source>
+        <translation>可见的手指长度太短</translation>
     </message>
     <message>
-        <source>the finger&apos;s base is on the right of the picture, and no scene has it there</source>
-        <translation>手指的根部在图片右侧，而场景中根部都不在那里</translation>
+        <source>the finger&apos;s base is on the right of the image, which no scene supports</source>
+        <translation>手指的根部在图像右侧，任何场景都不支持</translation>
     </message>
     <message>
         <source>camera.orientation: flip_u in finger.yaml</source>
         <translation>在 finger.yaml 中写上 camera.orientation: flip_u</translation>
     </message>
     <message>
-        <source>no scene was found whose pictures come near these</source>
-        <translation>没有找到图片与这些接近的场景</translation>
+        <source>no scene was found with images close to these</source>
+        <translation>没有找到图像与这些接近的场景</translation>
     </message>
     <message>
-        <source>pictures of one ball, pressed in where the whole contact is seen</source>
-        <translation>同一个球的图片，压在看得见整个接触的位置</translation>
+        <source>images of one ball, pressed in where the entire contact is visible</source>
+        <translation>同一个球的图像，压在整个接触可见的位置</translation>
     </message>
     <message>
         <source>alltact force with a table of this finger&apos;s markers</source>
@@ -10608,8 +10608,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>力模型用 {} 个标记点训练，而手指有 {} 个不同的标记点</translation>
     </message>
     <message>
-        <source>the force model belongs to another reference: its markers rested up to {:.1f} px from where they rest now</source>
-        <translation>力模型属于另一个参考：其标记点的静止位置与现在相差达 {:.1f} px</translation>
+        <source>the force model belongs to another reference: its markers rested up to {:.1f} px off the present positions</source>
+        <translation>力模型属于另一个参考：其标记点的静止位置与现在的相差达 {:.1f} px</translation>
     </message>
     <message>
         <source>train the force model again</source>
@@ -10620,19 +10620,19 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>不是对象</translation>
     </message>
     <message>
-        <source>is no number</source>
+        <source>is not a number</source>
         <translation>不是数</translation>
     </message>
     <message>
-        <source>is no possible number</source>
-        <translation>不是可能的数</translation>
+        <source>is not a valid number</source>
+        <translation>不是有效的数</translation>
     </message>
     <message>
-        <source>is no whole number</source>
+        <source>is not an integer</source>
         <translation>不是整数</translation>
     </message>
     <message>
-        <source>is no list</source>
+        <source>is not a list</source>
         <translation>不是列表</translation>
     </message>
     <message>
@@ -10644,7 +10644,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>不是 true 或 false</translation>
     </message>
     <message>
-        <source>must be two places</source>
+        <source>must be two positions</source>
         <translation>必须是两个位置</translation>
     </message>
     <message>
@@ -10652,11 +10652,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>必须是 mean、ridge、quadratic 或 network</translation>
     </message>
     <message>
-        <source>holds what is no text</source>
+        <source>contains non-text values</source>
         <translation>含有不是文本的内容</translation>
     </message>
     <message>
-        <source>has not the shape that the rest of the model needs</source>
+        <source>does not have the shape that the model needs</source>
         <translation>形状与模型其余部分不符</translation>
     </message>
     <message>
@@ -10664,19 +10664,19 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>必须大于 0</translation>
     </message>
     <message>
-        <source>is no possible range</source>
-        <translation>不是可能的范围</translation>
+        <source>is not a valid range</source>
+        <translation>不是有效的范围</translation>
     </message>
     <message>
-        <source>holds what is no number</source>
-        <translation>含有不是数的内容</translation>
+        <source>contains non-numeric values</source>
+        <translation>含有非数值的内容</translation>
     </message>
     <message>
         <source>must be 2 or 3</source>
         <translation>必须是 2 或 3</translation>
     </message>
     <message>
-        <source>must be a whole number from 1 to 1024</source>
+        <source>must be an integer from 1 to 1024</source>
         <translation>必须是 1 到 1024 的整数</translation>
     </message>
     <message>
@@ -10692,7 +10692,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>缺失</translation>
     </message>
     <message>
-        <source>is no force model: it is broken or cut off</source>
+        <source>is not a force model: damaged or truncated</source>
         <translation>不是力模型：文件已损坏或不完整</translation>
     </message>
     <message>
@@ -10708,8 +10708,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>必须在 0 到 1000 之间</translation>
     </message>
     <message>
-        <source>how far a motor position may be off, with the screw&apos;s play</source>
-        <translation>电机位置可能有多大偏差，包括丝杠的间隙</translation>
+        <source>the error of a motor position, with the screw&apos;s play</source>
+        <translation>电机位置的误差，包括丝杠的间隙</translation>
     </message>
     <message>
         <source>must name the finger&apos;s folder</source>
@@ -10728,7 +10728,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>{:.6g} 到 {:.6g} 之内的范围</translation>
     </message>
     <message>
-        <source>must say where the camera sits in one way</source>
+        <source>must specify the camera&apos;s pose exactly once</source>
         <translation>必须用且只用一种方式说明相机的安装位置</translation>
     </message>
     <message>
@@ -10744,20 +10744,20 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>{:g} 到 {:g} 的电机位置</translation>
     </message>
     <message>
-        <source>what is written on the gripper</source>
-        <translation>写在夹爪上的名字</translation>
+        <source>the name on the gripper</source>
+        <translation>夹爪上写的名称</translation>
     </message>
     <message>
-        <source>is the name of the other finger too</source>
-        <translation>与另一个手指的名字相同</translation>
+        <source>is also the name of the other finger</source>
+        <translation>与另一个手指的名称相同</translation>
     </message>
     <message>
         <source>two names, for example left and right</source>
-        <translation>两个不同的名字，例如 left 和 right</translation>
+        <translation>两个不同的名称，例如 left 和 right</translation>
     </message>
     <message>
-        <source>does not say where the camera sits in the gripper</source>
-        <translation>没有说明相机在夹爪中的位置</translation>
+        <source>does not specify the camera&apos;s pose in the gripper</source>
+        <translation>没有给出相机在夹爪中的位置</translation>
     </message>
     <message>
         <source>add gripper_from_camera there, as it is at {:g} turns of the motor</source>
@@ -10780,8 +10780,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>以圈为单位的数</translation>
     </message>
     <message>
-        <source>it is not known where the camera of finger {} sits</source>
-        <translation>不知道手指 {} 的相机的安装位置</translation>
+        <source>the camera pose of finger {} is unknown</source>
+        <translation>手指 {} 的相机安装位置未知</translation>
     </message>
     <message>
         <source>must be two numbers: x and z in mm</source>
@@ -10856,7 +10856,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>重新测量 pivot_mm、nut_mm、crank_mm 和 rod_mm</translation>
     </message>
     <message>
-        <source>the motor&apos;s position is no number</source>
+        <source>the motor position is not a number</source>
         <translation>电机位置不是数</translation>
     </message>
     <message>
@@ -10924,7 +10924,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>&apos;{}&apos; 的长度必须是 1</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; is no covariance</source>
+        <source>&apos;{}&apos; is not a covariance</source>
         <translation>&apos;{}&apos; 不是协方差</translation>
     </message>
     <message>
@@ -10932,15 +10932,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>&apos;{}&apos; 必须大于或等于 0</translation>
     </message>
     <message>
-        <source>is no JSON object</source>
+        <source>is not a JSON object</source>
         <translation>不是 JSON 对象</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; must be a text</source>
+        <source>&apos;{}&apos; must be text</source>
         <translation>&apos;{}&apos; 必须是文本</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; must be a whole number</source>
+        <source>&apos;{}&apos; must be an integer</source>
         <translation>&apos;{}&apos; 必须是整数</translation>
     </message>
     <message>
@@ -10948,7 +10948,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>&apos;{}&apos; 必须是列表</translation>
     </message>
     <message>
-        <source>a region is no JSON object</source>
+        <source>a region is not a JSON object</source>
         <translation>有一个区域不是 JSON 对象</translation>
     </message>
     <message>
@@ -10956,7 +10956,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>&apos;{}&apos; 必须按升序排列</translation>
     </message>
     <message>
-        <source>is no JSON: {}</source>
+        <source>is not JSON: {}</source>
         <translation>不是 JSON：{}</translation>
     </message>
     <message>
@@ -10964,11 +10964,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>使用 alltact reconstruct 写出的 results.jsonl</translation>
     </message>
     <message>
-        <source>no marker is seen that could tell the force</source>
-        <translation>看不到可用来得出力的标记点</translation>
+        <source>no marker is visible to estimate the force</source>
+        <translation>看不到可用于估计力的标记点</translation>
     </message>
     <message>
-        <source>the force model was trained with nothing like this frame: its force cannot be relied on; add rows with such forces to the table and train it again</source>
+        <source>the force model was not trained with frames like this one: its force is unreliable; add rows with such forces to the table and train it again</source>
         <translation>力模型的训练数据中没有与此帧相似的情况：这一帧的力不可靠；请在表中加入含这类力的行并重新训练</translation>
     </message>
     <message>
@@ -11000,15 +11000,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>在任何一帧中都没有找到标记点</translation>
     </message>
     <message>
-        <source>alltact reconstruct, which says why</source>
-        <translation>运行 alltact reconstruct，它会说明原因</translation>
+        <source>alltact reconstruct, which reports why</source>
+        <translation>运行 alltact reconstruct，它会报告原因</translation>
     </message>
     <message>
-        <source>The gauge and the camera were on different clocks: their beginnings are taken for one moment.</source>
-        <translation>测力计和相机使用不同的时钟：以各自的开头为同一时刻。</translation>
+        <source>The gauge and the camera used different clocks: their starts are assumed to coincide.</source>
+        <translation>测力计和相机使用不同的时钟：假定两者同时开始。</translation>
     </message>
     <message>
-        <source>the recording&apos;s frames have no times, the gauge has nothing but times</source>
+        <source>the recording&apos;s frames have no times, the gauge has only times</source>
         <translation>录像的帧没有时间，而测力计只有时间</translation>
     </message>
     <message>
@@ -11032,7 +11032,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>测力计文件是空的</translation>
     </message>
     <message>
-        <source>the column &apos;{}&apos; is given twice</source>
+        <source>the column &apos;{}&apos; appears twice</source>
         <translation>列 &apos;{}&apos; 出现两次</translation>
     </message>
     <message>
@@ -11044,7 +11044,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>既没有列 &apos;t_s&apos;，也没有列 &apos;frame&apos;</translation>
     </message>
     <message>
-        <source>of the place of contact there is only one of along_mm and across_mm</source>
+        <source>the contact position has only one of along_mm and across_mm</source>
         <translation>接触位置只给出了 along_mm 和 across_mm 中的一个</translation>
     </message>
     <message>
@@ -11052,11 +11052,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>有 {} 个单元格，而不是 {} 个</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; is no force</source>
+        <source>&apos;{}&apos; is not a force</source>
         <translation>&apos;{}&apos; 不是力</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; is no time</source>
+        <source>&apos;{}&apos; is not a time</source>
         <translation>&apos;{}&apos; 不是时间</translation>
     </message>
     <message>
@@ -11064,7 +11064,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>{} s 排在 {} s 之后</translation>
     </message>
     <message>
-        <source>the place of contact is no pair of numbers</source>
+        <source>the contact position is not a pair of numbers</source>
         <translation>接触位置不是一对数</translation>
     </message>
     <message>
@@ -11080,8 +11080,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>含有没有名字的帧</translation>
     </message>
     <message>
-        <source>tells no force of any contact</source>
-        <translation>没有给出任何接触的力</translation>
+        <source>contains no contact force</source>
+        <translation>不含任何接触力</translation>
     </message>
     <message>
         <source>the table has no column &apos;{}&apos;</source>
@@ -11092,7 +11092,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>列 &apos;{}&apos; 在所有行中都相同</translation>
     </message>
     <message>
-        <source>--split block, or a table of several</source>
+        <source>--split block, or several values</source>
         <translation>使用 --split block，或使用该列有多个不同值的表</translation>
     </message>
     <message>
@@ -11128,19 +11128,19 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>{}，列 {}</translation>
     </message>
     <message>
-        <source>removing the line, or writing what was measured</source>
-        <translation>删除此行，或写上测得的值</translation>
+        <source>removing the line, or entering what was measured</source>
+        <translation>删除此行，或填入测得的值</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; is no number</source>
+        <source>&apos;{}&apos; is not a number</source>
         <translation>&apos;{}&apos; 不是数</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; is beyond all that can be measured</source>
-        <translation>&apos;{}&apos; 超出一切可测的范围</translation>
+        <source>&apos;{}&apos; is beyond the measurable range</source>
+        <translation>&apos;{}&apos; 超出可测范围</translation>
     </message>
     <message>
-        <source>seen is 1 or 0</source>
+        <source>seen must be 1 or 0</source>
         <translation>seen 只能是 1 或 0</translation>
     </message>
     <message>
@@ -11148,8 +11148,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>没有看到标记点</translation>
     </message>
     <message>
-        <source>{} rows are too few to learn from</source>
-        <translation>{} 行太少，无法学习</translation>
+        <source>{} rows are too few to train with</source>
+        <translation>{} 行太少，无法训练</translation>
     </message>
     <message>
         <source>at least {}, better several hundred</source>
@@ -11176,16 +11176,16 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>此手指的标记点的表</translation>
     </message>
     <message>
-        <source>the finger has no markers, so they cannot tell a force</source>
-        <translation>手指没有标记点，因此无法由标记点得出力</translation>
+        <source>the finger has no markers to estimate a force from</source>
+        <translation>手指没有标记点，无法由其估计力</translation>
     </message>
     <message>
         <source>a finger with markers</source>
         <translation>有标记点的手指</translation>
     </message>
     <message>
-        <source>the finger has no reference, so it is not known where its markers rest</source>
-        <translation>手指没有参考，因此不知道其标记点的静止位置</translation>
+        <source>the finger has no reference, so the rest positions of its markers are unknown</source>
+        <translation>手指没有参考，因此其标记点的静止位置未知</translation>
     </message>
     <message>
         <source>alltact reference</source>
@@ -11196,11 +11196,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>表中有 {} 个标记点，手指有 {} 个</translation>
     </message>
     <message>
-        <source>the table&apos;s markers are another finger&apos;s: in every row they lie {:.0f} px or more from where this finger&apos;s rest</source>
+        <source>the table&apos;s markers belong to another finger: in every row they are {:.0f} px or more from this finger&apos;s rest positions</source>
         <translation>表中的标记点属于另一个手指：在每一行中，它们与此手指标记点静止位置的距离都不小于 {:.0f} px</translation>
     </message>
     <message>
-        <source>there is no force model to take back</source>
+        <source>there is no force model to revert</source>
         <translation>没有可撤回的力模型</translation>
     </message>
     <message>
@@ -11212,7 +11212,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>给出训练用的表</translation>
     </message>
     <message>
-        <source>the force model does not say which table it is of</source>
+        <source>the force model does not name its table</source>
         <translation>力模型没有说明它来自哪个表</translation>
     </message>
     <message>
@@ -11244,8 +11244,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>使用带有列 t_s 的表，或去掉蠕变</translation>
     </message>
     <message>
-        <source>training {} without one block after the other</source>
-        <translation>正在训练{}，依次留出每个数据块</translation>
+        <source>training {}, leaving out one block at a time</source>
+        <translation>正在训练{}，每次留出一个数据块</translation>
     </message>
     <message>
         <source>testing {} by frames and with shuffled forces</source>
@@ -11256,15 +11256,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>神经网络不优于岭回归：两者的误差分别为力的标准差的 {:.1f} % 和 {:.1f} %。</translation>
     </message>
     <message>
-        <source>What is kept does not beat the mean of the table: these markers do not tell the force.</source>
-        <translation>保留的模型不优于表的平均值：由这些标记点无法得出力。</translation>
+        <source>The chosen model does not beat the table&apos;s mean: these markers do not show the force.</source>
+        <translation>选用的模型不优于表的平均值：由这些标记点无法得出力。</translation>
     </message>
     <message>
-        <source>Nothing beats the mean of the table: these markers do not tell the force.</source>
+        <source>Nothing beats the mean of the table: these markers do not show the force.</source>
         <translation>没有比表的平均值更好的模型：由这些标记点无法得出力。</translation>
     </message>
     <message>
-        <source>The table has no column &apos;block&apos;: {} stretches of rows that follow each other were held out.</source>
+        <source>The table has no column &apos;block&apos;: {} sections of consecutive rows were held out.</source>
         <translation>表中没有列 &apos;block&apos;：留出了 {} 段连续的行。</translation>
     </message>
     <message>
@@ -11272,48 +11272,48 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>只能留出 {} 组：误差和区间较粗略。</translation>
     </message>
     <message>
-        <source>without a depth there is no place on the contact face</source>
+        <source>without a depth there is no position on the contact face</source>
         <translation>没有深度就没有接触面上的位置</translation>
     </message>
     <message>
-        <source>nothing is seen to be pressed into the part of the contact face in view</source>
-        <translation>在可见的接触面部分没有看到任何压入</translation>
+        <source>nothing presses into the visible part of the contact face</source>
+        <translation>接触面的可见部分没有任何压入</translation>
     </message>
     <message>
-        <source>stopped before the experiments were over</source>
-        <translation>在实验结束之前被停止</translation>
+        <source>stopped before the experiments ended</source>
+        <translation>实验结束之前已停止</translation>
     </message>
     <message>
         <source>{}: frame {} of {}</source>
         <translation>{}：第 {} 帧，共 {} 帧</translation>
     </message>
     <message>
-        <source>no frame tells what the experiment asks for</source>
-        <translation>没有任何一帧能回答该实验的问题</translation>
+        <source>no frame gives a value for the experiment</source>
+        <translation>没有任何一帧给出该实验所需的值</translation>
     </message>
     <message>
-        <source>where a touch is, at 9 x 3 places of the face</source>
-        <translation>在接触面的 9 x 3 个位置上，接触在哪里</translation>
+        <source>contact position, at 9 x 3 points of the face</source>
+        <translation>接触面 9 x 3 个点上的接触位置</translation>
     </message>
     <message>
-        <source>how a held bar is turned</source>
-        <translation>被夹持的杆转了多少</translation>
+        <source>rotation of a held bar</source>
+        <translation>被夹持的杆的转角</translation>
     </message>
     <message>
-        <source>the least depth of a ball that is felt</source>
-        <translation>能感觉到的最小压球深度</translation>
+        <source>smallest detectable depth of a ball</source>
+        <translation>可检测的最小压球深度</translation>
     </message>
     <message>
-        <source>the least force that is felt, on every face</source>
-        <translation>每个面上能感觉到的最小力</translation>
+        <source>smallest detectable force on every face</source>
+        <translation>每个面上可检测的最小力</translation>
     </message>
     <message>
-        <source>from which of 8 sides the finger is pushed</source>
-        <translation>手指从 8 个方向中的哪一个被推</translation>
+        <source>push direction, one of 8 sides</source>
+        <translation>推压方向，8 个方向之一</translation>
     </message>
     <message>
-        <source>one untouched picture against a recording of all poses</source>
-        <translation>一张未接触图像与全部姿态录像的比较</translation>
+        <source>one untouched image against a recording of all poses</source>
+        <translation>一张未触碰的图像与全部姿态录像的比较</translation>
     </message>
     <message>
         <source>relief of an M8 thread, against a single reference</source>
@@ -11324,7 +11324,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>USB 插头的浮雕，与单一参考比较</translation>
     </message>
     <message>
-        <source>time of a frame&apos;s steps, in full HD with 24 dots</source>
+        <source>time for each step of a frame, full HD with 24 dots</source>
         <translation>全高清、24 个点时每帧各步骤的时间</translation>
     </message>
     <message>
@@ -11332,51 +11332,51 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>没有实验 &apos;{}&apos;</translation>
     </message>
     <message>
-        <source>least force felt on the contact face, over all heights</source>
-        <translation>接触面上能感觉到的最小力，全部高度</translation>
+        <source>smallest force detected on the contact face, all heights</source>
+        <translation>接触面上可检测的最小力，全部高度</translation>
     </message>
     <message>
-        <source>least force felt on the back, over all heights</source>
-        <translation>背面能感觉到的最小力，全部高度</translation>
+        <source>smallest force detected on the back, all heights</source>
+        <translation>背面可检测的最小力，全部高度</translation>
     </message>
     <message>
-        <source>least force felt on the upper side, over all heights</source>
-        <translation>上侧面能感觉到的最小力，全部高度</translation>
+        <source>smallest force detected on the upper side, all heights</source>
+        <translation>上侧面可检测的最小力，全部高度</translation>
     </message>
     <message>
-        <source>least force felt on the lower side, over all heights</source>
-        <translation>下侧面能感觉到的最小力，全部高度</translation>
+        <source>smallest force detected on the lower side, all heights</source>
+        <translation>下侧面可检测的最小力，全部高度</translation>
     </message>
     <message>
-        <source>least depth felt, {:.0f} mm from the base</source>
-        <translation>距根部 {:.0f} mm 处能感觉到的最小深度</translation>
+        <source>smallest depth detected, {:.0f} mm from the base</source>
+        <translation>距根部 {:.0f} mm 处可检测的最小深度</translation>
     </message>
     <message>
-        <source>Depths are doubled from 0.01 mm on, so that the least lies between a figure and its half</source>
+        <source>Depths double from 0.01 mm on, so that the smallest is between a value and its half</source>
         <translation>深度从 0.01 mm 起逐次加倍，因此最小值在所给数字与其一半之间</translation>
     </message>
     <message>
-        <source>All heights lie beyond {:.0f} mm, where the paper has less than 2 N; the body is rubber of Shore 40 A as the scene has it, and the paper&apos;s silicone is another</source>
-        <translation>所有高度都超过 {:.0f} mm，论文在那里不到 2 N；手指主体是场景中的 Shore 40 A 橡胶，论文的硅胶不同</translation>
+        <source>All heights are beyond {:.0f} mm, where the paper reports less than 2 N; the body in the scene is rubber of Shore 40 A, the paper&apos;s silicone differs</source>
+        <translation>所有高度都超过 {:.0f} mm，论文在那里给出的值不到 2 N；场景中的手指主体是 Shore 40 A 橡胶，论文的硅胶不同</translation>
     </message>
     <message>
-        <source>pushes whose side of 8 is told right</source>
+        <source>pushes with the correct side of 8</source>
         <translation>在 8 个方向中判断正确的推压</translation>
     </message>
     <message>
-        <source>direction of a push in the picture, mean error</source>
+        <source>direction of a push in the image, mean error</source>
         <translation>图像中推压方向的平均误差</translation>
     </message>
     <message>
-        <source>direction of a push in the picture, greatest error</source>
+        <source>direction of a push in the image, maximum error</source>
         <translation>图像中推压方向的最大误差</translation>
     </message>
     <message>
-        <source>{} pushes, by how the dots truly moved in the picture; those near a border of two sides are counted as all others</source>
+        <source>{} pushes, by the true motion of the dots in the image; those near a border of two sides count like all others</source>
         <translation>{} 次推压，以点在图像中的真实运动为准；靠近两个方向边界的与其他的一样计入</translation>
     </message>
     <message>
-        <source>frames under 40 px, nearest of a recording</source>
+        <source>frames under 40 px, nearest recorded image</source>
         <translation>低于 40 px 的帧，录像中最近的一帧</translation>
     </message>
     <message>
@@ -11384,20 +11384,20 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>低于 40 px 的帧，单一参考</translation>
     </message>
     <message>
-        <source>depth where nothing touches, one reference</source>
+        <source>depth without contact, one reference</source>
         <translation>无接触处的深度，单一参考</translation>
     </message>
     <message>
-        <source>depth where nothing touches, nearest of a recording</source>
+        <source>depth without contact, nearest recorded image</source>
         <translation>无接触处的深度，录像中最近的一帧</translation>
     </message>
     <message>
-        <source>depth where nothing touches, local regression</source>
+        <source>depth without contact, local regression</source>
         <translation>无接触处的深度，局部回归</translation>
     </message>
     <message>
-        <source>How many frames a single reference is near to depends on how far the finger moves, which is the scene&apos;s choice here and was the paper&apos;s there</source>
-        <translation>单一参考接近多少帧取决于手指移动的幅度，这里由场景决定，那里由论文决定</translation>
+        <source>The number of frames near a single reference depends on how far the finger moves; here the scene sets this, in the paper its own recording</source>
+        <translation>单一参考附近的帧数取决于手指移动的幅度；此处由场景决定，论文中由其自身的录像决定</translation>
     </message>
     <message>
         <source>relief, mean depth error, straight</source>
@@ -11421,34 +11421,34 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>markers and reference, median</source>
-        <translation>标记和参考，中位数</translation>
+        <translation>标记点和参考，中位数</translation>
     </message>
     <message>
         <source>local depth and contacts, median</source>
         <translation>局部深度和接触，中位数</translation>
     </message>
     <message>
-        <source>whole frame, median</source>
+        <source>entire frame, median</source>
         <translation>整帧，中位数</translation>
     </message>
     <message>
-        <source>Times are of this computer, those of the paper of its own; the finger measures with the demonstration&apos;s mapping and 24 recorded poses</source>
-        <translation>时间是本计算机的，论文的是其自己的；手指使用演示的映射和 24 个录制姿态测量</translation>
+        <source>Times were measured on this computer, those of the paper on its own; the finger uses the demonstration&apos;s mapping and 24 recorded poses</source>
+        <translation>用时在本计算机上测得，论文的用时在其自己的计算机上测得；手指使用演示的映射和 24 个录制的姿态</translation>
     </message>
     <message>
-        <source>place, mean error within +-20 mm of the middle</source>
+        <source>position, mean error within +-20 mm of the middle</source>
         <translation>位置，中部 +-20 mm 内的平均误差</translation>
     </message>
     <message>
-        <source>place, mean error at the tip</source>
+        <source>position, mean error at the tip</source>
         <translation>位置，指尖处的平均误差</translation>
     </message>
     <message>
-        <source>place, greatest error</source>
+        <source>position, greatest error</source>
         <translation>位置，最大误差</translation>
     </message>
     <message>
-        <source>touches that are found</source>
+        <source>contacts found</source>
         <translation>找到的接触</translation>
     </message>
     <message>
@@ -11460,11 +11460,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>角度，最大误差</translation>
     </message>
     <message>
-        <source>bars whose angle is told</source>
-        <translation>给出角度的杆</translation>
+        <source>bars whose angle is measured</source>
+        <translation>测得角度的杆</translation>
     </message>
     <message>
-        <source>The lesser of the paper&apos;s two figures stands beside the mean error, the greater one beside the greatest error</source>
+        <source>The lesser of the paper&apos;s two figures is next to the mean error, the greater one next to the greatest error</source>
         <translation>论文两个数字中较小的与平均误差并列，较大的与最大误差并列</translation>
     </message>
     <message>
@@ -11476,16 +11476,16 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>原论文的方法</translation>
     </message>
     <message>
-        <source>a picture in which the whole face is bright against its side faces, or our own method</source>
-        <translation>整个面明显亮于其侧面的图片，或使用本程序的方法</translation>
+        <source>an image in which the entire face is brighter than its side faces, or our own method</source>
+        <translation>使用整个接触面亮于其侧面的图像，或使用本程序的方法</translation>
     </message>
     <message>
-        <source>the binarised picture shows both edges of the face in {} of {} columns, and a fifth of them is needed</source>
-        <translation>二值化图像在 {} 列中显示出面的两条边缘（共 {} 列），而至少需要五分之一</translation>
+        <source>the binarised image shows both edges of the face in {} of {} columns; at least a fifth is needed</source>
+        <translation>二值化图像在 {} 列中显示出接触面的两条边缘（共 {} 列），而至少需要五分之一</translation>
     </message>
     <message>
-        <source>no distance of the face follows from its edges</source>
-        <translation>由面的边缘得不出面的距离</translation>
+        <source>the edges of the face give no distance</source>
+        <translation>由接触面的边缘无法得出距离</translation>
     </message>
     <message>
         <source>our own method, which needs no dots, or a recording of a finger that has them</source>
@@ -11493,19 +11493,19 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>alltact reference with a video of the untouched finger bending</source>
-        <translation>用未触碰手指弯曲过程的视频运行 alltact reference</translation>
+        <translation>用未触碰手指的弯曲视频运行 alltact reference</translation>
     </message>
     <message>
         <source>the source paper&apos;s method chooses its reference by the markers, and this finger has none</source>
         <translation>原论文的方法按标记点选择参考，而此手指没有标记点</translation>
     </message>
     <message>
-        <source>the source paper&apos;s method sorts two whole rows, and {} of this finger&apos;s dots are missing</source>
-        <translation>原论文的方法对两整排标记点排序，而此手指缺少 {} 个标记点</translation>
+        <source>the source paper&apos;s method sorts two full rows, and {} of this finger&apos;s dots are missing</source>
+        <translation>原论文的方法对两排完整的标记点排序，而此手指缺少 {} 个标记点</translation>
     </message>
     <message>
-        <source>fewer than two dots of a row are seen, from which the source paper&apos;s method could tell the others: uncover and light the dots on the side faces</source>
-        <translation>一排中看得见的标记点不足两个，原论文的方法无法由此推断其余的点：请露出并照亮侧面上的标记点</translation>
+        <source>fewer than two dots of a row are visible; the source paper&apos;s method cannot infer the others: uncover and light the dots on the side faces</source>
+        <translation>一排中可见的标记点不足两个，原论文的方法无法推断其余的点：请露出并照亮侧面上的标记点</translation>
     </message>
     <message>
         <source>stopped while the recording was read</source>
@@ -11525,50 +11525,50 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the source paper&apos;s method finds face and markers in none of {} frames</source>
-        <translation>原论文的方法在 {} 帧中都没有找到面和标记点</translation>
+        <translation>原论文的方法在 {} 帧中都没有找到接触面和标记点</translation>
     </message>
     <message>
         <source>our own method, or a recording with brighter dots</source>
         <translation>使用本程序的方法，或标记点更亮的录像</translation>
     </message>
     <message>
-        <source>{} dots were found beside the face: too few to sort into two rows</source>
-        <translation>在面旁找到 {} 个点：太少，无法排成两排</translation>
+        <source>{} dots were found next to the face: too few to sort into two rows</source>
+        <translation>在接触面旁找到 {} 个点：太少，无法排成两排</translation>
     </message>
     <message>
-        <source>a network exported with fixed sizes, one picture at a time and opset 11 or 12, or --marker-network own</source>
-        <translation>使用以固定尺寸、每次一张图片和 opset 11 或 12 导出的神经网络，或使用 --marker-network own</translation>
+        <source>a network exported with fixed sizes, one image at a time and opset 11 or 12, or --marker-network own</source>
+        <translation>使用以固定尺寸、每次一张图像和 opset 11 或 12 导出的神经网络，或使用 --marker-network own</translation>
     </message>
     <message>
         <source>OpenCV cannot run this network</source>
         <translation>OpenCV 无法运行此神经网络</translation>
     </message>
     <message>
-        <source>this network makes {} of {}, which are neither dots nor boxes</source>
+        <source>this network outputs {} for {}, which are neither dots nor boxes</source>
         <translation>此神经网络的输出为 {}，输入为 {}，输出既不是点也不是框</translation>
     </message>
     <message>
-        <source>this network gives numbers that are not finite</source>
-        <translation>此神经网络给出的数不是有限数</translation>
+        <source>this network outputs numbers that are not finite</source>
+        <translation>此神经网络输出的数不是有限数</translation>
     </message>
     <message>
-        <source>the file that says what this network must give is not there</source>
-        <translation>缺少说明此神经网络应给出什么结果的文件</translation>
+        <source>the file with this network&apos;s expected output is missing</source>
+        <translation>缺少此神经网络预期输出的文件</translation>
     </message>
     <message>
-        <source>training it again, which writes both</source>
+        <source>training it again, which writes both files</source>
         <translation>重新训练，这会写出两个文件</translation>
     </message>
     <message>
-        <source>the picture must be as large as what the network takes, {} x {}</source>
-        <translation>图片必须与神经网络接受的尺寸相同，即 {} x {}</translation>
+        <source>the image must have the size of the network&apos;s input, {} x {}</source>
+        <translation>图像必须与神经网络的输入尺寸相同，即 {} x {}</translation>
     </message>
     <message>
-        <source>this network takes {}, not one picture of 1 or 3 channels and a fixed size of {} to {} px a side</source>
-        <translation>此神经网络接受 {}，而不是一张 1 或 3 通道、边长固定在 {} 到 {} px 之间的图片</translation>
+        <source>this network takes {}, not one image of 1 or 3 channels and a fixed size of {} to {} px a side</source>
+        <translation>此神经网络接受 {}，而不是一张 1 或 3 通道、边长固定在 {} 到 {} px 之间的图像</translation>
     </message>
     <message>
-        <source>OpenCV cannot read this network (opset {}; it knows those up to 12 well)</source>
+        <source>OpenCV cannot read this network (opset {}; it supports those up to 12 well)</source>
         <translation>OpenCV 无法读取此神经网络（opset {}；它能很好地支持 12 及以下）</translation>
     </message>
     <message>
@@ -11576,15 +11576,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>使用同一次训练得到的神经网络及其 .yaml，或以 opset 11 或 12 导出</translation>
     </message>
     <message>
-        <source>the network gives {} numbers where its .yaml has {}</source>
-        <translation>神经网络给出 {} 个数，而其 .yaml 中有 {} 个</translation>
+        <source>the network outputs {} numbers where its .yaml has {}</source>
+        <translation>神经网络输出 {} 个数，而其 .yaml 中有 {} 个</translation>
     </message>
     <message>
-        <source>on a known picture the network gives numbers that are up to {:.3g} off what its .yaml says, and {:.3g} is allowed</source>
-        <translation>对一张已知图片，神经网络给出的数与其 .yaml 所述最多相差 {:.3g}，而允许的是 {:.3g}</translation>
+        <source>for a known image the network&apos;s numbers deviate by up to {:.3g} from its .yaml, and {:.3g} is allowed</source>
+        <translation>对一张已知图像，神经网络输出的数与其 .yaml 最多相差 {:.3g}，而允许的是 {:.3g}</translation>
     </message>
     <message>
-        <source>this is no network in the ONNX format, or only part of one, or damaged</source>
+        <source>this is not a network in the ONNX format, or it is incomplete or damaged</source>
         <translation>这不是 ONNX 格式的神经网络，或者不完整，或者已损坏</translation>
     </message>
     <message>
@@ -11592,7 +11592,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>重新复制或导出该文件</translation>
     </message>
     <message>
-        <source>&apos;crossing&apos; tells the finger&apos;s bend, and with it where a press lies, several times closer</source>
+        <source>&apos;crossing&apos; measures the finger&apos;s bend, and so press positions, several times more accurately</source>
         <translation>&apos;crossing&apos; 得出的手指弯曲以及由此得出的按压位置要精确数倍</translation>
     </message>
     <message>
@@ -11600,11 +11600,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>&apos;crossing&apos; 用时稍长</translation>
     </message>
     <message>
-        <source>more hide the noise of dark pictures; beyond 16 a bent finger&apos;s edge is no longer straight within them</source>
+        <source>more reduce the noise of dark images; beyond 16 a bent finger&apos;s edge is no longer straight within them</source>
         <translation>越多越能抑制暗图像的噪声；超过 16 时，弯曲手指的边缘在其中不再是直的</translation>
     </message>
     <message>
-        <source>fewer make more places, each of which the curve has to be fitted to</source>
+        <source>fewer make more positions, to each of which the curve must be fitted</source>
         <translation>越少则位置越多，曲线须对每个位置进行拟合</translation>
     </message>
     <message>
@@ -11612,11 +11612,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>越高越能跟随急剧的弯曲；过高则会在边缘被遮住处跟随噪声</translation>
     </message>
     <message>
-        <source>higher makes the fit longer</source>
+        <source>higher makes the fit slower</source>
         <translation>越高则拟合用时越长</translation>
     </message>
     <message>
-        <source>how the engraved dots are found and numbered: spots followed by how the finger moves, the source paper&apos;s two sorted rows, or a convolutional network in every frame</source>
+        <source>how the engraved dots are found and numbered: spots tracked by the finger&apos;s motion, the source paper&apos;s two sorted rows, or a convolutional network in every frame</source>
         <translation>如何找到刻出的标记点并编号：按手指的运动跟踪斑点、原论文的两排排序，或在每一帧中使用卷积神经网络</translation>
     </message>
     <message>
@@ -11628,31 +11628,31 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>&apos;network&apos; 用时是其他方法的许多倍</translation>
     </message>
     <message>
-        <source>the network that marker-method network uses, and paper too where one is named: an ONNX file, a detector such as YOLO11 among them</source>
+        <source>the network for marker-method network, and for paper where one is named: an ONNX file, also a detector such as YOLO11</source>
         <translation>marker-method network 使用的神经网络，指定时 paper 也使用：一个 ONNX 文件，也可以是 YOLO11 之类的检测器</translation>
     </message>
     <message>
-        <source>&apos;local&apos; keeps depth of a bent finger right between the recorded poses; &apos;single&apos; is right at rest alone</source>
-        <translation>&apos;local&apos; 使弯曲手指在已录制姿态之间的深度保持正确；&apos;single&apos; 只在静止时正确</translation>
+        <source>&apos;local&apos; measures depth of a bent finger correctly between the recorded poses; &apos;single&apos; only at rest</source>
+        <translation>&apos;local&apos; 能正确测量弯曲手指在已录制姿态之间的深度；&apos;single&apos; 只在静止时正确</translation>
     </message>
     <message>
-        <source>&apos;local&apos; adds up several pictures instead of one</source>
-        <translation>&apos;local&apos; 要累加多张图片，而不是一张</translation>
+        <source>&apos;local&apos; adds up several images instead of one</source>
+        <translation>&apos;local&apos; 要累加多张图像，而不是一张</translation>
     </message>
     <message>
-        <source>&apos;corrected&apos; keeps depth right when the room or the lamp changes</source>
-        <translation>&apos;corrected&apos; 在房间或灯光变化时使深度保持正确</translation>
+        <source>&apos;corrected&apos; corrects depth when the room or the lamp changes</source>
+        <translation>&apos;corrected&apos; 在房间或灯光变化时校正深度</translation>
     </message>
     <message>
-        <source>&apos;corrected&apos; looks once over the untouched skin</source>
-        <translation>&apos;corrected&apos; 要查看一遍未触碰的表皮</translation>
+        <source>&apos;corrected&apos; analyses the untouched skin once</source>
+        <translation>&apos;corrected&apos; 要对未触碰的表皮分析一遍</translation>
     </message>
     <message>
-        <source>more quiets the depth of a smooth contact and rounds off edges and threads</source>
+        <source>more reduces the noise of a smooth contact and rounds off edges and threads</source>
         <translation>越多则平滑接触的深度噪声越小，但边缘和螺纹会变圆</translation>
     </message>
     <message>
-        <source>more takes longer, none the least</source>
+        <source>more takes longer, none is fastest</source>
         <translation>越多用时越长，不平滑用时最短</translation>
     </message>
     <message>
@@ -11668,7 +11668,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>测力计已恢复。</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; is no direction</source>
+        <source>&apos;{}&apos; is not a direction</source>
         <translation>“{}”不是方向</translation>
     </message>
     <message>
@@ -11680,20 +11680,20 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>如 &apos;id=3 at=1 type=s16 scale=0.01 unit=N&apos;，或带有 at、type、scale、zero、unit 的表格</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; describes no report of a gauge</source>
+        <source>&apos;{}&apos; does not describe a gauge&apos;s report</source>
         <translation>“{}”没有描述测力计的报告</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; is no {}</source>
+        <source>&apos;{}&apos; is not a valid {}</source>
         <translation>“{}”不能用作 {}</translation>
     </message>
     <message>
-        <source>the table describes no report of a gauge</source>
+        <source>the table does not describe a gauge&apos;s report</source>
         <translation>表格没有描述测力计的报告</translation>
     </message>
     <message>
-        <source>The device tells other reports than the one described. Try: its id and length.</source>
-        <translation>设备发送的报告与所描述的不同。建议：检查其 id 和长度。</translation>
+        <source>The device sends other reports than described. Try: check the id and length.</source>
+        <translation>设备发送的报告与所描述的不同。建议：检查 id 和长度。</translation>
     </message>
     <message>
         <source>there is no gauge &apos;{}&apos;</source>
@@ -11712,11 +11712,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>每个值一个方向，如 x/y/z</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; is no text with \r, \n, \xHH</source>
+        <source>&apos;{}&apos; is not a text with \r, \n, \xHH</source>
         <translation>“{}”不是带有 \r、\n、\xHH 的文本</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; is no unit of force</source>
+        <source>&apos;{}&apos; is not a unit of force</source>
         <translation>“{}”不是力的单位</translation>
     </message>
     <message>
@@ -11724,7 +11724,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>N、mN、kN、g、kgf、lbf 或 ozf</translation>
     </message>
     <message>
-        <source>of a HID gauge the unit is told with its report</source>
+        <source>the unit of a HID gauge belongs in its report&apos;s description</source>
         <translation>HID 测力计的单位在其报告描述中给出</translation>
     </message>
     <message>
@@ -11732,7 +11732,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>在报告描述中使用 unit=</translation>
     </message>
     <message>
-        <source>model, speed and question are of a serial gauge</source>
+        <source>model, speed and question apply only to a serial gauge</source>
         <translation>型号、速率和查询命令只用于串口测力计</translation>
     </message>
     <message>
@@ -11740,11 +11740,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>serial:/dev/ttyUSB0</translation>
     </message>
     <message>
-        <source>it is not told where the force stands in the gauge&apos;s reports</source>
-        <translation>没有说明力在测力计报告中的位置</translation>
+        <source>the position of the force in the gauge&apos;s reports is not specified</source>
+        <translation>未指定力在测力计报告中的位置</translation>
     </message>
     <message>
-        <source>a report is told of a gauge that is no HID device</source>
+        <source>a report is specified for a gauge that is not a HID device</source>
         <translation>为不是 HID 设备的测力计给出了报告描述</translation>
     </message>
     <message>
@@ -11752,7 +11752,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>hid:DEVICE 和 &apos;id=3 at=1 type=s16 scale=0.01 unit=N&apos;</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; is no gauge</source>
+        <source>&apos;{}&apos; is not a gauge</source>
         <translation>“{}”不是测力计</translation>
     </message>
     <message>
@@ -11760,7 +11760,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>typed、serial:/dev/ttyUSB0 或 hid:DEVICE</translation>
     </message>
     <message>
-        <source>{} lines of the gauge were no readings</source>
+        <source>{} lines from the gauge were not readings</source>
         <translation>测力计有 {} 行不是读数</translation>
     </message>
     <message>
@@ -11804,7 +11804,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>无法设置串口</translation>
     </message>
     <message>
-        <source>this is no serial line</source>
+        <source>this is not a serial line</source>
         <translation>这不是串口</translation>
     </message>
     <message>
@@ -11812,19 +11812,19 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>使用测力计的 /dev/tty...</translation>
     </message>
     <message>
-        <source>the serial line does not take {} baud</source>
-        <translation>串口不接受 {} 波特</translation>
+        <source>the serial line does not support {} baud</source>
+        <translation>串口不支持 {} 波特</translation>
     </message>
     <message>
-        <source>the speed that the gauge&apos;s manual tells</source>
+        <source>the speed given in the gauge&apos;s manual</source>
         <translation>使用测力计手册中给出的速率</translation>
     </message>
     <message>
-        <source>{} baud is no speed of a serial line</source>
+        <source>{} baud is not a speed of a serial line</source>
         <translation>{} 波特不是串口的速率</translation>
     </message>
     <message>
-        <source>9600, 19200, 115200 or what the gauge&apos;s manual tells</source>
+        <source>9600, 19200, 115200 or the speed in the gauge&apos;s manual</source>
         <translation>9600、19200、115200，或测力计手册中给出的速率</translation>
     </message>
     <message>
@@ -11832,7 +11832,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>无法打开串口</translation>
     </message>
     <message>
-        <source>the serial line takes nothing</source>
+        <source>the serial line accepts no data</source>
         <translation>串口不接收数据</translation>
     </message>
     <message>
@@ -11844,11 +11844,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>从现在起为 {}</translation>
     </message>
     <message>
-        <source>what was typed holds no longer</source>
-        <translation>之前键入的内容不再有效</translation>
+        <source>the typed value no longer applies</source>
+        <translation>之前键入的值不再有效</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; is no reading; a number, &apos;y 1.2 N&apos;, &apos;block NAME&apos;, or nothing</source>
+        <source>&apos;{}&apos; is not a reading; type a number, &apos;y 1.2 N&apos;, &apos;block NAME&apos;, or nothing</source>
         <translation>&apos;{}&apos; 不是读数；请键入一个数、&apos;y 1.2 N&apos;、&apos;block NAME&apos;，或什么都不键入</translation>
     </message>
     <message>
@@ -11868,32 +11868,32 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>推压的 Fx 和 Fy，手指随机抽取</translation>
     </message>
     <message>
-        <source>place and force in rooms of 300, 1100 and 2500 lux</source>
+        <source>position and force in rooms of 300, 1100 and 2500 lux</source>
         <translation>300、1100 和 2500 勒克斯的房间中的位置和力</translation>
     </message>
     <message>
-        <source>Ours are simulated, with the truth known; the paper&apos;s were measured on a real finger.</source>
-        <translation>本程序的为仿真值，真值已知；论文的是在真实手指上测得的。</translation>
+        <source>Our values are simulated, with known truth; the paper&apos;s were measured on a real finger.</source>
+        <translation>本程序的值为仿真所得，真值已知；论文的值在真实手指上测得。</translation>
     </message>
     <message>
-        <source>least depth of a ball that is felt, ours alone</source>
-        <translation>能感觉到的最小压球深度，仅本程序</translation>
+        <source>least detected depth of a ball, ours only</source>
+        <translation>能检测到的最小压球深度，仅本程序</translation>
     </message>
     <message>
-        <source>place along the finger (mm)</source>
+        <source>position along the finger (mm)</source>
         <translation>沿手指的位置（mm）</translation>
     </message>
     <message>
-        <source>least depth felt (mm)</source>
-        <translation>能感觉到的最小深度（mm）</translation>
+        <source>least detected depth (mm)</source>
+        <translation>能检测到的最小深度（mm）</translation>
     </message>
     <message>
-        <source>least force that is felt, on every face over height</source>
-        <translation>每个面上能感觉到的最小力随高度的变化</translation>
+        <source>least detected force on every face, by height</source>
+        <translation>每个面上能检测到的最小力随高度的变化</translation>
     </message>
     <message>
-        <source>least force felt (N)</source>
-        <translation>能感觉到的最小力（N）</translation>
+        <source>least detected force (N)</source>
+        <translation>能检测到的最小力（N）</translation>
     </message>
     <message>
         <source>paper, at most, measured</source>
@@ -11904,15 +11904,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>{} 勒克斯</translation>
     </message>
     <message>
-        <source>error of the place in rooms of different light; the paper tells no figure by room</source>
+        <source>position error in rooms of different light; the paper gives no figure by room</source>
         <translation>不同光照的房间中的位置误差；论文没有按房间给出数字</translation>
     </message>
     <message>
-        <source>mean error of the place (mm)</source>
+        <source>mean position error (mm)</source>
         <translation>位置的平均误差（mm）</translation>
     </message>
     <message>
-        <source>error of the force in rooms of different light, by a model that learnt in the dark</source>
+        <source>force error in rooms of different light, with a model trained in the dark</source>
         <translation>不同光照的房间中力的误差，所用模型在黑暗中训练</translation>
     </message>
     <message>
@@ -11920,7 +11920,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>Fx 和 Fy 的平均误差（N）</translation>
     </message>
     <message>
-        <source>place, mean error at {} lux</source>
+        <source>position, mean error at {} lux</source>
         <translation>位置，{} 勒克斯时的平均误差</translation>
     </message>
     <message>
@@ -11928,7 +11928,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>力，{} 勒克斯时的平均误差</translation>
     </message>
     <message>
-        <source>place, greatest change between rooms</source>
+        <source>position, greatest change between rooms</source>
         <translation>位置，房间之间的最大变化</translation>
     </message>
     <message>
@@ -11940,20 +11940,20 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>同上，不作光照校正</translation>
     </message>
     <message>
-        <source>How much of a room&apos;s light gets into a finger is a guess of the scene, 4 grey levels of a white surface for every 1000 lux; the same frames are shown in every room</source>
-        <translation>有多少房间的光进入手指是场景的推测：每 1000 勒克斯使白色表面增加 4 个灰度级；每个房间中显示的是相同的帧</translation>
+        <source>The scene assumes how much of a room&apos;s light enters a finger: 4 grey levels of a white surface per 1000 lux; every room shows the same frames</source>
+        <translation>进入手指的房间光量由场景假定：每 1000 勒克斯使白色表面增加 4 个灰度级；每个房间使用相同的帧</translation>
     </message>
     <message>
-        <source>told right (%)</source>
+        <source>correct (%)</source>
         <translation>判断正确（%）</translation>
     </message>
     <message>
-        <source>side of 8</source>
+        <source>one of 8 sides</source>
         <translation>8 个方向</translation>
     </message>
     <message>
-        <source>how many frames have a reference closer than so many px, summed over the dots</source>
-        <translation>参考距离（各点之和）小于相应 px 数的帧有多少</translation>
+        <source>share of frames with a reference closer than the given px, summed over the dots</source>
+        <translation>参考距离（各点之和）小于给定 px 数的帧所占比例</translation>
     </message>
     <message>
         <source>distance to the reference (px)</source>
@@ -11992,8 +11992,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>真实力（N）</translation>
     </message>
     <message>
-        <source>told force (N)</source>
-        <translation>得出的力（N）</translation>
+        <source>estimated force (N)</source>
+        <translation>估计力（N）</translation>
     </message>
     <message>
         <source>mean error of the force, ours simulated and the paper&apos;s measured</source>
@@ -12012,12 +12012,12 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>Fy</translation>
     </message>
     <message>
-        <source>aim</source>
+        <source>target</source>
         <translation>目标</translation>
     </message>
     <message>
-        <source>where along the finger the error is: the base moves the markers least</source>
-        <translation>误差在手指上的分布：根部使标记点移动得最少</translation>
+        <source>error along the finger: pushes near the base move the markers least</source>
+        <translation>误差沿手指的分布：推压根部附近时标记点移动最少</translation>
     </message>
     <message>
         <source>Fx, ours</source>
@@ -12028,56 +12028,56 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>Fy，本程序</translation>
     </message>
     <message>
-        <source>Fx, paper, over all places</source>
+        <source>Fx, paper, over all positions</source>
         <translation>Fx，论文，全部位置</translation>
     </message>
     <message>
-        <source>Fy, paper, over all places</source>
+        <source>Fy, paper, over all positions</source>
         <translation>Fy，论文，全部位置</translation>
     </message>
     <message>
-        <source>Fx told of places that were held out</source>
-        <translation>在留出的位置上得出的 Fx</translation>
+        <source>Fx estimated at positions held out</source>
+        <translation>在留出位置上估计的 Fx</translation>
     </message>
     <message>
-        <source>Fy told of places that were held out</source>
-        <translation>在留出的位置上得出的 Fy</translation>
+        <source>Fy estimated at positions held out</source>
+        <translation>在留出位置上估计的 Fy</translation>
     </message>
     <message>
-        <source>Fx, mean error on places held out</source>
+        <source>Fx, mean error at positions held out</source>
         <translation>Fx，留出位置上的平均误差</translation>
     </message>
     <message>
-        <source>Fy, mean error on places held out</source>
+        <source>Fy, mean error at positions held out</source>
         <translation>Fy，留出位置上的平均误差</translation>
     </message>
     <message>
-        <source>Fx, the same of the worst finger</source>
+        <source>Fx, the same for the worst finger</source>
         <translation>Fx，同上，最差的手指</translation>
     </message>
     <message>
-        <source>Fy, the same of the worst finger</source>
+        <source>Fy, the same for the worst finger</source>
         <translation>Fy，同上，最差的手指</translation>
     </message>
     <message>
-        <source>forces within their intervals of 95 %</source>
+        <source>forces within their 95 % intervals</source>
         <translation>落在其 95 % 区间内的力</translation>
     </message>
     <message>
-        <source>the same, away from 95 %</source>
+        <source>the same, deviation from 95 %</source>
         <translation>同上，与 95 % 的偏差</translation>
     </message>
     <message>
-        <source>{} fingers drawn at random, 484 pushes each at {} places, of which whole ones are held out; {} pushes are measured, in the others too few markers are found. Forces are those on the finger in the camera&apos;s axes and have no error of a gauge</source>
-        <translation>随机抽取 {} 个手指，每个在 {} 个位置上推压 484 次，其中有整个位置被留出；测得 {} 次推压，其余的找到的标记点太少。力是作用在手指上的力，以相机坐标轴表示，不含测力计的误差</translation>
+        <source>{} fingers drawn at random, 484 pushes each at {} positions, some of which are held out entirely; {} pushes are measured, the others show too few markers. Forces act on the finger, in the camera&apos;s axes, without a gauge&apos;s error</source>
+        <translation>随机抽取 {} 个手指，每个在 {} 个位置上推压 484 次，其中部分位置整个留出；测得 {} 次推压，其余推压找到的标记点太少。力为作用在手指上的力，以相机坐标轴表示，不含测力计误差</translation>
     </message>
     <message>
-        <source>Nothing drags along the finger: that hardly moves a marker, and is told by none</source>
+        <source>No drag acts along the finger: it hardly moves a marker, so no marker shows it</source>
         <translation>没有沿手指方向的拉力：它几乎不使标记点移动，也没有标记点能反映它</translation>
     </message>
     <message>
-        <source>error of the relief, ours alone: the paper shows pictures</source>
-        <translation>浮雕的误差，仅本程序：论文给出的是图片</translation>
+        <source>relief error, ours only: the paper shows only images</source>
+        <translation>浮雕误差，仅本程序：论文只给出图像</translation>
     </message>
     <message>
         <source>mean depth error (mm)</source>
@@ -12112,15 +12112,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>深度，接触</translation>
     </message>
     <message>
-        <source>whole frame</source>
+        <source>entire frame</source>
         <translation>整帧</translation>
     </message>
     <message>
-        <source>error of the place along the finger, one point a touch</source>
-        <translation>沿手指的位置误差，每次触碰一个点</translation>
+        <source>position error along the finger, one point per contact</source>
+        <translation>沿手指的位置误差，每次接触一个点</translation>
     </message>
     <message>
-        <source>error of the place (mm)</source>
+        <source>position error (mm)</source>
         <translation>位置误差（mm）</translation>
     </message>
     <message>
@@ -12132,7 +12132,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>论文，指尖处的平均值，实测</translation>
     </message>
     <message>
-        <source>error of the angle of a bar, by how it is turned</source>
+        <source>angle error of a bar, by its orientation</source>
         <translation>杆的角度误差随其转角的变化</translation>
     </message>
     <message>
@@ -12140,7 +12140,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>真实角度（度）</translation>
     </message>
     <message>
-        <source>error of the angle (degrees)</source>
+        <source>angle error (degrees)</source>
         <translation>角度误差（度）</translation>
     </message>
     <message>
@@ -12164,7 +12164,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>这不是该手指标定的报告</translation>
     </message>
     <message>
-        <source>the column &apos;{}&apos; counts in no unit of force</source>
+        <source>the column &apos;{}&apos; has no unit of force</source>
         <translation>列 &apos;{}&apos; 的单位不是力的单位</translation>
     </message>
     <message>
@@ -12172,16 +12172,16 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>向不同方向按压；可以给出多个表</translation>
     </message>
     <message>
-        <source>The gauge tells {:.0f} ms (sd {:.0f} ms) after the pictures; that is taken out.</source>
-        <translation>测力计的读数比图片晚 {:.0f} ms（标准差 {:.0f} ms）；已作扣除。</translation>
+        <source>The gauge reports {:.0f} ms (sd {:.0f} ms) later than the images; this is corrected.</source>
+        <translation>测力计的读数比图像晚 {:.0f} ms（标准差 {:.0f} ms）；已作校正。</translation>
     </message>
     <message>
-        <source>The gauge tells {:.0f} ms (sd {:.0f} ms) before the pictures; that is taken out.</source>
-        <translation>测力计的读数比图片早 {:.0f} ms（标准差 {:.0f} ms）；已作扣除。</translation>
+        <source>The gauge reports {:.0f} ms (sd {:.0f} ms) earlier than the images; this is corrected.</source>
+        <translation>测力计的读数比图像早 {:.0f} ms（标准差 {:.0f} ms）；已作校正。</translation>
     </message>
     <message>
-        <source>How late the gauge tells could not be told from these frames: nothing is taken out. Try: some quick taps while recording.</source>
-        <translation>无法由这些帧得出测力计滞后多少：未作任何扣除。建议：录制时快速轻触几次。</translation>
+        <source>The gauge&apos;s delay could not be estimated from these frames: nothing is corrected. Try: some quick taps while recording.</source>
+        <translation>无法由这些帧得出测力计的延迟：未作任何校正。建议：录制时快速轻触几次。</translation>
     </message>
     <message>
         <source>The gauge and the camera were on different clocks: {:.3f} s (sd {:.3f} s) apart by the markers&apos; motion, drifting by {:.0f} ppm.</source>
@@ -12196,12 +12196,12 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>使用同一手指、同一种测力计的表</translation>
     </message>
     <message>
-        <source>pressing the ball in deeper, whole on the face</source>
-        <translation>把球压得更深，并使其完全在面上</translation>
+        <source>pressing the ball in deeper, entirely on the face</source>
+        <translation>把球压得更深，并使其完全在接触面上</translation>
     </message>
     <message>
-        <source>nothing is dark enough for a ball that presses</source>
-        <translation>没有暗到足以表明有球压入的部分</translation>
+        <source>nothing is dark enough for a pressed ball</source>
+        <translation>没有区域暗到足以表明有球压入</translation>
     </message>
     <message>
         <source>no circle gives a cubic whose constant is zero</source>
@@ -12220,8 +12220,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>原论文的方法在 {} 次按压中都找不到球（{}）</translation>
     </message>
     <message>
-        <source>there is none that is not excluded</source>
-        <translation>没有未被排除的按压</translation>
+        <source>all are excluded</source>
+        <translation>所有按压都已排除</translation>
     </message>
     <message>
         <source>the source paper&apos;s method can measure none of {} presses ({})</source>
@@ -12232,8 +12232,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>使用本程序自己的方法</translation>
     </message>
     <message>
-        <source>the source paper&apos;s method calibrates in its own way, and this finger keeps no presses to do so with</source>
-        <translation>原论文的方法以自己的方式标定，而此手指没有保存可用于此的按压</translation>
+        <source>the source paper&apos;s method calibrates differently, and this finger has no stored presses for it</source>
+        <translation>原论文的方法以不同方式标定，而此手指没有保存可用的按压</translation>
     </message>
     <message>
         <source>alltact calibrate with ball presses</source>
@@ -12248,19 +12248,19 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>正在测量各设置的代价</translation>
     </message>
     <message>
-        <source>too few pictures of the reference recording show the face</source>
-        <translation>参考录像中显示面的图片太少</translation>
+        <source>too few images of the reference recording show the face</source>
+        <translation>参考录像中显示接触面的图像太少</translation>
     </message>
     <message>
         <source>record the finger bending through all its poses</source>
         <translation>录制手指弯曲经过其所有姿态的过程</translation>
     </message>
     <message>
-        <source>balls painted into untouched pictures of {}</source>
-        <translation>画入 {} 的未触碰图片中的球</translation>
+        <source>balls painted into untouched images of {}</source>
+        <translation>画入 {} 的未触碰图像中的球</translation>
     </message>
     <message>
-        <source>the demonstration&apos;s finger, simulated, pressed in random places</source>
+        <source>the demonstration&apos;s finger, simulated, pressed at random positions</source>
         <translation>演示的手指，仿真，在随机位置按压</translation>
     </message>
     <message>
@@ -12268,8 +12268,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>保持原样</translation>
     </message>
     <message>
-        <source>is not what a study of this program keeps</source>
-        <translation>不是本程序的研究所保存的内容</translation>
+        <source>is not a study file of this program</source>
+        <translation>不是本程序的研究文件</translation>
     </message>
     <message>
         <source>remove it, and the study begins anew</source>
@@ -12292,7 +12292,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>将此作为缺陷报告</translation>
     </message>
     <message>
-        <source>a line of it is damaged</source>
+        <source>one of its lines is damaged</source>
         <translation>其中有一行已损坏</translation>
     </message>
     <message>
@@ -12312,7 +12312,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>使用同一次运行的文件夹，或再次重建其所有部分</translation>
     </message>
     <message>
-        <source>part {} is there twice: {} and {}</source>
+        <source>part {} exists twice: {} and {}</source>
         <translation>第 {} 部分有两份：{} 和 {}</translation>
     </message>
     <message>
@@ -12344,55 +12344,55 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>腾出空间，或向文件夹的所有者申请权限</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; is no part of a whole</source>
-        <translation>&apos;{}&apos; 不表示整体的一部分</translation>
+        <source>&apos;{}&apos; is not a valid part</source>
+        <translation>&apos;{}&apos; 不是有效的部分编号</translation>
     </message>
     <message>
         <source>1/8 to 8/8 for eight parts, for example</source>
         <translation>例如分成八个部分时用 1/8 到 8/8</translation>
     </message>
     <message>
-        <source>could not make sure that the files are on the disk</source>
+        <source>could not confirm that the files are on the disk</source>
         <translation>无法确认文件已写到磁盘</translation>
     </message>
     <message>
-        <source>the picture does not say that it holds depth in 16 bits</source>
-        <translation>图片没有注明它含有 16 位深度</translation>
+        <source>the image is not marked as depth in 16 bits</source>
+        <translation>图像未标明含有 16 位深度</translation>
     </message>
     <message>
-        <source>a picture of alltact reconstruct --format depth16</source>
-        <translation>使用 alltact reconstruct --format depth16 的图片</translation>
+        <source>an image from alltact reconstruct --format depth16</source>
+        <translation>使用 alltact reconstruct --format depth16 写出的图像</translation>
     </message>
     <message>
-        <source>the part of the face that depth is told of, in millimetres along it from its base; all else counts as off the face</source>
-        <translation>给出深度的那一部分面，从根部起沿面以毫米计；其余都视为不在面上</translation>
+        <source>the part of the face to measure depth on, in millimetres along it from its base; all else counts as off the face</source>
+        <translation>测量深度的那一段接触面，从根部起沿接触面以毫米计；其余都视为不在接触面上</translation>
     </message>
     <message>
         <source>&apos;{}&apos; is not &apos;all&apos; or a part of the face in mm such as 20-60</source>
-        <translation>&apos;{}&apos; 既不是 &apos;all&apos;，也不是以 mm 计的面的一部分，如 20-60</translation>
+        <translation>&apos;{}&apos; 既不是 &apos;all&apos;，也不是接触面上以 mm 计的一段，如 20-60</translation>
     </message>
     <message>
-        <source>pixels that a picture is measured with: all of them, or means of 2 by 2 or 4 by 4 of them; results in pixels are then of that picture</source>
+        <source>pixels used to measure an image: all of them, or means of 2 by 2 or 4 by 4 of them; results in pixels then refer to that image</source>
         <translation>测量图像所用的像素：全部，或每 2×2 或 4×4 个的平均；以像素计的结果则以该图像为准</translation>
     </message>
     <message>
-        <source>&apos;whole&apos; tells small contacts and steep edges, and numbers small dots</source>
+        <source>&apos;whole&apos; detects small contacts and steep edges, and numbers small dots</source>
         <translation>&apos;whole&apos; 能识别小的接触和陡的边缘，并能给小的标记点编号</translation>
     </message>
     <message>
-        <source>&apos;half&apos; is a quarter of the pixels and of the recording&apos;s memory, &apos;quarter&apos; a sixteenth</source>
+        <source>&apos;half&apos; uses a quarter of the pixels and of the recording&apos;s memory, &apos;quarter&apos; a sixteenth</source>
         <translation>&apos;half&apos; 的像素和录像所占内存为四分之一，&apos;quarter&apos; 为十六分之一</translation>
     </message>
     <message>
-        <source>pictures of one source whose running mean is measured; 1: each by itself. A finger that moves is then seen where it was on average, and blurred</source>
+        <source>images of one source whose running mean is measured; 1: each by itself. A moving finger then appears at its average position, and blurred</source>
         <translation>取滑动平均后再测量的同一来源的图像数；1：逐张测量。运动中的手指则显示在其平均位置上，而且模糊</translation>
     </message>
     <message>
-        <source>more quiet the noise of a finger that holds still, by their square root</source>
+        <source>more reduce the noise of a finger that holds still, by their square root</source>
         <translation>越多，静止手指的噪声越小，按数目的平方根降低</translation>
     </message>
     <message>
-        <source>more tell of the finger later, by half of them; adding them up takes a little</source>
+        <source>more delay the results, by half their number; adding them up takes a little time</source>
         <translation>越多，手指的结果越滞后，滞后为其数目的一半；累加要花少许时间</translation>
     </message>
     <message>
@@ -12400,12 +12400,12 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>&apos;all&apos; 不会漏掉任何接触</translation>
     </message>
     <message>
-        <source>depth takes as much less time as the part is shorter than the face</source>
-        <translation>该部分比整个面短多少，计算深度就省多少时间</translation>
+        <source>depth takes less time, in proportion to the part&apos;s length</source>
+        <translation>计算深度的用时随该部分的长度按比例减少</translation>
     </message>
     <message>
-        <source>recorded pictures that reference-method local computes the reference from</source>
-        <translation>reference-method local 计算参考所用的录制图片数</translation>
+        <source>recorded images from which reference-method local computes the reference</source>
+        <translation>reference-method local 计算参考所用的录制图像数</translation>
     </message>
     <message>
         <source>more leave less noise in the reference; too many reach too far from the pose</source>
@@ -12416,7 +12416,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>每一张都要在每一帧中累加</translation>
     </message>
     <message>
-        <source>no plane goes through so few measured pixels, or through one line</source>
+        <source>so few measured pixels, or pixels on one line, define no plane</source>
         <translation>测得的像素太少或都在一条线上，无法确定平面</translation>
     </message>
     <message>
@@ -12432,8 +12432,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>此区域中没有球</translation>
     </message>
     <message>
-        <source>a piece that is round, seen up to where it is half as deep</source>
-        <translation>使用圆形的区域，且看得见到深度减半处</translation>
+        <source>a round piece, visible down to half its depth</source>
+        <translation>使用圆形的区域，且到深度减半处都可见</translation>
     </message>
     <message>
         <source>nothing here is deeper than {} mm</source>
@@ -12444,7 +12444,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>使用有物体压入的区域</translation>
     </message>
     <message>
-        <source>the piece is too narrow to take its form out</source>
+        <source>the piece is too narrow to remove its form</source>
         <translation>区域太窄，无法扣除其形状</translation>
     </message>
     <message>
@@ -12452,7 +12452,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>使用更宽的区域</translation>
     </message>
     <message>
-        <source>no step along this line stands out of the noise</source>
+        <source>no step along this line exceeds the noise</source>
         <translation>沿此线没有高出噪声的台阶</translation>
     </message>
     <message>
@@ -12460,12 +12460,12 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>使用与台阶成直角相交的线</translation>
     </message>
     <message>
-        <source>a part of this piece is at a limit of what is measured</source>
-        <translation>这一块的一部分处于测量极限</translation>
+        <source>part of this piece is at a limit of the measuring range</source>
+        <translation>此区域的一部分处于测量极限</translation>
     </message>
     <message>
-        <source>a piece that is pressed in less deep</source>
-        <translation>请选择压入较浅的一块</translation>
+        <source>a piece that is pressed in less deeply</source>
+        <translation>使用压入较浅的区域</translation>
     </message>
     <message>
         <source>one side of the step is too short to be a plane</source>
@@ -12473,30 +12473,30 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>a line that reaches further over both sides</source>
-        <translation>请让连线在两侧都延伸得更远</translation>
+        <translation>使用在两侧都延伸得更远的线</translation>
     </message>
     <message>
-        <source>one side of the step is not plane</source>
+        <source>one side of the step is not flat</source>
         <translation>台阶的一侧不是平面</translation>
     </message>
     <message>
         <source>a line over two planes, with the step between them</source>
-        <translation>请让连线跨过两个平面，台阶位于其间</translation>
+        <translation>使用跨过两个平面、台阶位于其间的线</translation>
     </message>
     <message>
-        <source>both sides of the step are not parallel</source>
+        <source>the two sides of the step are not parallel</source>
         <translation>台阶的两侧不平行</translation>
     </message>
     <message>
         <source>a line over two parallel planes, with the step between them</source>
-        <translation>请让连线跨过两个平行平面，台阶位于其间</translation>
+        <translation>使用跨过两个平行平面、台阶位于其间的线</translation>
     </message>
     <message>
-        <source>could not keep the simulated finger for the next time</source>
+        <source>could not save the simulated finger for the next time</source>
         <translation>无法保存仿真手指供下次使用</translation>
     </message>
     <message>
-        <source>error of a push&apos;s direction in the picture; sides begin at 22.5 degrees and every 45 from there, and the paper tells no figure of it</source>
+        <source>error of a push&apos;s direction in the image; sides begin at 22.5 degrees and every 45 from there; the paper gives no figure for it</source>
         <translation>图像中推压方向的误差；各方向的分界始于 22.5 度，此后每 45 度一个，论文未给出此项数字</translation>
     </message>
     <message>
@@ -12508,19 +12508,19 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>方向误差（度）</translation>
     </message>
     <message>
-        <source>frames under 10 px a dot, or told to be in a pose never recorded</source>
+        <source>frames under 10 px per dot, or reported as a pose never recorded</source>
         <translation>每点低于 10 px 的帧，或被报告为姿态从未录制过的帧</translation>
     </message>
     <message>
         <source>frames under 10 px summed over the dots, nearest of a recording</source>
-        <translation>各点之和低于 10 px 的帧，录像中最近的一帧</translation>
+        <translation>各点之和低于 10 px 的帧，录像中最近的参考</translation>
     </message>
     <message>
-        <source>the same, of the recorded frames as the reference combines them</source>
+        <source>the same, for the recorded frames as the reference combines them</source>
         <translation>同上，录制的帧按参考的方式组合</translation>
     </message>
     <message>
-        <source>the same, or told that the pose or its surroundings were not recorded</source>
+        <source>the same, or the pose or its surroundings are reported as not recorded</source>
         <translation>同上，或被报告为该姿态或其附近未录制过</translation>
     </message>
     <message>
@@ -12528,7 +12528,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>按参考的方式组合，本程序</translation>
     </message>
     <message>
-        <source>The paper sums the distance over its dots, and under 40 px is told so here; under 10 px is told over this finger and {} drawn at random, for a dot and summed</source>
+        <source>The paper sums the distance over its dots, and so does the figure under 40 px here; the figure under 10 px covers this finger and {} drawn at random, per dot and summed</source>
         <translation>论文把距离对其各点求和，这里的“小于 40 px”也这样给出；“小于 10 px”则按此手指和随机抽取的 {} 个手指给出，分别为每点的值和总和</translation>
     </message>
     <message>
@@ -12536,12 +12536,12 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>真值</translation>
     </message>
     <message>
-        <source>relief of the straight finger, as the pressed face lies from base (left) to tip</source>
-        <translation>伸直手指的浮雕，按被压面从根部（左）到指尖的方向</translation>
+        <source>relief of the straight finger, along the pressed face from base (left) to tip</source>
+        <translation>伸直手指的浮雕，沿被压接触面从根部（左）到指尖</translation>
     </message>
     <message>
-        <source>relief of the bent finger, as the pressed face lies from base (left) to tip</source>
-        <translation>弯曲手指的浮雕，按被压面从根部（左）到指尖的方向</translation>
+        <source>relief of the bent finger, along the pressed face from base (left) to tip</source>
+        <translation>弯曲手指的浮雕，沿被压接触面从根部（左）到指尖</translation>
     </message>
     <message>
         <source>recording of all poses</source>
@@ -12560,12 +12560,12 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>单一参考，误差</translation>
     </message>
     <message>
-        <source>The paper shows pictures of reliefs and no figure; both of ours use the same calibration, so that only the reference differs</source>
-        <translation>论文给出浮雕的图片，没有数字；本程序的两个结果使用同一标定，因此只有参考不同</translation>
+        <source>The paper shows images of reliefs but no figure; both of ours use the same calibration, so only the reference differs</source>
+        <translation>论文给出浮雕的图像，没有数字；本程序的两个结果使用同一标定，因此只有参考不同</translation>
     </message>
     <message>
-        <source>no finger was given that measures these pictures</source>
-        <translation>没有给出用来测量这些图片的手指</translation>
+        <source>no finger was specified to measure these images</source>
+        <translation>未指定用来测量这些图像的手指</translation>
     </message>
     <message>
         <source>the scene shows another finger than {}</source>
@@ -12592,7 +12592,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>随机抽取的 {} 个手指中最差的，指尖处</translation>
     </message>
     <message>
-        <source>is no setting of this version</source>
+        <source>is not a setting of this version</source>
         <translation>不是此版本的设置</translation>
     </message>
     <message>
@@ -12604,7 +12604,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>重新研究此手指</translation>
     </message>
     <message>
-        <source>this finger keeps no presets: it was not studied yet</source>
+        <source>this finger has no presets: it was not studied yet</source>
         <translation>此手指没有预设：尚未对它进行研究</translation>
     </message>
     <message>
@@ -12612,11 +12612,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>alltact study {} --save</translation>
     </message>
     <message>
-        <source>nothing is faster on this finger without being half as wrong again</source>
+        <source>no setting is faster on this finger without an error half as large again</source>
         <translation>在此手指上，没有哪种设置更快而误差不增大一半</translation>
     </message>
     <message>
-        <source>nothing is more accurate on this finger than how it was calibrated</source>
+        <source>no setting is more accurate on this finger than those of its calibration</source>
         <translation>在此手指上，没有比标定时所用设置更精确的</translation>
     </message>
     <message>
@@ -12624,7 +12624,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>用 {} 测量</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; is no preset of this finger</source>
+        <source>&apos;{}&apos; is not a preset of this finger</source>
         <translation>“{}”不是此手指的预设</translation>
     </message>
     <message>
@@ -12632,39 +12632,39 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>{}</translation>
     </message>
     <message>
-        <source>beyond the {} that are to be used</source>
+        <source>beyond the {} to be used</source>
         <translation>超出要使用的 {} 次</translation>
     </message>
     <message>
-        <source>presses that are used at most, spread evenly over those given; 0: all of them</source>
+        <source>maximum number of presses to use, spread evenly over those given; 0: all of them</source>
         <translation>最多使用的按压次数，在所给按压中均匀选取；0：全部</translation>
     </message>
     <message>
-        <source>more hold the curve at more depths and places; ten well spread are usual</source>
+        <source>more support the curve at more depths and positions; ten well spread are typical</source>
         <translation>越多，曲线就在越多的深度和位置上有依据；通常用十次分布良好的按压</translation>
     </message>
     <message>
-        <source>each has to be made, and is left out once to see what it predicts</source>
+        <source>each must be made, and is left out once to test the prediction</source>
         <translation>每次都要实际按压，并会被留出一次以检验预测</translation>
     </message>
     <message>
-        <source>pictures of a press held still (--bursts) that are averaged at most</source>
-        <translation>一次保持静止的按压（--bursts）最多取平均的图片数</translation>
+        <source>maximum number of averaged images of a press held still (--bursts)</source>
+        <translation>一次保持静止的按压（--bursts）最多取平均的图像数</translation>
     </message>
     <message>
         <source>more leave less noise in a press, by their square root</source>
         <translation>越多则一次按压中的噪声越小，与张数的平方根成反比</translation>
     </message>
     <message>
-        <source>the ball has to be held still for so long, and reading them takes a little</source>
-        <translation>球须保持静止相应的时间，读取图片也要花一点时间</translation>
+        <source>the ball must be held still that long, and reading them takes a little time</source>
+        <translation>球须保持静止相应的时间，读取图像也要花一点时间</translation>
     </message>
     <message>
-        <source>rounds of the joint fit at most; it ends before when nothing moves any more</source>
+        <source>maximum number of rounds of the joint fit; it ends earlier when nothing changes</source>
         <translation>联合拟合的最多轮数；不再有变化时会提前结束</translation>
     </message>
     <message>
-        <source>more settle what presses say against each other; too few leave the curve where it began</source>
+        <source>more resolve contradictions between presses; too few leave the curve where it began</source>
         <translation>越多越能调和各次按压之间的矛盾；太少则曲线停留在起点</translation>
     </message>
     <message>
@@ -12672,15 +12672,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>每一轮都在每次试验中把全部按压一起求解一次</translation>
     </message>
     <message>
-        <source>the presses do not tell whether brightness follows the layer&apos;s thickness along its normal ({:.4f} mm on presses left out) or along z ({:.4f} mm): the normal is taken, and if that is wrong, places on the face lie {:.1f} mm off along it; larger pictures tell, and presses where the face is steep and where it is flat</source>
-        <translation>按压无法说明亮度是随层沿法线的厚度变化（留出按压误差 {:.4f} mm），还是随沿 z 的厚度变化（{:.4f} mm）：现取法线，若这不对，面上的位置会沿法线偏 {:.1f} mm；更大的图片以及在面的陡处和平处的按压可以说明</translation>
+        <source>the presses do not show whether brightness follows the layer&apos;s thickness along its normal ({:.4f} mm on presses left out) or along z ({:.4f} mm): the normal is assumed; if wrong, positions on the face are {:.1f} mm off along it; use larger images, and presses where the face is steep and where it is flat</source>
+        <translation>按压无法表明亮度是随层沿法线的厚度变化（留出按压误差 {:.4f} mm），还是随沿 z 的厚度变化（{:.4f} mm）：现假定为法线；若不对，接触面上的位置会沿接触面偏 {:.1f} mm；请使用更大的图像，以及在接触面陡处和平处的按压</translation>
     </message>
     <message>
         <source>the source paper&apos;s method is not studied with a turned camera</source>
         <translation>不研究相机转动时的原论文方法</translation>
     </message>
     <message>
-        <source>{}: depth {:.1f} instead of {:.1f} micrometres off in the median, 95 % within {:.1f} instead of {:.1f}, for {:.1f} minutes more</source>
+        <source>{}: median depth error {:.1f} instead of {:.1f} micrometres, 95 % within {:.1f} instead of {:.1f}, for {:.1f} more minutes</source>
         <translation>{}：深度误差中位数为 {:.1f} 而不是 {:.1f} 微米，95 % 在 {:.1f} 而不是 {:.1f} 以内，多用 {:.1f} 分钟</translation>
     </message>
     <message numerus="yes">
@@ -12691,8 +12691,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         </translation>
     </message>
     <message>
-        <source>{} pictures each</source>
-        <translation>每次 {} 张图片</translation>
+        <source>{} images each</source>
+        <translation>每次 {} 张图像</translation>
     </message>
     <message>
         <source>method {}</source>
@@ -12703,22 +12703,22 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>曲线种类 {}</translation>
     </message>
     <message numerus="yes">
-        <source>{} presses more</source>
+        <source>{} more presses</source>
         <comment>{} press more</comment>
         <translation>
             <numerusform>多 {} 次按压</numerusform>
         </translation>
     </message>
     <message>
-        <source>{} pictures of each press</source>
-        <translation>每次按压 {} 张图片</translation>
+        <source>{} images of each press</source>
+        <translation>每次按压 {} 张图像</translation>
     </message>
     <message>
-        <source>The best within a minute more ({})</source>
+        <source>The best within one more minute ({})</source>
         <translation>多用不超过一分钟时的最佳选择（{}）</translation>
     </message>
     <message>
-        <source>the finger keeps too few presses to leave one out: {}</source>
+        <source>the finger has too few stored presses to leave one out: {}</source>
         <translation>手指保存的按压太少，无法留出一次：{}</translation>
     </message>
     <message>
@@ -12734,7 +12734,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>正在标定：{}</translation>
     </message>
     <message>
-        <source>none of {} presses could be held against a mapping made without it</source>
+        <source>none of {} presses could be compared with a mapping made without it</source>
         <translation>{} 次按压中，没有一次能与未使用它的映射作比较</translation>
     </message>
     <message>
@@ -12758,7 +12758,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>用时为 {:.2f} 倍</translation>
     </message>
     <message>
-        <source>depth {:.1f} instead of {:.1f} micrometres off</source>
+        <source>depth error {:.1f} instead of {:.1f} micrometres</source>
         <translation>深度误差为 {:.1f} 而不是 {:.1f} 微米</translation>
     </message>
     <message>
@@ -12766,11 +12766,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>95 % 的深度误差在 {:.1f} 而不是 {:.1f} 微米以内</translation>
     </message>
     <message>
-        <source>places told {:.3f} instead of {:.3f} mm off</source>
+        <source>position error {:.3f} instead of {:.3f} mm</source>
         <translation>位置误差为 {:.3f} 而不是 {:.3f} mm</translation>
     </message>
     <message>
-        <source>angles told {:.1f} instead of {:.1f} degrees off</source>
+        <source>angle error {:.1f} instead of {:.1f} degrees</source>
         <translation>角度误差为 {:.1f} 而不是 {:.1f} 度</translation>
     </message>
     <message>
@@ -12778,10 +12778,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>虚假深度为 {:.1f} 而不是 {:.1f} 微米</translation>
     </message>
     <message numerus="yes">
-        <source>no depth in {} pictures</source>
+        <source>no depth in {} images</source>
         <comment>no depth in {} picture</comment>
         <translation>
-            <numerusform>{} 张图片中没有深度</numerusform>
+            <numerusform>{} 张图像中没有深度</numerusform>
         </translation>
     </message>
     <message>
@@ -12797,11 +12797,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>无法压缩深度</translation>
     </message>
     <message>
-        <source>the video does not say that it holds depth</source>
-        <translation>视频没有说明它包含深度</translation>
+        <source>the video is not marked as depth</source>
+        <translation>视频未标明包含深度</translation>
     </message>
     <message>
-        <source>a video of alltact reconstruct --format depth-video</source>
+        <source>a video from alltact reconstruct --format depth-video</source>
         <translation>使用 alltact reconstruct --format depth-video 写出的视频</translation>
     </message>
     <message>
@@ -12817,31 +12817,31 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>此系统的 libavcodec 无法写 FFV1</translation>
     </message>
     <message>
-        <source>Debian&apos;s libavcodec, or depth as single pictures</source>
-        <translation>使用 Debian 的 libavcodec，或把深度存为单张图片</translation>
+        <source>Debian&apos;s libavcodec, or depth as single images</source>
+        <translation>使用 Debian 的 libavcodec，或把深度存为单张图像</translation>
     </message>
     <message>
-        <source>whether what the lens bends is taken out of every point, or the lens is taken as one that bends nothing</source>
+        <source>whether the lens distortion is removed from every point, or the lens is assumed to have none</source>
         <translation>是否从每个点中消除镜头的畸变，或将镜头视为无畸变</translation>
     </message>
     <message>
-        <source>&apos;exact&apos; tells shape and places right up to the picture&apos;s corners</source>
+        <source>&apos;exact&apos; measures shape and positions correctly up to the image&apos;s corners</source>
         <translation>&apos;exact&apos; 直到图像角落都能正确给出形状和位置</translation>
     </message>
     <message>
-        <source>&apos;exact&apos; looks each ray up by itself</source>
+        <source>&apos;exact&apos; looks up each ray separately</source>
         <translation>&apos;exact&apos; 逐条查找每条光线</translation>
     </message>
     <message>
-        <source>how a layer pressed in along its normal is told along z: looked up where the normal leads, or at the same pixel as if all rays were parallel</source>
-        <translation>沿法线压入的层如何沿 z 给出：沿法线所指处查找，或视所有光线为平行而取同一像素</translation>
+        <source>how a layer pressed in along its normal is converted to z: looked up where the normal leads, or at the same pixel as if all rays were parallel</source>
+        <translation>沿法线压入的层如何换算到 z：沿法线所指处查找，或视所有光线为平行而取同一像素</translation>
     </message>
     <message>
-        <source>&apos;exact&apos; tells a contact on a sloping face where it is and as deep as it is; &apos;parallel&apos; up to a layer&apos;s thickness beside</source>
+        <source>&apos;exact&apos; measures a contact on a sloping face at its true position and depth; &apos;parallel&apos; up to a layer&apos;s thickness off</source>
         <translation>&apos;exact&apos; 给出斜面上接触的真实位置和深度；&apos;parallel&apos; 的偏差可达一个层厚</translation>
     </message>
     <message>
-        <source>&apos;exact&apos; looks every pixel of a contact up once more</source>
+        <source>&apos;exact&apos; looks up every pixel of a contact once more</source>
         <translation>&apos;exact&apos; 对接触的每个像素再查找一次</translation>
     </message>
     <message>
@@ -12849,8 +12849,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>保存或以 3D 显示的曲面中，相邻顶点之间的像素数；1：每个像素</translation>
     </message>
     <message>
-        <source>1 keeps every edge that was measured</source>
-        <translation>1 保留测得的每条边缘</translation>
+        <source>1 preserves every measured edge</source>
+        <translation>1 保留每条测得的边缘</translation>
     </message>
     <message>
         <source>time and size fall with its square</source>
@@ -12858,22 +12858,22 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>a point lies off the face</source>
-        <translation>有一个点不在面上</translation>
+        <translation>有一个点不在接触面上</translation>
     </message>
     <message>
         <source>points on the face</source>
-        <translation>使用面上的点</translation>
+        <translation>使用接触面上的点</translation>
     </message>
     <message>
-        <source>both points are one</source>
+        <source>both points are the same</source>
         <translation>两个点是同一点</translation>
     </message>
     <message>
-        <source>two points that are apart</source>
-        <translation>使用两个分开的点</translation>
+        <source>two different points</source>
+        <translation>使用两个不同的点</translation>
     </message>
     <message>
-        <source>the connection&apos;s line was not whole</source>
+        <source>the connection&apos;s line was incomplete</source>
         <translation>连接的请求行不完整</translation>
     </message>
     <message>
@@ -12881,7 +12881,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>以换行结束它</translation>
     </message>
     <message>
-        <source>something came after the line</source>
+        <source>more data followed the line</source>
         <translation>请求行之后还有内容</translation>
     </message>
     <message>
@@ -12897,19 +12897,19 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>使用如 alltact-stream/1 picture depth16 的一行</translation>
     </message>
     <message>
-        <source>&apos;{}&apos; does not ask for {}</source>
+        <source>&apos;{}&apos; does not request {}</source>
         <translation>“{}”没有请求 {}</translation>
     </message>
     <message>
-        <source>there is no part &apos;{}&apos;, but {}</source>
+        <source>there is no part &apos;{}&apos;, only {}</source>
         <translation>没有“{}”这一部分，只有 {}</translation>
     </message>
     <message>
-        <source>another user&apos;s programs are not let in</source>
+        <source>programs of other users are not accepted</source>
         <translation>不接受其他用户的程序</translation>
     </message>
     <message>
-        <source>{} programs are served already</source>
+        <source>{} programs are already served</source>
         <translation>已有 {} 个程序在接收</translation>
     </message>
     <message>
@@ -12921,11 +12921,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>{} 秒内没有收到请求行</translation>
     </message>
     <message>
-        <source>programs could not be let in here</source>
+        <source>programs could not connect here</source>
         <translation>无法在此接受程序连接</translation>
     </message>
     <message>
-        <source>the path is longer than the {} bytes that a socket&apos;s may have</source>
+        <source>the path is longer than the {} bytes a socket&apos;s path may have</source>
         <translation>路径超过套接字允许的 {} 字节</translation>
     </message>
     <message>
@@ -12933,8 +12933,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>用 --socket 指定更短的路径</translation>
     </message>
     <message>
-        <source>this folder belongs to somebody else, who could read along</source>
-        <translation>此文件夹属于他人，他人可能会读取</translation>
+        <source>this folder belongs to another user, who could read the data</source>
+        <translation>此文件夹属于其他用户，该用户可能读取数据</translation>
     </message>
     <message>
         <source>a folder of your own with --socket</source>
@@ -12949,7 +12949,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>使用 chmod 700，或用 --socket 指定其他文件夹</translation>
     </message>
     <message>
-        <source>there is something here that is no socket, and it is left alone</source>
+        <source>something here is not a socket, and it remains unchanged</source>
         <translation>此处有不是套接字的内容，未作改动</translation>
     </message>
     <message>
@@ -12957,8 +12957,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>用 --socket 指定其他路径</translation>
     </message>
     <message>
-        <source>another program serves here already ({})</source>
-        <translation>已有另一个程序在此提供服务 ({})</translation>
+        <source>another program already serves here ({})</source>
+        <translation>已有另一个程序在此提供服务（{}）</translation>
     </message>
     <message>
         <source>connecting to that one, ending it, or another path with --socket</source>
@@ -12981,12 +12981,12 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>NAME.depth.tiff</translation>
     </message>
     <message>
-        <source>the edges at the {} are not seen</source>
+        <source>the edges at the {} are not visible</source>
         <translation>看不到{}处的边缘</translation>
     </message>
     <message>
-        <source>bring the whole face into the picture, lit, with dark beside it</source>
-        <translation>让整个面进入图像并被照亮，旁边为暗</translation>
+        <source>bring the entire face into the image, lit, with dark next to it</source>
+        <translation>让整个接触面进入图像并被照亮，其旁边保持黑暗</translation>
     </message>
     <message>
         <source>edges at the {} are {:.1f} px wide</source>
@@ -12997,20 +12997,20 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>转动镜头直到{}清晰，并使另一端保持清晰</translation>
     </message>
     <message>
-        <source>no face is seen</source>
-        <translation>看不到面</translation>
+        <source>no face is visible</source>
+        <translation>看不到接触面</translation>
     </message>
     <message>
-        <source>{:.1f} % of the face are too bright to measure</source>
-        <translation>面的 {:.1f} % 太亮，无法测量</translation>
+        <source>{:.1f} % of the face is too bright to measure</source>
+        <translation>接触面的 {:.1f} % 太亮，无法测量</translation>
     </message>
     <message>
         <source>dim the lamp, or shorten the exposure</source>
         <translation>调暗灯，或缩短曝光</translation>
     </message>
     <message>
-        <source>the face is {:.0f} of 255 bright, nothing is too bright</source>
-        <translation>面的亮度为 {:.0f} / 255，没有过亮处</translation>
+        <source>the face has brightness {:.0f} of 255, nothing is too bright</source>
+        <translation>接触面的亮度为 {:.0f} / 255，没有过亮处</translation>
     </message>
     <message>
         <source>turn the lamp up, or lengthen the exposure</source>
@@ -13029,7 +13029,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>让灯预热十分钟，遮住房间的光，并锁定亮度</translation>
     </message>
     <message>
-        <source>no picture yet</source>
+        <source>no image yet</source>
         <translation>还没有图像</translation>
     </message>
     <message>
@@ -13041,11 +13041,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>找到 {} / {} 个标记点</translation>
     </message>
     <message>
-        <source>light the dots evenly, keep both rows in the picture, and check how many the finger has</source>
-        <translation>均匀照亮标记点，使两行都在图像内，并核对手指有多少标记点</translation>
+        <source>light the dots evenly, keep both rows in the image, and check how many the finger has</source>
+        <translation>均匀照亮标记点，使两排都在图像内，并核对手指有多少标记点</translation>
     </message>
     <message>
-        <source>&apos;joint&apos; is several times closer, and says how sure it is</source>
+        <source>&apos;joint&apos; is several times more accurate, and reports its certainty</source>
         <translation>&apos;joint&apos; 精确数倍，并给出其可信程度</translation>
     </message>
     <message>
@@ -13057,7 +13057,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>层均匀时 &apos;moebius&apos; 和 &apos;kubelka-munk&apos; 只需少量按压；&apos;polynomial&apos; 能适应任何层，但需要更多按压</translation>
     </message>
     <message>
-        <source>&apos;auto&apos; fits all of them and leaves presses out of each</source>
+        <source>&apos;auto&apos; fits all of them and leaves presses out for each</source>
         <translation>&apos;auto&apos; 拟合全部类型，并逐一排除按压</translation>
     </message>
     <message numerus="yes">
@@ -13076,11 +13076,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>先 alltact reference，再 alltact calibrate</translation>
     </message>
     <message>
-        <source>no picture of the reference recording shows the face</source>
-        <translation>参考录像中没有一张图像显示面</translation>
+        <source>no image of the reference recording shows the face</source>
+        <translation>参考录像中没有一张图像显示接触面</translation>
     </message>
     <message>
-        <source>how time and memory grow, of {}</source>
+        <source>how time and memory grow for {}</source>
         <translation>时间和内存如何增长：{}</translation>
     </message>
     <message>
@@ -13088,11 +13088,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>一帧</translation>
     </message>
     <message>
-        <source>pixels of the picture</source>
+        <source>pixels of the image</source>
         <translation>图像的像素数</translation>
     </message>
     <message>
-        <source>pictures of {} x {}</source>
+        <source>images of {} x {}</source>
         <translation>{} x {} 的图像</translation>
     </message>
     <message>
@@ -13112,7 +13112,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>{} 帧的录像</translation>
     </message>
     <message>
-        <source>{} of {} searches found what looking at all frames finds</source>
+        <source>{} of {} searches gave the same result as a search of all frames</source>
         <translation>{} / {} 次查找得到与逐帧查找相同的结果</translation>
     </message>
     <message>
@@ -13146,7 +13146,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         </translation>
     </message>
     <message numerus="yes">
-        <source>{} presses are different ones, the others their copies</source>
+        <source>{} presses are distinct, the others are their copies</source>
         <comment>{} press is a different one, the others its copies</comment>
         <translation>
             <numerusform>{} 次按压各不相同，其余为其副本</numerusform>
@@ -13165,20 +13165,20 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>{:.0f} s 的录像</translation>
     </message>
     <message>
-        <source>{} frames of the longest were measured; memory: the most that was held beside the reference</source>
+        <source>{} frames of the longest were measured; memory: the maximum in addition to the reference</source>
         <translation>测量了最长录像的 {} 帧；内存：参考之外占用的最大值</translation>
     </message>
     <message>
-        <source>its error is told from the third view on</source>
-        <translation>其误差从第三个视图起给出</translation>
+        <source>its error is estimated from the third view on</source>
+        <translation>从第三个视图起估计其误差</translation>
     </message>
     <message>
         <source>no frame shows a face</source>
-        <translation>没有一帧显示面</translation>
+        <translation>没有一帧显示接触面</translation>
     </message>
     <message>
-        <source>the picture cannot be written</source>
-        <translation>无法写入图片</translation>
+        <source>the image cannot be written</source>
+        <translation>无法写入图像</translation>
     </message>
     <message>
         <source>another folder, or freeing some space</source>
@@ -13194,10 +13194,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the figure cannot be written</source>
-        <translation>无法写入图</translation>
+        <translation>无法写入图表</translation>
     </message>
     <message>
-        <source>there is no room to try the recording in</source>
+        <source>there is no space to try the recording</source>
         <translation>没有空间试用此录像</translation>
     </message>
     <message>
@@ -13217,8 +13217,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>缩短帮助页中的编号列表</translation>
     </message>
     <message>
-        <source>the markers tell from which side the finger is pushed, but not how far from its base: a push on a side moves them alike wherever it is</source>
-        <translation>标记点能说明手指从哪一侧被推，但不能说明距根部多远：对侧面的推压无论在何处，都以同样方式移动它们</translation>
+        <source>the markers show from which side the finger is pushed, but not how far from its base: a push on a side moves them alike wherever it is</source>
+        <translation>标记点能显示手指从哪一侧被推，但不能显示距根部多远：对侧面的推压无论在何处，都以同样方式移动它们</translation>
     </message>
     <message>
         <source>a change of the finger that was interrupted cannot be completed: {}</source>
@@ -13233,7 +13233,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>用该文件夹本身代替链接</translation>
     </message>
     <message>
-        <source>this is no list of files to be changed</source>
+        <source>this is not a list of files to be changed</source>
         <translation>这不是待更改文件的列表</translation>
     </message>
     <message>
@@ -13249,8 +13249,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>无法读取文件夹</translation>
     </message>
     <message>
-        <source>what the ways of finding markers cost and gain</source>
-        <translation>各种标记查找方法的代价与收益</translation>
+        <source>what the methods of finding markers cost and gain</source>
+        <translation>各种标记点查找方法的代价与收益</translation>
     </message>
     <message>
         <source>blobs, the default</source>
@@ -13258,7 +13258,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the paper&apos;s rows</source>
-        <translation>论文的行排序</translation>
+        <translation>论文的两排排序</translation>
     </message>
     <message>
         <source>network</source>
@@ -13289,11 +13289,11 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>脏污</translation>
     </message>
     <message>
-        <source>{}: markers in sight that are found</source>
-        <translation>{}：可见标记中被找到的</translation>
+        <source>{}: visible markers that are found</source>
+        <translation>{}：可见标记点中被找到的</translation>
     </message>
     <message>
-        <source>{}: told as seen, and elsewhere</source>
+        <source>{}: reported as seen, but elsewhere</source>
         <translation>{}：报告为可见但位置不对</translation>
     </message>
     <message>
@@ -13313,31 +13313,31 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>困难所在</translation>
     </message>
     <message>
-        <source>markers in sight that are found, each frame by itself</source>
-        <translation>可见标记中被找到的，每帧单独处理</translation>
+        <source>visible markers that are found, each frame by itself</source>
+        <translation>可见标记点中被找到的，每帧单独处理</translation>
     </message>
     <message>
         <source>found (%)</source>
         <translation>已找到（%）</translation>
     </message>
     <message>
-        <source>how far hidden markers are from where they are said to be</source>
-        <translation>被遮挡标记与报告位置的距离</translation>
+        <source>how far hidden markers are from their reported positions</source>
+        <translation>被遮挡标记点与报告位置的距离</translation>
     </message>
     <message>
         <source>root mean square (px)</source>
         <translation>均方根（px）</translation>
     </message>
     <message>
-        <source>The demonstration&apos;s finger and {} drawn at random, which the network has not been trained on. Blobs and network are numbered by the recording, the paper&apos;s rows from left to right with hidden ones between their neighbours; each frame is looked at anew, as if none had come before. The paper tells no figure of its markers</source>
-        <translation>演示用手指以及 {} 个随机生成的手指，网络未用它们训练过。斑点和网络按参考录像编号，论文的行从左到右编号，被遮挡的取相邻标记之间；每帧都重新查看，不依赖前一帧。论文未给出其标记的数据</translation>
+        <source>The demonstration&apos;s finger and {} drawn at random, on which the network was not trained. The recording numbers blobs and network dots; the paper&apos;s rows are numbered from left to right, hidden dots between their neighbours. Each frame is analysed anew, as if none had come before. The paper gives no figure for its markers</source>
+        <translation>演示的手指以及随机抽取的 {} 个手指，神经网络未用它们训练过。斑点和神经网络的点按参考录像编号，论文的两排从左到右编号，被遮挡的点编在相邻点之间。每帧都重新分析，不依赖前一帧。论文未给出其标记点的数字</translation>
     </message>
     <message>
-        <source>{} was last changed at {}, and this computer&apos;s clock says {}: set the clock</source>
+        <source>{} was last changed at {}, and this computer&apos;s clock shows {}: set the clock</source>
         <translation>{} 上次更改于 {}，而本机时钟显示 {}：请校准时钟</translation>
     </message>
     <message>
-        <source>its disk takes long to answer and is waited for</source>
+        <source>its disk responds slowly; waiting for it</source>
         <translation>其磁盘响应缓慢，正在等待</translation>
     </message>
     <message>
@@ -13345,19 +13345,19 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>请稍候；若持续如此，请检查是否有其他程序占用该磁盘，再检查其网络或连接线</translation>
     </message>
     <message>
-        <source>the push on the back moves the markers too little, or bends the finger too far, to tell how far from the base it is</source>
-        <translation>背面的按压使标记移动太少，或使手指弯曲过大，无法得知它离基部多远</translation>
+        <source>the push on the back moves the markers too little, or bends the finger too far, to estimate its distance from the base</source>
+        <translation>背面的推压使标记点移动太少，或使手指弯曲过大，无法得出其离根部的距离</translation>
     </message>
     <message>
-        <source>The camera&apos;s clock was set by {:+.1f} s: until it is right again, pictures count as taken when they come</source>
+        <source>The camera&apos;s clock was changed by {:+.1f} s: until it is correct again, the time of arrival of images is used</source>
         <translation>相机的时钟被调整了 {:+.1f} 秒：在它恢复正确之前，图像按到达时间计</translation>
     </message>
     <message>
-        <source>The camera sent a picture twice ({}): a mean over several pictures is less sure than it says</source>
+        <source>The camera sent an image twice ({}): a mean over several images is less certain than reported</source>
         <translation>相机把一张图像发送了两次（{}）：多张图像的平均值不如所示的那样可靠</translation>
     </message>
     <message>
-        <source>There are no pages of the report: {}.</source>
+        <source>The report has no pages: {}.</source>
         <translation>报告没有页面：{}。</translation>
     </message>
     <message>
@@ -13400,7 +13400,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         </translation>
     </message>
     <message numerus="yes">
-        <source>{1:.3f} mm of depth error on {0} presses {4} (passes up to {2:.3f} mm), light {3:+.1f} %</source>
+        <source>{1:.3f} mm depth error on {0} presses {4} (passes up to {2:.3f} mm), light {3:+.1f} %</source>
         <comment>{1:.3f} mm of depth error on {0} press {4} (passes up to {2:.3f} mm), light {3:+.1f} %</comment>
         <translation>
             <numerusform>{0} 次按压（{4}）的深度误差为 {1} mm（不超过 {2} mm 即通过），光照 {3} %</numerusform>
@@ -13411,7 +13411,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>已排除：{}</translation>
     </message>
     <message>
-        <source>too few to tell</source>
+        <source>too few to judge</source>
         <translation>数量太少，无法判断</translation>
     </message>
     <message>
@@ -13420,7 +13420,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>camera, face or markers</source>
-        <translation>相机、测量面或标记点</translation>
+        <translation>相机、接触面或标记点</translation>
     </message>
     <message>
         <source>{:.2f} to {:.2f} mm</source>
@@ -13452,8 +13452,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         </translation>
     </message>
     <message>
-        <source>the face is given {:.2f} mm wide, but camera and presses show {}: check the width and the lens</source>
-        <translation>给定的测量面宽度为 {} mm，但相机和按压显示为 {}：请核对宽度和镜头</translation>
+        <source>the specified face width is {:.2f} mm, but camera and presses show {}: check the width and the lens</source>
+        <translation>给定的接触面宽度为 {} mm，但相机和按压显示为 {}：请核对宽度和镜头</translation>
     </message>
     <message>
         <source>mostly the curve&apos;s shape: add presses of different depth and position</source>
@@ -13472,7 +13472,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>主要来自远离所有按压的区域：请在那里按压</translation>
     </message>
     <message>
-        <source>mostly depth read beside contacts, as light that scatters sideways gives</source>
+        <source>mostly depth measured next to contacts, as caused by light that scatters sideways</source>
         <translation>主要来自接触旁边的深度，侧向散射的光会造成这种现象</translation>
     </message>
     <message>
@@ -13525,7 +13525,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>distance of the face</source>
-        <translation>测量面距离</translation>
+        <translation>接触面距离</translation>
     </message>
     <message>
         <source>camera or lens</source>
@@ -13540,12 +13540,12 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>标定未完成就被停止：{}</translation>
     </message>
     <message>
-        <source>no press was left out to show what happens on others</source>
-        <translation>没有留出按压来检验其他情况</translation>
+        <source>no press was left out to show the error on others</source>
+        <translation>没有留出按压来检验在其他按压上的误差</translation>
     </message>
     <message>
-        <source>one press cannot show what happens on others; add presses of different depth</source>
-        <translation>一次按压无法说明其他情况；请增加不同深度的按压</translation>
+        <source>one press cannot show the error on others; add presses of different depth</source>
+        <translation>一次按压无法说明在其他按压上的误差；请增加不同深度的按压</translation>
     </message>
     <message>
         <source>{} of {} presses needed; add more</source>
@@ -13563,7 +13563,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>所有按压都约 {} mm 深；请也按得更浅和更深</translation>
     </message>
     <message>
-        <source>the presses do not tell how certain the scale is; add presses</source>
+        <source>the presses do not show how certain the scale is; add presses</source>
         <translation>按压无法说明比例有多可靠；请增加按压</translation>
     </message>
     <message>
@@ -13575,12 +13575,12 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>{} 天未标定也未检查；请用 {} 次按压检查</translation>
     </message>
     <message>
-        <source>beside contacts {:.3f} mm of depth is read: light scatters sideways there, or the skin is pressed in</source>
-        <translation>接触旁边测得 {} mm 深度：光在那里侧向散射，或表层被带着下陷</translation>
+        <source>next to contacts, {:.3f} mm of depth is measured: light scatters sideways there, or the skin is pressed in</source>
+        <translation>接触旁边测得 {} mm 深度：光在那里侧向散射，或表皮被带着下陷</translation>
     </message>
     <message>
         <source>fine relief needs an error of at most {:.2f} mm</source>
-        <translation>测量精细起伏要求误差不超过 {} mm</translation>
+        <translation>测量精细浮雕要求误差不超过 {} mm</translation>
     </message>
     <message>
         <source>ball of {:.2f} mm diameter</source>
@@ -13600,7 +13600,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>face {:.2f} mm wide</source>
-        <translation>测量面宽 {} mm</translation>
+        <translation>接触面宽 {} mm</translation>
     </message>
     <message>
         <source>expected error {:.3f} mm</source>
@@ -13611,7 +13611,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>预期误差 {} mm，{}</translation>
     </message>
     <message>
-        <source>no error can be expected of it</source>
+        <source>no expected error can be given</source>
         <translation>无法给出预期误差</translation>
     </message>
     <message>

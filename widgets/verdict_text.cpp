@@ -119,14 +119,14 @@ class SettingsWords {
   static QString of(const std::string& name, const std::string& value) {
     if (name == "resolution")
       return value == "whole"  ? tr("every pixel")
-             : value == "half" ? tr("half the pixels a side")
-                               : tr("a quarter of the pixels a side");
+             : value == "half" ? tr("half the pixels per side")
+                               : tr("a quarter of the pixels per side");
     if (name == "average-frames")
-      return tr("%n picture(s) averaged", nullptr, QString::fromStdString(value).toInt());
+      return tr("%n image(s) averaged", nullptr, QString::fromStdString(value).toInt());
     if (name == "reference-neighbours")
-      return tr("reference from %n picture(s)", nullptr, QString::fromStdString(value).toInt());
+      return tr("reference from %n image(s)", nullptr, QString::fromStdString(value).toInt());
     if (name == "edge-method")
-      return value == "integer" ? tr("edges at whole pixels") : tr("edges between pixels");
+      return value == "integer" ? tr("integer-pixel edges") : tr("subpixel edges");
     if (name == "edge-columns")
       return tr("edges from %n column(s)", nullptr, QString::fromStdString(value).toInt());
     if (name == "profile-degree")
@@ -134,15 +134,15 @@ class SettingsWords {
     if (name == "marker-method")
       return value == "paper"     ? tr("markers as two sorted rows")
              : value == "network" ? tr("markers found by a network")
-                                  : tr("markers followed as spots");
+                                  : tr("markers tracked as spots");
     if (name == "reference-method")
-      return value == "single"    ? tr("compared with the picture at rest")
-             : value == "nearest" ? tr("compared with the nearest picture")
-                                  : tr("compared with several pictures");
+      return value == "single"    ? tr("compared with the image at rest")
+             : value == "nearest" ? tr("compared with the nearest image")
+                                  : tr("compared with several images");
     if (name == "light-change")
-      return value == "ignored" ? tr("light taken as recorded") : tr("light corrected");
+      return value == "ignored" ? tr("light as recorded") : tr("light corrected");
     if (name == "undistortion")
-      return value == "none" ? tr("lens taken as one that bends nothing")
+      return value == "none" ? tr("lens assumed distortion-free")
                              : tr("lens corrected at every point");
     if (name == "rays")
       return value == "parallel" ? tr("parallel rays through the layer")

@@ -114,7 +114,7 @@ QString elided_path(const QString& path, const QFontMetrics& metrics, int room) 
 
 AgeLabel::AgeLabel(QWidget* parent) : Translated<QLabel>(parent) {
   say([this] {
-    setAccessibleName(tr("Age of the picture"));
+    setAccessibleName(tr("Image age"));
     show_now();
   });
 }
@@ -128,15 +128,15 @@ void AgeLabel::show_now() {
   const QLocale locale;
   constexpr double kSecond_ms = 1000;
   const bool was_late = std::exchange(is_late_, age_ms_ && *age_ms_ > kLate_ms);
-  QString text = tr("pictures without times");
+  QString text = tr("images without timestamps");
   if (age_ms_ && *age_ms_ >= kSecond_ms)
-    text = tr("picture %1 s old").arg(locale.toString(*age_ms_ / kSecond_ms, 'f', 1));
+    text = tr("image %1 s old").arg(locale.toString(*age_ms_ / kSecond_ms, 'f', 1));
   else if (age_ms_)
-    text = tr("picture %1 ms old").arg(locale.toString(*age_ms_, 'f', 0));
+    text = tr("image %1 ms old").arg(locale.toString(*age_ms_, 'f', 0));
   // The sign does not rely on the colour.
   setText(is_late_ ? QString(QChar(0x25b2)) + QLatin1Char(' ') + text : text);
-  setToolTip(is_late_ ? tr("What moves is seen late. Close other programs, or choose a faster "
-                           "setting in Accuracy.")
+  setToolTip(is_late_ ? tr("Motion appears late. Close other programs, or choose a faster setting "
+                           "on the Accuracy page.")
                       : QString());
   if (is_late_ != was_late) colour();
 }

@@ -19,7 +19,7 @@ void print_methods(const std::vector<MethodRow>& methods, Console& console) {
                           "presses",
                           "mean depth mm",
                           "residual mm",
-                          "reads mm",
+                          "method mm",
                           "joint mm"));
   for (const MethodRow& row : methods)
     console.say(row.failed.empty()
@@ -36,7 +36,7 @@ void print_methods(const std::vector<MethodRow>& methods, Console& console) {
 void print_result(const FingerCalibration& done, Console& console) {
   const Calibration& calibration = done.calibration;
   console.say(
-      fmt::format("{:<24} {:>9} {:>12} {:>13}", "press", "depth mm", "residual mm", "left-out mm"));
+      fmt::format("{:<24} {:>9} {:>12} {:>13}", "press", "depth mm", "residual mm", "held-out mm"));
   for (const BallFit& ball : calibration.balls) {
     console.say(fmt::format("{:<24} {:>9.3f} {:>12.4f} {:>13}",
                             ball.press,
@@ -49,25 +49,26 @@ void print_result(const FingerCalibration& done, Console& console) {
         return ball.held_out_mm > 0 && ball.held_out_mm < ball.residual_mm;
       });
   if (by_chance > 0)
-    console.say(fmt::format("Remark: {} of {} presses fit better left out than used, by chance.",
-                            by_chance,
-                            calibration.balls.size()));
+    console.say(
+        fmt::format("Remark: {} of {} presses happen to fit better when left out than when used.",
+                    by_chance,
+                    calibration.balls.size()));
   for (const Message& sentence : done.made_of) console.say(fmt::format("{}.", sentence));
   for (const BallFit& ball : calibration.balls)
     if (ball.given_depth)
-      console.say(fmt::format("{}: measured {} mm deep, the solution has {:.3f} mm",
+      console.say(fmt::format("{}: measured indentation {} mm, fitted {:.3f} mm",
                               ball.press,
                               value_and_sd(ball.given_depth->mm, ball.given_depth->sd_mm, 3),
                               ball.indentation_mm));
   for (const StepFit& step : calibration.steps)
-    console.say(fmt::format("{}: a step of {:.3f} mm reads {} mm",
+    console.say(fmt::format("{}: step of {:.3f} mm, estimated as {} mm",
                             step.press,
                             step.step_mm,
                             value_and_sd(step.estimated_mm, step.sd_mm, 3)));
   for (const Message& reason : calibration.left_out)
     console.warn(fmt::format("Left out: {}", reason));
   if (!done.problem_image.empty())
-    console.warn("What was found there: " + done.problem_image.string());
+    console.warn("Image of the detections: " + done.problem_image.string());
   for (const Message& remark : calibration.remarks) console.say(fmt::format("Remark: {}", remark));
   for (const Message& sign : done.fault_signs) console.warn(fmt::format("Warning: {}.", sign));
   console.say(fmt::format("Mapping: {}", calibration.degree_choice));
@@ -102,8 +103,7 @@ Result<CalibrationInputs> inputs_again(const CalibrateOptions& options, Console&
 MakeReport report_maker(const CalibrateOptions& options, Console& console) {
   const auto drawing = load_figures();
   if (!drawing) {
-    console.warn(
-        fmt::format("There will be no pages of the report: {}", drawing.error().sentence()));
+    console.warn(fmt::format("The report pages cannot be written: {}", drawing.error().sentence()));
     return {};
   }
   return
@@ -145,7 +145,7 @@ Status run_calibrate(const CalibrateOptions& options, Console& console) {
   for (const Message& warning : warnings) console.warn(fmt::format("Warning: {}", warning));
   print_result(*done, console);
   console.say("Report: " + (options.finger / kReportHtml).string() + ", .pdf");
-  console.say("Again, from what is kept with the finger: " + repeat_command(options.finger));
+  console.say("To repeat it from the stored data: " + repeat_command(options.finger));
   Console::Json& answer = console.answer();
   answer["verdict"] = done->verdict.sentence.english();
   answer["grade"] = to_string(done->verdict.grade);
@@ -166,15 +166,13 @@ void add_calibrate(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<CalibrateOptions>();
   CLI::App* command = add_command(program, "calibrate");
   command->add_option("FINGER", options->finger, "The finger's folder")->required();
-  CLI::Option* presses =
-      command->add_option("PRESS",
-                          options->presses.files,
-                          "Pictures of the pressed ball, a folder of them, or a video");
-  CLI::Option* bursts = command->add_flag(
-      "--bursts",
-      options->presses.bursts,
-      "Every PRESS is a short video, or a folder, of one press held still: its frames are averaged "
-      "and named after it");
+  CLI::Option* presses = command->add_option(
+      "PRESS", options->presses.files, "Images of the pressed ball, a folder of them, or a video");
+  CLI::Option* bursts =
+      command->add_flag("--bursts",
+                        options->presses.bursts,
+                        "Averages the frames of each PRESS, a short video or a folder of one press "
+                        "held still, to one image with its name");
   CLI::Option* radius =
       command->add_option("--ball-radius-mm", options->ball_radius_mm, "Radius of the ball, mm")
           ->type_name("R")
@@ -185,32 +183,31 @@ void add_calibrate(CLI::App& program, Chosen& chosen) {
       command
           ->add_option("--reference",
                        options->reference,
-                       "Flat sensors: the untouched picture, kept with the finger")
+                       "Untouched image of a flat sensor; stored with the finger")
           ->type_name("IMAGE");
-  command->add_option("--operator", options->operator_name, "Who calibrates, for the record")
+  command->add_option("--operator", options->operator_name, "Name of the operator, for the record")
       ->type_name("NAME");
   CLI::Option* date =
       command
-          ->add_option("--date",
-                       options->date,
-                       "Date of this calibration for the record, as 2026-01-31T12:00:00Z, where "
-                       "it is not now")
+          ->add_option(
+              "--date",
+              options->date,
+              "Date of this calibration, for the record, as 2026-01-31T12:00:00Z (default: now)")
           ->type_name("DATE")
           ->check([](const std::string& text) {
-            return is_utc(text) ? std::string() : "a date is written as 2026-01-31T12:00:00Z";
+            return is_utc(text) ? std::string() : "must be a date such as 2026-01-31T12:00:00Z";
           });
   CLI::Option* again =
       command
           ->add_flag("--again",
                      options->again,
-                     "Calibrates from what the finger keeps: the same presses, settings and bytes; "
-                     "what else is said here is changed")
+                     "Repeats the stored calibration with the same presses and settings, to "
+                     "identical bytes; other options given here override it")
           ->excludes(presses)
           ->excludes(bursts)
           ->excludes(reference)
           ->excludes(date);
-  command
-      ->add_option("--include", options->included, "With --again: use an excluded press after all")
+  command->add_option("--include", options->included, "With --again: uses an excluded press again")
       ->type_name("NAME")
       ->allow_extra_args(false)
       ->take_all()
@@ -232,7 +229,7 @@ void add_calibrate(CLI::App& program, Chosen& chosen) {
     options->pipeline = {};
     change(options->calibration, options->pipeline);
     if (options->calibration.method == CalibrationMethod::kPaper)
-      pipeline.refuse_all("the source paper's method has none of these settings");
+      pipeline.refuse_all("does not apply to the source paper's method");
     options->change = change;
     options->annotate_presses = [=](PressSet& presses) { press_set.say(presses); };
     chosen = [=](Console& console) { return run_calibrate(*options, console); };

@@ -154,10 +154,12 @@ Status run_check(const Path& folder, Console& console) {
   const bool is_proven = check.verdict && (check.verdict->grade == Grade::kGood ||
                                            check.verdict->grade == Grade::kUsable);
   const std::string name = (*finger)->finger.name;
-  console.say(is_proven ? fmt::format("{} is fit to use.", name)
-                        : fmt::format("{} can be used, but its calibration is unproven; what it "
-                                      "lacks stands above.",
-                                      name));
+  console.say(
+      is_proven
+          ? fmt::format("{} is fit to use.", name)
+          : fmt::format(
+                "{} can be used, but its calibration is unproven; see above for what is missing.",
+                name));
   return {};
 }
 
@@ -169,7 +171,7 @@ Status run_check_numerics(Console& console) {
     return std::isfinite(error) ? Console::Json(error) : Console::Json();
   };
   console.say(fmt::format("{:>9}  {:>9}  {:>9}  {:>8}  {:<5}  {}",
-                          "plain",
+                          "naive",
                           "ours",
                           "bound",
                           "answered",
@@ -177,7 +179,7 @@ Status run_check_numerics(Console& console) {
                           "what"));
   for (const HardCase& one : hard_cases()) {
     failed += !one.holds();
-    console.say(fmt::format("{:>9.2g}  {:>9.2g}  {:>9.2g}  {:>6.1f} %  {:<5}  {} ({}; plain: {})",
+    console.say(fmt::format("{:>9.2g}  {:>9.2g}  {:>9.2g}  {:>6.1f} %  {:<5}  {} ({}; naive: {})",
                             one.naive_score.error,
                             one.own_score.error,
                             one.bound,
@@ -206,7 +208,7 @@ Status run_check_numerics(Console& console) {
         "",
         en::say("reporting the table above with the kind of processor")};
   console.say(
-      fmt::format("All {} calculations are as exact on this computer as they must be.", all));
+      fmt::format("All {} calculations are within their error bounds on this computer.", all));
   return {};
 }
 
@@ -220,17 +222,16 @@ void add_check(CLI::App& program, Chosen& chosen) {
   CLI::Option* finger = command->add_option("FINGER", *folder, "The finger's folder");
   CLI::Option* images =
       command
-          ->add_option(
-              "--presses",
-              presses->files,
-              "Checks the calibration with new pictures of the pressed ball, three or more: "
-              "pass, drifting or recalibrate; kept in checks.csv")
+          ->add_option("--presses",
+                       presses->files,
+                       "Checks the calibration with three or more new images of the pressed ball: "
+                       "pass, drifting or recalibrate; stored in checks.csv")
           ->type_name("PICTURE...")
           ->needs(finger);
   command
       ->add_option("--ball-radius-mm",
                    press_set->ball_radius_mm,
-                   "Radius of the ball that was pressed, mm (default: that of the calibration)")
+                   "Radius of the pressed ball, mm (default: that of the calibration)")
       ->type_name("R")
       ->transform(typed_number(kBallRadius))
       ->needs(images);
@@ -239,17 +240,16 @@ void add_check(CLI::App& program, Chosen& chosen) {
   command
       ->add_option("--untouched",
                    *untouched,
-                   "Checks the reference with new pictures of the untouched finger: has the light "
-                   "drifted, and must it be recorded again?")
+                   "Checks the reference with new images of the untouched finger: whether the "
+                   "light has drifted and the reference must be recorded again")
       ->type_name("PICTURE...")
       ->needs(finger)
       ->excludes(images);
   command
-      ->add_flag(
-          "--numerics",
-          *numerics,
-          "Instead of a finger: is this computer as exact as it must be? What plain formulas "
-          "make of hard cases, what ours make of them, and the bound")
+      ->add_flag("--numerics",
+                 *numerics,
+                 "Checks the numerical accuracy of this computer instead of a finger: errors of "
+                 "naive formulas and of ours in hard cases, and the bound")
       ->excludes(finger);
   command->callback([=, &chosen] {
     if (!*numerics && finger->count() == 0) throw CLI::RequiredError("FINGER");

@@ -43,7 +43,7 @@ void warn_of_other_settings(const PipelineSettings& stored,
                             Console& console) {
   for (const auto& setting : pipeline_settings())
     if (is_of_mapping(setting.name) && setting.get(stored) != setting.get(requested))
-      console.warn(fmt::format("Warning: --{} is {}, and the finger was calibrated with {}.",
+      console.warn(fmt::format("Warning: --{} is {}, but the finger was calibrated with {}.",
                                setting.name,
                                setting.get(requested),
                                setting.get(stored)));
@@ -116,7 +116,7 @@ void add_commands(CLI::App& program, Chosen& chosen, bool& json) {
   add_demo(program, chosen);
   add_thumbnail(program, chosen);
   for (CLI::App* command : program.get_subcommands({}))
-    command->add_flag("--json", json, "One JSON object on standard output instead of text");
+    command->add_flag("--json", json, "Prints one JSON object on standard output instead of text");
 }
 
 /// In addition to the command's own output.

@@ -71,7 +71,7 @@ class Demo {
   void headline(std::string_view line) { console_.say(fmt::format("\n== {}", line)); }
 
   Status simulate() {
-    headline("A simulated finger: bending untouched, pressed by a ball, touched by objects");
+    headline("Simulated finger: bent without contact, pressed by a ball, in contact with objects");
     for (const char* name : scenes_) {
       const auto scene = find_resource(fmt::format("scenes/demo_{}.yaml", name));
       if (!scene) return scene.error();
@@ -87,7 +87,7 @@ class Demo {
   }
 
   Status make_finger() {
-    headline("A finger folder, and its reference recording");
+    headline("Finger folder and reference recording");
     const auto text = read_file(folder("reference/truth.json"));
     if (!text) return text.error();
     const auto finger = Console::Json::parse(*text).at("finger");
@@ -170,27 +170,21 @@ class Demo {
        "contact pixels that have a depth",
        &Evaluation::contact_coverage,
        "{:.4f}"},
-      {"false_depth_mm",
-       "depth where nothing touches, mean",
-       &Evaluation::false_depth_mm,
-       "{:.4f} mm"},
+      {"false_depth_mm", "depth outside contacts, mean", &Evaluation::false_depth_mm, "{:.4f} mm"},
       {"position_mm",
        "position of the untouched face, median error",
        &Evaluation::position_mm,
        "{:.4f} mm"},
-      {"marker_seen_px",
-       "markers that can be seen, mean error",
-       &Evaluation::marker_seen_px,
-       "{:.3f} px"},
+      {"marker_seen_px", "visible markers, mean error", &Evaluation::marker_seen_px, "{:.3f} px"},
       {"marker_hidden_px",
-       "markers that are hidden, mean error",
+       "hidden markers, mean error",
        &Evaluation::marker_hidden_px,
        "{:.3f} px"},
-      {"time_ms", "time of a frame, median", &Evaluation::time_ms, "{:.2f} ms"},
+      {"time_ms", "time per frame, median", &Evaluation::time_ms, "{:.2f} ms"},
   };
 
   void print_results() {
-    headline(fmt::format("What was measured, against the truth of {} simulated frames",
+    headline(fmt::format("Results against the truth of {} simulated frames",
                          contenders_.front().evaluation.frames));
     console_.say(
         fmt::format("{:<46} {:>12} {:>12}", "", contenders_.front().name, contenders_.back().name));
@@ -203,11 +197,10 @@ class Demo {
       console_.say(line);
     }
     console_.say(
-        "'paper' is the source paper's whole method, from its own edges to its own calibration, on "
-        "the same pictures.");
+        "'paper' is the source paper's full method, from its own edge detection to its own "
+        "calibration, on the same images.");
     console_.say(
-        fmt::format("\nThe finger is {}, the depth of every frame in {} (float TIFF, mm), and\n"
-                    "these figures in {}.",
+        fmt::format("\nFinger: {}\nDepth of every frame (float TIFF, mm): {}\nThese figures: {}",
                     contenders_.front().finger.string(),
                     contenders_.front().results.string(),
                     folder("report.json").string()));
@@ -283,14 +276,14 @@ Status run_demo(const DemoOptions& options, Console& console) {
 void add_demo(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<DemoOptions>();
   CLI::App* command = add_command(program, "demo");
-  command->add_option("-o,--output", options->folder, "Folder for everything")
+  command->add_option("-o,--output", options->folder, "Folder for all files")
       ->type_name("DIR")
       ->required();
   command->add_flag(
       "--studio",
       options->studio,
-      "Only makes and calibrates the finger, unless it is there, and opens the Studio on it");
-  command->add_option("--seed", options->seed, "Of everything random (default 1)")
+      "Only makes and calibrates the finger, unless it exists, and opens it in the Studio");
+  command->add_option("--seed", options->seed, "Seed of all random numbers (default 1)")
       ->type_name("S")
       ->transform(typed_integer(0));
   add_threads_flag(*command, options->threads);

@@ -69,7 +69,7 @@ std::string control_line(const CameraControl& control) {
                                  control.step,
                                  control.default_value);
   for (const MenuItem& item : control.menu) line += fmt::format(", {} = {}", item.value, item.name);
-  if (control.is_inactive) line += ", set by an automatic mode now";
+  if (control.is_inactive) line += ", now set by an automatic mode";
   return line;
 }
 
@@ -84,7 +84,7 @@ void say_camera(const FoundCamera& camera, bool details, Console& console) {
   if (!details) return;
   for (const CameraFormat& format : camera.formats)
     console.say(fmt::format(
-        "    {}{}", format.text(), can_decode(format.fourcc) ? "" : " (cannot be read here)"));
+        "    {}{}", format.text(), can_decode(format.fourcc) ? "" : " (cannot be decoded)"));
   for (const CameraControl& control : camera.controls) console.say(control_line(control));
 }
 
@@ -153,11 +153,11 @@ Status run_devices(const DevicesOptions& options, Console& console) {
 void add_devices(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<DevicesOptions>();
   CLI::App* command = add_command(program, "devices");
-  command->add_flag("--details", options->details, "Every format and control of each camera");
-  command->add_flag(
-      "--learn-button",
-      options->learn_button,
-      "Waits for a pedal or button to be pressed twice and says how to know it again");
+  command->add_flag("--details", options->details, "Lists every format and control of each camera");
+  command->add_flag("--learn-button",
+                    options->learn_button,
+                    "Waits for a pedal or button to be pressed twice and prints its value for "
+                    "'alltact record --button'");
   command->callback(
       [=, &chosen] { chosen = [=](Console& console) { return run_devices(*options, console); }; });
 }

@@ -46,7 +46,7 @@ void print_outcome(const Experiment& experiment,
                             number_or_dash(figure.paper),
                             number_or_dash(figure.aim),
                             figure.unit,
-                            figure.reaches_aim() ? "" : "  misses the aim"));
+                            figure.reaches_aim() ? "" : "  misses the target"));
   for (const Message& remark : outcome.remarks) console.say(fmt::format("  {}.", remark));
 }
 
@@ -113,15 +113,14 @@ Console::Json json_of_outcome(const Experiment& experiment,
 void print_finger(const ExperimentBench& bench, double seconds, Console& console) {
   if (bench.finger_was_cached()) {
     console.say(fmt::format(
-        "The finger they share was kept from an earlier run and read in {:.1f} s (--fresh makes it "
-        "anew).\n",
+        "The shared finger was loaded from the cache in {:.1f} s (--fresh simulates it again).\n",
         seconds));
     return;
   }
   console.say(fmt::format(
-      "The finger they share was recorded and calibrated in {:.1f} s{}.\n",
+      "The shared finger was simulated and calibrated in {:.1f} s{}.\n",
       seconds,
-      bench.options().cache && !bench.cache_problem() ? " and is kept for the next time" : ""));
+      bench.options().cache && !bench.cache_problem() ? " and cached for the next run" : ""));
   if (bench.cache_problem()) console.warn(bench.cache_problem()->sentence());
 }
 
@@ -133,7 +132,7 @@ Result<ExperimentReport> run_in_folder(const std::vector<const Experiment*>& cho
   if (!bench) return bench.error();
   console.say(simulated_and_real().english());
   print_finger(*bench, seconds_of(making), console);
-  console.say(fmt::format("  {:<58} {:>9} {:>9} {:>7}", "", "ours", "paper's", "aim"));
+  console.say(fmt::format("  {:<58} {:>9} {:>9} {:>7}", "", "ours", "paper's", "target"));
   Console::Json& answer = console.answer();
   answer["about"] = simulated_and_real().english();
   answer["seed"] = options.seed;
@@ -229,32 +228,34 @@ void add_experiments(CLI::App& program, Chosen& chosen) {
   std::string names;
   for (const Experiment& experiment : experiments())
     names += (names.empty() ? "" : ", ") + experiment.name;
-  command->add_option("NAME", options->names, fmt::format("Only these (default all): {}", names));
+  command->add_option("NAME",
+                      options->names,
+                      fmt::format("Names of the experiments to run (default all): {}", names));
   CLI::Option* output =
       command
-          ->add_option(
-              "-o,--output",
-              *folder,
-              "Folder for experiments.json and the simulated fingers (default: kept nowhere)")
+          ->add_option("-o,--output",
+                       *folder,
+                       "Folder for experiments.json and the simulated fingers (default: not saved)")
           ->type_name("DIR");
   auto report = std::make_shared<Path>();
   CLI::Option* pages =
       command
-          ->add_option("--report",
-                       *report,
-                       "Also a report with plots, ours beside the paper's: FILE.html and FILE.pdf")
+          ->add_option(
+              "--report",
+              *report,
+              "Writes a report with plots, ours next to the paper's: FILE.html and FILE.pdf")
           ->type_name("FILE.html");
   command->add_flag("--fresh",
                     options->fresh,
-                    "Make the simulated fingers anew, and keep none for the next time (default: "
-                    "kept in alltact/fingers of $XDG_CACHE_HOME or ~/.cache)");
-  command->add_option("--seed", options->seed, "Of everything random (default 1)")
+                    "Simulates the fingers again and does not cache them (default: cached in "
+                    "alltact/fingers of $XDG_CACHE_HOME or ~/.cache)");
+  command->add_option("--seed", options->seed, "Seed of all random numbers (default 1)")
       ->type_name("S")
       ->transform(typed_integer(0));
   command
       ->add_option("--threads",
                    options->threads,
-                   "The figures are the same for any number (1 to 64; default 2)")
+                   "Number of threads (1 to 64; default 2); the figures do not depend on it")
       ->type_name("N")
       ->transform(typed_integer(1, 64));
   command->callback([=, &chosen] {

@@ -28,7 +28,7 @@ Status run_export(const ExportOptions& options, Console& console) {
   if (!status || !std::count(options.forms.begin(), options.forms.end(), ExportForm::kZip))
     return status;
   for (const Path& take : unused_recordings((*finger)->finger, (*finger)->folder)) {
-    console.say(fmt::format("left out of the zip, since the finger does not use it: {}",
+    console.say(fmt::format("not in the zip, because the finger does not use it: {}",
                             take.filename().string()));
     console.answer()["left_out"].push_back(take.string());
   }
@@ -43,11 +43,11 @@ void add_export(CLI::App& program, Chosen& chosen) {
   command
       ->add_option("--to",
                    *words,
-                   "With commas: " + words_with(", ",
-                                                [](const ExportFormInfo& info) {
-                                                  return fmt::format(
-                                                      "{} ({})", info.word, info.files);
-                                                }))
+                   "Formats, with commas: " + words_with(", ",
+                                                         [](const ExportFormInfo& info) {
+                                                           return fmt::format(
+                                                               "{} ({})", info.word, info.files);
+                                                         }))
       ->type_name("LIST")
       ->delimiter(',')
       ->take_all()
@@ -56,7 +56,7 @@ void add_export(CLI::App& program, Chosen& chosen) {
           [](const std::string& word) {
             return export_form_from(word)
                        ? std::string()
-                       : fmt::format("{} is none of {}",
+                       : fmt::format("{} is not one of {}",
                                      word,
                                      words_with(", ", [](const ExportFormInfo& info) {
                                        return std::string(info.word);

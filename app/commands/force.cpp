@@ -28,15 +28,15 @@ void print_comparison(const TrainedForce& trained, Console& console) {
   std::string head;
   for (int axis = 0; axis < axes; ++axis)
     head += fmt::format(" {:>7}", kAxisNames[static_cast<std::size_t>(axis)]);
-  console.say("Mean absolute error in N on rows that were held out");
+  console.say("Mean absolute error on held-out rows, N");
   const std::size_t width = 8 * static_cast<std::size_t>(axes);
   console.say(
       fmt::format("{:<10}{:<{}}   {:<{}}   {}", "", head, width, head, width, "shuffled forces"));
   console.say(fmt::format("{:<10} {:<{}}   {:<{}}   {}",
                           "",
-                          "whole groups",
+                          "full groups",
                           width - 1,
-                          "frames: too kind",
+                          "frames: biased",
                           width - 1,
                           "R2"));
   Console::Json rows = Console::Json::array();
@@ -46,7 +46,7 @@ void print_comparison(const TrainedForce& trained, Console& console) {
                             newtons(row.mae_N),
                             newtons(row.random_mae_N),
                             row.shuffled_r2.value_or(0),
-                            row.kind == trained.model.kind ? "   kept" : ""));
+                            row.kind == trained.model.kind ? "   selected" : ""));
     Console::Json entry{{"model", to_string(row.kind)},
                         {"mae_n", json_of(row.mae_N)},
                         {"rmse_n", json_of(row.rmse_N)},
@@ -67,13 +67,13 @@ void print_training(const TrainedForce& trained, Console& console) {
     return text;
   };
   console.say(
-      fmt::format("Intervals hold {} % of the rows held out where 90 % are asked for, {} % "
-                  "where 95 %.",
+      fmt::format("The 90 % intervals contain {} % of the held-out rows, the 95 % intervals {} %.",
                   percent(trained.covered_90),
                   percent(trained.covered_95)));
-  console.say(fmt::format("The gauge's own noise is at most{} N.", newtons(trained.label_noise_N)));
+  console.say(
+      fmt::format("The noise of the gauge is at most{} N.", newtons(trained.label_noise_N)));
   for (const Message& remark : trained.remarks) console.say(remark.english());
-  console.say(fmt::format("Kept: {}.", to_string(trained.model.kind)));
+  console.say(fmt::format("Selected model: {}.", to_string(trained.model.kind)));
   Console::Json& answer = console.answer();
   answer["kept"] = to_string(trained.model.kind);
   answer["rows"] = trained.held_out_N.rows();
@@ -120,7 +120,7 @@ Status run_collect_force(const ForceOptions& options, Console& console) {
   for (const Message& remark : collected->remarks) console.warn(remark.english());
   if (const Status saved = write_file_atomically(options.output, collected->table.to_csv()); !saved)
     return saved;
-  console.say(fmt::format("{} rows in {}; {} of {} frames have no reading of the gauge.",
+  console.say(fmt::format("{} rows in {}; {} of {} frames have no gauge reading.",
                           collected->table.rows(),
                           options.output.string(),
                           collected->left_out,
@@ -130,7 +130,8 @@ Status run_collect_force(const ForceOptions& options, Console& console) {
   answer["left_out"] = collected->left_out;
   answer["clock"] = json_of(collected->clock);
   if (std::isfinite(collected->reading_sd_N)) {
-    console.say(fmt::format("The gauge rounds to an sd of {:.2g} N.", collected->reading_sd_N));
+    console.say(
+        fmt::format("The gauge rounds its readings, sd {:.2g} N.", collected->reading_sd_N));
     answer["reading_sd_n"] = collected->reading_sd_N;
   }
   answer["remarks"] = in_english(collected->remarks);
@@ -178,7 +179,7 @@ Status run_force(const ForceOptions& options, Console& console) {
     std::string names;
     for (const std::string& name : table->ignored_columns)
       names += (names.empty() ? "" : ", ") + name;
-    console.warn(fmt::format("Columns that are passed over: {}", names));
+    console.warn(fmt::format("Ignored columns: {}", names));
   }
   set_opencv_threads(options.threads);
   const auto trained = train_finger_force(options.finger, *table, *training, console.job());
@@ -191,51 +192,49 @@ void add_force(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<ForceOptions>();
   CLI::App* command = add_command(program, "force");
   command->add_option("FINGER", options->finger, "The finger's folder")->required();
-  CLI::Option* table =
-      command->add_option("TABLE",
-                          options->tables,
-                          "CSV (one, or several of the same finger) with columns u0, v0, u1, ... "
-                          "(px), fx_n, fy_n and, as it likes, fz_n, seen0, ..., "
-                          "along_mm, across_mm, t_s, block, day, indenter");
+  CLI::Option* table = command->add_option(
+      "TABLE",
+      options->tables,
+      "CSV table, or several of the same finger, with columns u0, v0, u1, ... (px), fx_n and fy_n; "
+      "optional: fz_n, seen0, ..., along_mm, across_mm, t_s, block, day, indenter");
   auto split = std::make_shared<std::string>(), kind = std::make_shared<std::string>();
   command
       ->add_option(
           "--split",
           *split,
-          "What is held out together: block, day, indenter; random holds out single frames "
-          "and tells too small errors (default block; with --again as before)")
+          "Groups of rows that are held out together: block, day, indenter; random holds out "
+          "single frames and underestimates the error (default block; with --again as before)")
       ->check(CLI::IsMember({"block", "day", "indenter", "random"}));
   command
       ->add_option("--model",
                    *kind,
-                   "What is kept: auto (the simplest that no other beats), mean, ridge, quadratic, "
-                   "network (default auto; with --again as before)")
+                   "Model to store: auto (the simplest that no other beats), mean, ridge, "
+                   "quadratic, network (default auto; with --again as before)")
       ->check(CLI::IsMember({"auto", "mean", "ridge", "quadratic", "network"}));
   command
       ->add_option("--creep-s",
                    options->creep_s,
-                   "Creep as an input: displacements less their running mean over so many seconds, "
+                   "Creep as an input: displacements minus their running mean over this time in s, "
                    "0: none (default none; with --again as before)")
       ->transform(typed_number(0.0, 1e5));
   CLI::Option* again =
-      command->add_flag("--again", options->again, "Trains with the table that the finger keeps");
+      command->add_flag("--again", options->again, "Trains again with the stored table");
   CLI::Option* undo = command->add_flag(
-      "--undo", options->undo, "Returns to the force model from before; given again, comes back");
-  CLI::Option* collect =
-      command
-          ->add_option("--collect",
-                       options->recording,
-                       "Makes a table instead: of a recording, pictures, or results.jsonl of "
-                       "alltact reconstruct")
-          ->type_name("RECORDING");
-  CLI::Option* gauge = command->add_option("--gauge",
-                                           options->gauge,
-                                           "With --collect: CSV with t_s or frame, fx_n, fy_n (or "
-                                           "force_n alone); or truth.json of alltact simulate "
-                                           "(default: RECORDING's NAME.gauge.csv)");
+      "--undo", options->undo, "Restores the previous force model; given again, reverts this");
+  CLI::Option* collect = command
+                             ->add_option("--collect",
+                                          options->recording,
+                                          "Makes a table instead, from a recording, images, or "
+                                          "results.jsonl of alltact reconstruct")
+                             ->type_name("RECORDING");
+  CLI::Option* gauge = command->add_option(
+      "--gauge",
+      options->gauge,
+      "With --collect: gauge CSV with t_s or frame, fx_n, fy_n (or force_n alone), or truth.json "
+      "of alltact simulate (default: RECORDING's NAME.gauge.csv)");
   gauge->type_name("FILE");
   CLI::Option* output =
-      command->add_option("-o,--output", options->output, "With --collect: the table's file");
+      command->add_option("-o,--output", options->output, "With --collect: table file to write");
   output->type_name("TABLE");
   collect->needs(output);
   add_gauge_file_flags(*command, collect, options->gauge_file, options->collect);

@@ -12,7 +12,7 @@ namespace {
 void check_unit(const std::string& unit) {
   if (!newtons_in(unit))
     throw CLI::ValidationError("--gauge-unit",
-                               "'" + unit + "' is none of N, mN, kN, g, kgf, lbf, ozf");
+                               "'" + unit + "' is not one of N, mN, kN, g, kgf, lbf, ozf");
 }
 
 GaugeDirections checked_direction(const std::string& text) {
@@ -28,16 +28,16 @@ void add_gauge_flags(CLI::App& command, GaugeChoice& gauge) {
       command
           .add_option("--gauge",
                       gauge.gauge,
-                      "A force gauge to read beside, into NAME.gauge.csv: typed (each number and "
-                      "Enter while the finger rests; 'y 1.2 N' along y; 'block NAME'; an empty "
-                      "line where it moves again), serial:/dev/ttyUSB0, or hid:DEVICE")
+                      "Force gauge to record into NAME.gauge.csv: typed (a number and Enter while "
+                      "the finger rests; 'y 1.2 N' along y; 'block NAME'; an empty line when it "
+                      "moves again), serial:/dev/ttyUSB0, or hid:DEVICE")
           ->type_name("GAUGE");
   const auto add = [&](const char* flag, auto& value, const char* sentence, const char* type) {
     return command.add_option(flag, value, sentence)->type_name(type)->needs(chosen);
   };
   add("--gauge-model",
       gauge.model,
-      "Of a serial gauge: its speed, question and answers as the maker set them",
+      "Model of a serial gauge: the speed, request and answers that its maker sets",
       "mark10|imada|sauter")
       ->check(CLI::IsMember({"mark10", "imada", "sauter"}));
   add("--gauge-baud", gauge.baud, "Speed of a serial gauge, 8N1 (default 9600)", "BAUD")
@@ -45,23 +45,25 @@ void add_gauge_flags(CLI::App& command, GaugeChoice& gauge) {
       ->transform(typed_integer(1));
   add("--gauge-ask",
       gauge.ask,
-      "What a serial gauge is asked with for each reading, such as '?\\r' (default: it tells by "
-      "itself)",
+      "Request to a serial gauge for each reading, such as '?\\r' (default: it sends by itself)",
       "TEXT");
-  add("--gauge-every-s", gauge.ask_every_s, "How often it is asked (default 0.05)", "S")
+  add("--gauge-every-s",
+      gauge.ask_every_s,
+      "Interval between requests to a serial gauge, s (default 0.05)",
+      "S")
       ->transform(typed_number(0.001, 60.0));
   add("--gauge-report",
       gauge.report,
-      "Of a HID gauge: where its reports tell the force, as 'id=3 at=1 type=s16 scale=0.01 "
+      "Position of the force in the reports of a HID gauge, as 'id=3 at=1 type=s16 scale=0.01 "
       "unit=N', or a CSV with at, type, scale, zero, unit",
       "TEXT|FILE");
   add("--gauge-unit",
       gauge.unit,
-      "Of readings that name none: N, mN, kN, g, kgf, lbf, ozf",
+      "Unit of readings that name none: N, mN, kN, g, kgf, lbf, ozf",
       "UNIT");
   add("--gauge-direction",
       gauge.direction,
-      "Where a push on the gauge points in the table's axes: x, -y, 0.6,0.8,0; for several values "
+      "Direction of a push on the gauge in the table's axes: x, -y, 0.6,0.8,0; for several values "
       "x/y/z (default: x, or the axes in their order)",
       "DIRECTION");
 }
@@ -77,7 +79,7 @@ void add_gauge_file_flags(CLI::App& command,
             check_unit(unit);
             file.unit_N = *newtons_in(unit);
           },
-          "With --collect: of the gauge's columns that name none: N, mN, kN, g, kgf, lbf, ozf "
+          "With --collect: unit of gauge columns that name none: N, mN, kN, g, kgf, lbf, ozf "
           "(default N)")
       ->type_name("UNIT")
       ->needs(collect);
@@ -85,15 +87,14 @@ void add_gauge_file_flags(CLI::App& command,
       .add_option_function<std::string>(
           "--gauge-direction",
           [&file](const std::string& text) { file.direction = checked_direction(text).of[0]; },
-          "With --collect: of a gauge's file with one column force_n: x, -y, 0.6,0.8,0 (default x)")
+          "With --collect: direction of a single column force_n: x, -y, 0.6,0.8,0 (default x)")
       ->type_name("DIRECTION")
       ->needs(collect);
   command
-      .add_option(
-          "--gauge-shift-s",
-          options.shift_s,
-          "With --collect: the gauge's clock less the frames', at the first frame (default: "
-          "by the markers' motion)")
+      .add_option("--gauge-shift-s",
+                  options.shift_s,
+                  "With --collect: gauge clock minus frame clock at the first frame, s (default: "
+                  "from the markers' motion)")
       ->type_name("S")
       ->transform(typed_number(-1e12, 1e12))
       ->needs(collect);
@@ -101,8 +102,8 @@ void add_gauge_file_flags(CLI::App& command,
       .add_option_function<double>(
           "--gauge-drift-ppm",
           [&options](double ppm) { options.drift = 1e-6 * ppm; },
-          "With --collect: by how much the gauge's clock is faster (default: by the markers' "
-          "motion, where the clocks differ)")
+          "With --collect: drift of the gauge clock, ppm, positive if it is faster (default: from "
+          "the markers' motion, where the clocks differ)")
       ->type_name("PPM")
       ->transform(typed_number(-1e4, 1e4))
       ->needs(collect);
@@ -129,10 +130,10 @@ Status end_gauge(GaugeLog* gauge,
   print_gauge(gauge, console);
   if (!counts) return counts.error();
   const std::filesystem::path file = gauge_log_of(video);
-  console.say(fmt::format("{} readings of the gauge in {}", counts->readings, file.string()));
+  console.say(fmt::format("{} gauge readings in {}", counts->readings, file.string()));
   answer["gauge"] = file.string();
   answer["readings"] = counts->readings;
-  if (counts->readings == 0) console.warn("The gauge told no force while this was recorded.");
+  if (counts->readings == 0) console.warn("The gauge sent no reading during this recording.");
   return {};
 }
 

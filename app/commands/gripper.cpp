@@ -28,7 +28,7 @@ void print_linkages(const Gripper& gripper, Console& console) {
   Console::Json& answer = console.answer();
   answer["gripper"] = gripper.name;
   answer["range_turns"] = {motor.first_turns, motor.last_turns};
-  console.say(fmt::format("{}: the motor from {:g} to {:g} turns, {:g} mm of screw each",
+  console.say(fmt::format("{}: motor from {:g} to {:g} turns, screw lead {:g} mm",
                           gripper.name,
                           motor.first_turns,
                           motor.last_turns,
@@ -46,7 +46,7 @@ void print_linkages(const Gripper& gripper, Console& console) {
                             to_message(reach.last.kind)));
     Console::Json dead = Console::Json::array();
     for (const DeadPoint& point : gripper.dead_points_in_range(i)) {
-      console.say(fmt::format("{:<12} stands still at {:.4g} turns: {}",
+      console.say(fmt::format("{:<12} has a dead point at {:.4g} turns: {}",
                               gripper.fingers[i].name,
                               point.motor_turns,
                               to_message(point.kind)));
@@ -74,22 +74,22 @@ void print_pose(const Gripper& gripper, const GripperPose& pose, Console& consol
     if (finger.angle_sd_rad) {
       one["crank_deg_per_turn"] = finger.angle.rad_per_turn * kDegPerRad;
       one["crank_sd_deg"] = *finger.angle_sd_rad * kDegPerRad;
-      angle_text = fmt::format("{:.3f} deg a turn, sd {:.3f} deg",
+      angle_text = fmt::format("{:.3f} deg per turn, sd {:.3f} deg",
                                finger.angle.rad_per_turn * kDegPerRad,
                                *finger.angle_sd_rad * kDegPerRad);
     }
-    console.say(fmt::format(
-        "{:<12} at {:.3f} {:.3f} {:.3f} mm, turned {:.3f} {:.3f} {:.3f} deg about x, y, z; crank "
-        "at {:.3f} deg, {}",
-        gripper.fingers[i].name,
-        at.x(),
-        at.y(),
-        at.z(),
-        turns.x(),
-        turns.y(),
-        turns.z(),
-        finger.angle.rad * kDegPerRad,
-        angle_text));
+    console.say(
+        fmt::format("{:<12} position {:.3f} {:.3f} {:.3f} mm, rotation {:.3f} {:.3f} {:.3f} deg "
+                    "about x, y, z; crank at {:.3f} deg, {}",
+                    gripper.fingers[i].name,
+                    at.x(),
+                    at.y(),
+                    at.z(),
+                    turns.x(),
+                    turns.y(),
+                    turns.z(),
+                    finger.angle.rad * kDegPerRad,
+                    angle_text));
     one["gripper_from_camera"] = {{"translation_mm", vector_json(at)},
                                   {"rotation", {turn.w(), turn.x(), turn.y(), turn.z()}}};
     fingers.push_back(std::move(one));
@@ -125,7 +125,7 @@ void put_turns(const Gripper& gripper,
   for (std::size_t i = 0; i < 2; ++i) {
     if (seen[i]->contact) turns[i] = upright_turn_deg(pose, i, *seen[i]->contact, up);
     if (!turns[i]) continue;
-    line += fmt::format("; turn by {}: {}",
+    line += fmt::format("; upright turn from {}: {}",
                         gripper.fingers[i].name,
                         with_sd(turns[i]->deg, turns[i]->sd_deg, "deg"));
     entry["turns"].push_back({{"finger", gripper.fingers[i].name},
@@ -136,9 +136,9 @@ void put_turns(const Gripper& gripper,
   const auto joint = joint_turn(*turns[0], *turns[1]);
   if (!joint) return;
   line += fmt::format(
-      "; turn by both: {}{}",
+      "; upright turn from both: {}{}",
       with_sd(joint->mean.deg, joint->mean.sd_deg, "deg"),
-      joint->agree ? "" : fmt::format(", though they are {:.1f} deg apart", joint->difference_deg));
+      joint->agree ? "" : fmt::format(", but they differ by {:.1f} deg", joint->difference_deg));
   entry["turn_deg"] = joint->mean.deg;
   entry["turn_sd_deg"] = joint->mean.sd_deg;
   entry["apart_deg"] = joint->difference_deg;
@@ -198,7 +198,7 @@ void print_unpaired(const Gripper& gripper,
       if (names.size() <= kShown) words += (words.empty() ? "" : ", ") + seen[i][k].frame;
     }
     if (!alone.empty())
-      console.warn(fmt::format("Without a partner in time: {} frames of {}: {}{}",
+      console.warn(fmt::format("Without a frame of the same time: {} frames of {}: {}{}",
                                alone.size(),
                                gripper.fingers[i].name,
                                words,
@@ -247,8 +247,7 @@ Status print_recorded(const Gripper& gripper,
   const PairedFrames paired =
       paired_frames(seen[0], seen[1], std::llround(1e6 * options.tolerance_ms));
   if (!paired.by_time)
-    console.warn(
-        "Warning: not all frames say when they were taken, so they are paired in their order.");
+    console.warn("Warning: some frames have no time, so all are paired in their order.");
   Console::Json pairs = Console::Json::array();
   for (const auto& [first, second] : paired.pairs) {
     if (console.job().stop_requested()) return Error{en::say("stopped"), "", ""};
@@ -324,45 +323,44 @@ void add_gripper(CLI::App& program, Chosen& chosen) {
       command
           ->add_option("--motor",
                        options->motor_turns,
-                       "Motor position in turns: tells where both cameras are in the gripper")
+                       "Motor position, turns; gives the poses of both cameras in the gripper")
           ->type_name("M")
           ->transform(typed_number(-1e6, 1e6));
   CLI::Option* sd =
       command
-          ->add_option("--motor-sd",
-                       options->motor_sd_turns,
-                       "Standard deviation of the motor position (default: that of gripper.yaml)")
+          ->add_option(
+              "--motor-sd",
+              options->motor_sd_turns,
+              "Standard deviation of the motor position, turns (default: that of gripper.yaml)")
           ->type_name("S")
           ->transform(typed_number(0.0, 1000.0));
   CLI::Option* results =
       command
           ->add_option("--results",
                        options->results,
-                       "results.jsonl of both fingers, in the order of gripper.yaml: the gap of "
-                       "their faces (with NAME.points.tiff beside them), the width of what is held "
-                       "and the turn that brings it upright, for frames taken at the same time")
+                       "results.jsonl of both fingers, in the order of gripper.yaml. For frames of "
+                       "the same time: gap of the faces (needs NAME.points.tiff), width of the "
+                       "held object, and the turn that brings it upright")
           ->type_name("FIRST SECOND")
           ->expected(2);
-  CLI::Option* log =
-      command
-          ->add_option("--motor-log",
-                       options->motor_log,
-                       "Motor positions while that was recorded: a CSV file of time_ns,turns on "
-                       "the clock of the frames")
-          ->type_name("FILE")
-          ->needs(results)
-          ->excludes(motor);
+  CLI::Option* log = command
+                         ->add_option("--motor-log",
+                                      options->motor_log,
+                                      "Motor positions during that recording: a CSV file of "
+                                      "time_ns,turns on the clock of the frames")
+                         ->type_name("FILE")
+                         ->needs(results)
+                         ->excludes(motor);
   command
       ->add_option("--tolerance-ms",
                    options->tolerance_ms,
-                   "Most that two frames of one moment are apart (default 20)")
+                   "Maximum time between two paired frames, ms (default 20)")
       ->type_name("T")
       ->transform(typed_number(0.0, 1e6))
       ->needs(results);
   command
-      ->add_option("--up",
-                   *up,
-                   "Which way is up, in the gripper's frame (default 0 0 -1: it points downwards)")
+      ->add_option(
+          "--up", *up, "Up direction in the gripper's frame (default 0 0 -1: it points downwards)")
       ->type_name("X Y Z")
       ->transform(typed_number(-1e6, 1e6))
       ->expected(3)

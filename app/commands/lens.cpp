@@ -26,7 +26,7 @@ void print_views(const LensViews& found, const LensCalibration& done, Console& c
     console.warn(fmt::format("No board: {}: {}", name.english(), reason));
   for (const LensViewReport& view : done.views)
     if (!view.rejection.empty())
-      console.warn(fmt::format("Put aside: {}: {}", view.name, view.rejection));
+      console.warn(fmt::format("Rejected: {}: {}", view.name, view.rejection));
 }
 
 void print_lens(const LensCalibration& done, const LensSettings& settings, Console& console) {
@@ -45,22 +45,20 @@ void print_lens(const LensCalibration& done, const LensSettings& settings, Conso
                   done.fit.sd(2),
                   lens.cy_px,
                   done.fit.sd(3)));
-  std::string errors = fmt::format("Corners: {:.3f} px where fitted", done.fit.sigma_px);
+  std::string errors = fmt::format("Corner error: {:.3f} px in fitted views", done.fit.sigma_px);
   if (done.held_out)
-    errors += fmt::format(", {:.3f} px in views left out", done.held_out->error_px);
+    errors += fmt::format(", {:.3f} px in held-out views", done.held_out->error_px);
   if (done.halves)
     errors += fmt::format(
-        "; lenses from two halves of the views differ by {:.2f} px, {:.2f} px at "
-        "the worst place",
+        "; lenses from two halves of the views differ by {:.2f} px (median), {:.2f} px (maximum)",
         done.halves->median_px,
         done.halves->worst_px);
   console.say(errors);
-  console.say(fmt::format("At the finger: {:.2g} mm of uncertainty in a distance of {:g} mm",
+  console.say(fmt::format("At the finger: uncertainty {:.2g} mm at a distance of {:g} mm",
                           done.verdict.error_mm,
                           settings.distance_mm));
   console.say(
-      fmt::format("Coverage: {:.0f} % of the picture, {} of {} views tilted by 15 degrees "
-                  "or more",
+      fmt::format("Coverage: {:.0f} % of the image, {} of {} views tilted by 15 degrees or more",
                   100 * done.coverage.seen_part,
                   done.coverage.tilted_views,
                   done.used.size()));
@@ -134,10 +132,9 @@ Result<CameraParameters> seen_through(const LensOptions& options,
                                       Console& console) {
   if (!options.port) {
     console.warn(
-        "Remark: this lens is that of the air the board was in. Through acrylic into silicone "
-        "everything looks larger, and distances come out 23 to 31 % too small: give --port, or "
-        "take the pictures through the window, with the board in a liquid of the silicone's "
-        "index.");
+        "Remark: this lens is valid in air, where the board was. Through acrylic into silicone, "
+        "everything looks larger and distances come out 23 to 31 % too small. Give --port, or take "
+        "the images through the window with the board in a liquid of the silicone's index.");
     return lens;
   }
   const FlatPort& port = *options.port;
@@ -155,14 +152,14 @@ Result<CameraParameters> seen_through(const LensOptions& options,
   // By how much z changes per error of a caliper or a table, near the axis.
   const double by_gap_mm = port.medium_index - 1;
   const double by_index_mm = 0.01 * behind_mm / port.medium_index;
-  console.say(fmt::format(
-      "Window: light is followed through it exactly; what lies {:g} mm from the lens seems to lie "
-      "at {:.1f} mm. A gap wrong by 1 mm moves the finger by {:.2f} mm, an index behind the window "
-      "wrong by 0.01 by {:.2f} mm",
-      distance,
-      seems_mm,
-      by_gap_mm,
-      by_index_mm));
+  console.say(
+      fmt::format("Window: refraction is computed exactly; a point {:g} mm from the lens appears "
+                  "at {:.1f} mm. A gap error of 1 mm moves the finger by {:.2f} mm, an index error "
+                  "of 0.01 behind the window by {:.2f} mm",
+                  distance,
+                  seems_mm,
+                  by_gap_mm,
+                  by_index_mm));
   console.answer()["port"] = {{"seems_mm", seems_mm},
                               {"air_depth_part", seems_mm / distance},
                               {"mm_per_gap_mm", by_gap_mm},
@@ -187,7 +184,7 @@ Status check_scale(const LensOptions& options,
   const double z_mm = options.settings.distance_mm;
   const double seen_mm = (a->point_at(z_mm) - b->point_at(z_mm)).norm();
   const double ratio = seen_mm / *options.known_length_mm;
-  std::string text = fmt::format("Scale: a length of {:g} mm at {:g} mm measures {:.2f} mm",
+  std::string text = fmt::format("Scale: a length of {:g} mm at {:g} mm is measured as {:.2f} mm",
                                  *options.known_length_mm,
                                  options.settings.distance_mm,
                                  seen_mm);
@@ -196,17 +193,17 @@ Status check_scale(const LensOptions& options,
     text += fmt::format(", {:+.1f} %: lens and finger agree", 100 * (ratio - 1));
   } else if (ratio > 1) {
     text += fmt::format(
-        ", {:.2f} times too large: as if seen through a medium with an index of about {:.2f}. "
-        "Depths would come out {:.0f} % too small; {}",
+        ", {:.2f} times too large, as through a medium with an index of about {:.2f}. Depths would "
+        "come out {:.0f} % too small; {}",
         ratio,
         ratio,
         100 * (1 - 1 / ratio),
-        options.port ? "look at the numbers of --port, at the distance and at the ends"
+        options.port ? "check the numbers of --port, the distance and the ends"
                      : "give --port with what lies between lens and finger");
   } else {
     text += fmt::format(
-        ", {:.2f} times: too small. Look at --square-mm, at the distance (from the lens, not from "
-        "the window) and at the ends; or --port is given though the board was in the medium",
+        ", {:.2f} times: too small. Check --square-mm, the distance (from the lens, not from the "
+        "window) and the ends. Omit --port if the board was in the medium",
         ratio);
   }
   console.say(text);
@@ -238,13 +235,13 @@ Status run_lens(const LensOptions& options, Console& console) {
       console.warn(fmt::format("No board: {}: {}", name.english(), reason));
     return done.error();
   }
-  console.say(fmt::format("Board of {} found in {} of {} pictures, {} used",
+  console.say(fmt::format("Board of {} found in {} of {} images, {} used",
                           board.words(),
                           found->analysed - found->refused.size(),
                           found->analysed,
                           done->used.size()));
   if (found->repeats > 0)
-    console.say(fmt::format("{} more show the board where another of them does", found->repeats));
+    console.say(fmt::format("{} more images repeat a position of the board", found->repeats));
   print_views(*found, *done, console);
   print_lens(*done, options.settings, console);
   for (const Message& remark : done->remarks) console.say(fmt::format("Remark: {}.", remark));
@@ -276,8 +273,7 @@ void add_lens(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<LensOptions>();
   auto port = std::make_shared<std::vector<double>>();
   CLI::App* command = add_command(program, "lens");
-  command
-      ->add_option("INPUT", options->inputs, "Pictures of the board, folders of them, or a video")
+  command->add_option("INPUT", options->inputs, "Images of the board, folders of them, or a video")
       ->required();
   command
       ->add_option_function<std::string>(
@@ -286,16 +282,17 @@ void add_lens(CLI::App& program, Chosen& chosen) {
             if (const Status status = set_board_size(options->board, text); !status)
               throw CLI::ValidationError("--board", status.error().what.english());
           },
-          "Inner corners of the board (or dots) in a row and in a column, such as 9x6")
+          "Inner corners (or dots) of the board in a row and in a column, such as 9x6")
       ->type_name("CxR")
       ->required();
   command
-      ->add_option(
-          "--square-mm", options->board.square_mm, "Side of a square, or distance of two dots, mm")
+      ->add_option("--square-mm",
+                   options->board.square_mm,
+                   "Side of a square, or distance between two dots, mm")
       ->type_name("S")
       ->transform(typed_number(kBoardSquare))
       ->required();
-  command->add_option("-o,--output", options->camera, "The camera file to write")
+  command->add_option("-o,--output", options->camera, "Camera file to write")
       ->type_name("CAMERA.yaml")
       ->required();
   command
@@ -303,33 +300,34 @@ void add_lens(CLI::App& program, Chosen& chosen) {
           "--orientation",
           [options](const std::string& word) {
             const auto orientation = orientation_from(word);
-            if (!orientation) throw CLI::ValidationError("--orientation", "'" + word + "' is none");
+            if (!orientation)
+              throw CLI::ValidationError("--orientation", "'" + word + "' is not an orientation");
             options->orientation = *orientation;
           },
-          "How the camera's pictures are turned so that the finger lies along them (default none)")
+          "Rotation or flip of the camera's images so that the finger lies along them (default "
+          "none)")
       ->type_name("none|flip_u|flip_v|rotate_180|rotate_90|rotate_270");
   command
       ->add_option_function<std::string>(
           "--port",
           [port](const std::string& text) { *port = four_numbers("--port", text); },
-          "What the finger is seen through, where the board was in air: air gap mm, "
-          "plate mm, index of the plate (acrylic 1.49), index behind it (silicone 1.41)")
+          "Window between lens and finger, if the board was in air: air gap mm, plate mm, index of "
+          "the plate (acrylic 1.49), index behind it (silicone 1.41)")
       ->type_name("GAP,PLATE,INDEX,INDEX");
-  CLI::Option* length =
-      command
-          ->add_option("--known-length-mm",
-                       options->known_length_mm,
-                       "A length on the finger, across the line of sight at --distance-mm, to "
-                       "check the scale with")
-          ->type_name("L")
-          ->transform(typed_number(kKnownLength));
+  CLI::Option* length = command
+                            ->add_option("--known-length-mm",
+                                         options->known_length_mm,
+                                         "Known length on the finger, across the line of sight at "
+                                         "--distance-mm, to check the scale, mm")
+                            ->type_name("L")
+                            ->transform(typed_number(kKnownLength));
   command
       ->add_option_function<std::string>(
           "--known-ends",
           [options](const std::string& text) {
             options->known_ends_px = four_numbers("--known-ends", text);
           },
-          "Where the ends of that length are seen, px")
+          "Ends of the known length in the image, px")
       ->type_name("U,V,U,V")
       ->needs(length);
   SettingFlags<LensSettings> settings;

@@ -32,10 +32,10 @@ Status run_new(const NewFinger& options, Console& console) {
 void add_new(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<NewFinger>();
   CLI::App* command = add_command(program, "new");
-  command->add_option("FINGER", options->finger, "Folder to make")->required();
+  command->add_option("FINGER", options->finger, "New folder")->required();
   command
       ->add_option(
-          "--camera", options->camera, "What stands under `camera:` in a finger, as a YAML file")
+          "--camera", options->camera, "YAML file with the camera, as under `camera:` in a finger")
       ->type_name("CAMERA.yaml")
       ->required();
   command->add_option("--layer-mm", options->layer_mm, "Thickness of the translucent layer, mm")
@@ -47,38 +47,37 @@ void add_new(CLI::App& program, Chosen& chosen) {
   command
       ->add_option("--kind",
                    options->kind,
-                   "fin_ray: its shape is read from the two edges of the face; flat: a rigid "
-                   "sensor (default fin_ray)")
+                   "Kind of finger: fin_ray, its shape estimated from the two edges of the face; "
+                   "flat, a rigid sensor (default fin_ray)")
       ->type_name("fin_ray|flat")
       ->transform(CLI::Transformer(kinds));
-  CLI::Option* width =
-      command
-          ->add_option(
-              "--width-mm", options->width_mm, "Distance of the two edges of the view face, mm")
-          ->type_name("W")
-          ->transform(typed_number(kFaceWidth));
-  CLI::Option* per_row =
-      command
-          ->add_option(
-              "--per-row",
-              options->per_row,
-              "Engraved dots on each side face; 0: none, poses are told by the face's shape")
-          ->type_name("N")
-          ->transform(typed_integer(0, 64));
+  CLI::Option* width = command
+                           ->add_option("--width-mm",
+                                        options->width_mm,
+                                        "Distance between the two edges of the view face, mm")
+                           ->type_name("W")
+                           ->transform(typed_number(kFaceWidth));
+  CLI::Option* per_row = command
+                             ->add_option("--per-row",
+                                          options->per_row,
+                                          "Number of engraved dots on each side face; 0: none, "
+                                          "poses are estimated from the shape of the face")
+                             ->type_name("N")
+                             ->transform(typed_integer(0, 64));
   const std::map<std::string, Polarity> polarities{
       {"auto", Polarity::kAuto}, {"bright", Polarity::kBright}, {"dark", Polarity::kDark}};
   command
-      ->add_option(
-          "--polarity",
-          options->polarity,
-          "Dots against their surroundings; auto: the reference recording tells (default auto)")
+      ->add_option("--polarity",
+                   options->polarity,
+                   "Brightness of the dots against their surroundings; auto: from the reference "
+                   "recording (default auto)")
       ->type_name("auto|bright|dark")
       ->transform(CLI::Transformer(polarities));
   CLI::Option* plane =
       command
           ->add_option("--plane-z-mm",
                        options->plane_z_mm,
-                       "Flat: distance of the view face, mm (default 0)")
+                       "Distance of the view face of a flat sensor, mm (default 0)")
           ->type_name("Z")
           ->transform(typed_number(-kPlaneDistance.possible.high, kPlaneDistance.possible.high));
   command->add_option("--name", options->name, "Name of the finger (default: the folder's)")
@@ -88,8 +87,8 @@ void add_new(CLI::App& program, Chosen& chosen) {
       command
           ->add_option("--gripper-from-camera",
                        *gripper,
-                       "Where the camera sits in the gripper: its place in mm, and its turns about "
-                       "the gripper's axes x, then y, then z, in degrees")
+                       "Pose of the camera in the gripper: position in mm, and rotations about the "
+                       "gripper's axes x, then y, then z, in degrees")
           ->type_name("X Y Z RX RY RZ")
           ->transform(typed_number(-1e4, 1e4))
           ->expected(6);

@@ -417,9 +417,9 @@ Status reconstruct_all(Source& source,
   BatchWork work;
   work.inspect = [&](BatchFrame& frame) {
     if (frame.frame && !names.insert(frame.frame->name).second)
-      frame.problem = Error{en::say("another picture is called '{}' as well", frame.frame->name),
+      frame.problem = Error{en::say("another image is called '{}' as well", frame.frame->name),
                             frame.frame->origin,
-                            en::say("giving the pictures different names")};
+                            en::say("giving the images different names")};
   };
   work.write = [&](BatchFrame& frame, const Pipeline& pipeline) -> Result<FrameLine> {
     auto line = files->write(frame, pipeline);
@@ -505,42 +505,34 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
   command->add_option("FINGER", options->finger, "The finger's folder")->required();
   command
       ->add_option(
-          "INPUT", options->inputs, "Pictures, folders of them, a video, a scene, or a camera")
+          "INPUT", options->inputs, "Images, folders of them, a video, a scene, or a camera")
       ->required();
   CLI::Option* output =
       command->add_option("-o,--output", options->folder, "Folder for the results")
           ->type_name("DIR");
   CLI::Option* live =
       command
-          ->add_flag("--live",
-                     options->live,
-                     "At the pace of the camera or the recording, a line of results.jsonl for each "
-                     "frame on standard output instead of files, until Ctrl-C; frames that come "
-                     "too fast are skipped")
+          ->add_flag(
+              "--live",
+              options->live,
+              "Prints a line of results.jsonl for each frame instead of writing files, at the pace "
+              "of the camera or recording, until Ctrl-C; skips frames that come too fast")
           ->excludes(output);
   command
       ->add_option(
           "--format",
           *formats,
-          "Files per frame, with commas: depth (float TIFF, mm), depth16 (16-bit PNG of whole "
-          "micrometres: depth_mm = 0.001 (value - 10000), 0: none), depth-video (the same of all "
-          "frames "
-          "in one file, depth.mkv, without loss: FFV1), depth_sd (how sure each pixel "
-          "is, "
-          "one standard deviation in mm), sd_causes (the same by cause: NAME.sd_noise.tiff, "
-          "sd_mapping, "
-          "sd_reference, sd_light, sd_lateral), flags (8-bit PNG: 0 measured, 1 off the face, 2 "
-          "too "
-          "dark, 3 "
+          "Files per frame, with commas: depth (float TIFF, mm), depth16 (16-bit PNG of integer "
+          "micrometres: depth_mm = 0.001 (value - 10000), 0: none), depth-video (the same for all "
+          "frames in one lossless file, depth.mkv: FFV1), depth_sd (standard deviation of each "
+          "pixel, mm), sd_causes (the same by cause: NAME.sd_noise.tiff, sd_mapping, sd_reference, "
+          "sd_light, sd_lateral), flags (8-bit PNG: 0 measured, 1 off the face, 2 too dark, 3 "
           "saturated, 4 darker than calibrated, 5 at the layer's thickness: at least that deep, 6 "
-          "not in the recording, 7 its end hidden, 8 bulging by the layer's thickness or more), "
-          "limits (8-bit PNG, bits: 1 at the layer's thickness, 2 bulging by that, 4 darker than "
-          "calibrated, 8 steep: a pixel sideways changes the depth by more than its standard "
-          "deviation, 16 doubtful light), "
-          "points "
-          "(float TIFF, x y z in mm), and meshes of the face for other programs: ply, vtp, stl, "
-          "glb "
-          "(default depth,flags)")
+          "not in the recording, 7 end of the face hidden, 8 bulging by the layer's thickness or "
+          "more), limits (8-bit PNG, bits: 1 at the layer's thickness, 2 bulging by that, 4 darker "
+          "than calibrated, 8 steep: a shift of one pixel changes the depth by more than its "
+          "standard deviation, 16 doubtful light), points (float TIFF, x y z in mm), and meshes of "
+          "the face for other programs: ply, vtp, stl, glb (default depth,flags)")
       ->type_name("LIST")
       ->delimiter(',')
       ->take_all()
@@ -561,12 +553,11 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
   command
       ->add_flag("--picture",
                  options->image,
-                 "Also a picture of the face in 3D per frame, NAME.3d.png; needs no display")
+                 "Adds a 3D image of the face per frame, NAME.3d.png; needs no display")
       ->excludes(live);
   command
-      ->add_option("--picture-from",
-                   options->viewpoint,
-                   "Where pictures are looked at from (default tilted)")
+      ->add_option(
+          "--picture-from", options->viewpoint, "Viewpoint of the 3D images (default tilted)")
       ->type_name("tilted|camera|outside|side")
       ->transform(
           CLI::CheckedTransformer(std::map<std::string, Viewpoint>{{"tilted", Viewpoint::kTilted},
@@ -576,7 +567,7 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
   command
       ->add_option("--picture-top-mm",
                    options->scene.top_mm,
-                   "Depth at which the colours of pictures end (default 1)")
+                   "Depth at the end of the colour scale of the 3D images, mm (default 1)")
       ->type_name("MM")
       ->transform(typed_number(0.1, 10.0));
   command
@@ -587,29 +578,29 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
             if (!part) throw CLI::ValidationError("--shard", part.error().what.english());
             options->part = *part;
           },
-          "Only part K of N of the frames; `alltact merge` brings the parts together, the same as "
-          "without")
+          "Reconstructs only part K of N of the frames; `alltact merge` joins the parts to the "
+          "result of a single run")
       ->type_name("K/N")
       ->excludes(live);
   command
-      ->add_option(
-          "--method",
-          *method,
-          "paper: the source paper's whole method, with its own calibration from the presses "
-          "that the finger keeps, to compare with (default ours)")
+      ->add_option("--method",
+                   *method,
+                   "Method: ours, or paper, the source paper's full method with its own "
+                   "calibration from the stored presses (default ours)")
       ->type_name("ours|paper")
       ->check(CLI::IsMember({"ours", "paper"}));
   command
-      ->add_option("--threads",
-                   options->threads,
-                   "The result is the same for any number (1 to 64; default all cores)")
+      ->add_option(
+          "--threads",
+          options->threads,
+          "Number of threads (1 to 64; default all cores); the result does not depend on it")
       ->type_name("N")
       ->transform(typed_integer(1, 64));
   command
       ->add_option("--preset",
                    options->preset,
-                   "Measure with settings that a study found for this finger (alltact study FINGER "
-                   "--save), or as it was calibrated (default: what the finger uses)")
+                   "Settings to measure with: a preset that a study of this finger saved (alltact "
+                   "study FINGER --save), or as calibrated (default: what the finger uses)")
       ->type_name("fast|balanced|finest|calibrated");
   SettingFlags<PipelineSettings> pipeline;
   pipeline.add_to(*command, pipeline_settings());
@@ -631,7 +622,7 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
     const bool is_paper = *method == "paper";
     options->as_paper = is_paper;
     if (is_paper) {
-      const char* none = "the source paper's method has none of these settings";
+      const char* none = "does not apply to the source paper's method";
       pipeline.refuse_all(none);
       if (!options->preset.empty()) throw CLI::ValidationError("--preset", none);
     }
@@ -666,8 +657,8 @@ void add_merge(CLI::App& program, Chosen& chosen) {
   command
       ->add_option("DIR",
                    *folders,
-                   "Where `alltact reconstruct --shard` left its parts; the results go into the "
-                   "first")
+                   "Folders with the parts that `alltact reconstruct --shard` wrote; the results "
+                   "go into the first")
       ->required();
   command->callback(
       [=, &chosen] { chosen = [=](Console& console) { return run_merge(*folders, console); }; });

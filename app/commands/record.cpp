@@ -64,8 +64,8 @@ Result<std::unique_ptr<ButtonPresses>> ButtonPresses::listen(const LearntButton&
 bool ButtonPresses::taken(Console& console) {
   const Status status = button_.status();
   if (!status && !is_away_)
-    console.warn("The button is not heard now. " + status.error().sentence());
-  if (status && is_away_) console.warn("The button is heard again.");
+    console.warn("The button is disconnected. " + status.error().sentence());
+  if (status && is_away_) console.warn("The button is connected again.");
   is_away_ = !status.ok();
   return presses_.exchange(0) > 0;
 }
@@ -184,7 +184,7 @@ std::string record_all(SourceReader& reading,
     if (!is_taken && recorder.problem()) return {};
     extent.add(*frame);
     console.job().report(extent.fraction(source.count()), progress(recorder.counts()));
-    if (extent.is_reached(1 / source.frames_per_s())) return "as many frames as were asked for";
+    if (extent.is_reached(1 / source.frames_per_s())) return "the requested length was reached";
   }
 }
 
@@ -209,7 +209,7 @@ void print_recording(const Path& video,
                           to_string(*counts.codec),
                           video.string()));
   if (counts.missing > 0)
-    console.warn(fmt::format("{} frames never came from the source; the journal {} says where.",
+    console.warn(fmt::format("{} frames never came from the source; the journal {} lists them.",
                              counts.missing,
                              journal_of(video).string()));
 }
@@ -291,7 +291,8 @@ Status record_by_button(SourceReader& reading,
                         GaugeLog* gauge,
                         Console& console) {
   Console::Json& recordings = console.answer()["recordings"] = Console::Json::array();
-  console.say("Press the button to begin a recording, and again to end it. Ctrl-C ends all.");
+  console.say(
+      "Press the button to start a recording, and again to end it. Ctrl-C ends the command.");
   int number = 1;
   while (const FramePtr first = next_pressed(reading)) {
     const Path video = next_free(options.output, number);
@@ -309,7 +310,7 @@ Status record_by_button(SourceReader& reading,
 /// The first image after each press.
 Status record_images(SourceReader& reading, const RecordOptions& options, Console& console) {
   Console::Json& images = console.answer()["pictures"] = Console::Json::array();
-  console.say("Press the button to take a picture. Ctrl-C ends.");
+  console.say("Press the button to take an image. Ctrl-C ends the command.");
   int number = 1;
   while (!options.frames || images.size() < *options.frames) {
     const FramePtr frame = next_pressed(reading);
@@ -348,31 +349,32 @@ void add_button_flag(CLI::App& command, RecordOptions& options) {
             if (!button) throw CLI::ValidationError("--button", button.error().sentence());
             options.button = *button;
           },
-          "A foot pedal or button, as 'alltact devices --learn-button' tells it (in quotes). With "
-          "-o NAME.mkv one press begins a recording and the next ends it, each a file of its own: "
-          "NAME-001.mkv, NAME-002.mkv, ...; with -o NAME.png each press takes one picture: "
-          "NAME-001.png, ... Numbers that exist are left out, nothing is written over")
+          "Foot pedal or button, as 'alltact devices --learn-button' prints it (in quotes). With "
+          "-o NAME.mkv, one press starts a recording and the next ends it: NAME-001.mkv, "
+          "NAME-002.mkv, ... With -o NAME.png, each press takes one image: NAME-001.png, ... "
+          "Existing files are skipped, not overwritten")
       ->type_name("BUTTON");
 }
 
 void add_light_flags(CLI::App& command, LightOptions& light) {
-  CLI::Option* device =
-      command
-          .add_option("--dimmer",
-                      light.device,
-                      "The LED dimmer to set before recording, by a name that 'alltact devices' "
-                      "tells; its setting is kept with every frame")
-          ->type_name("DEVICE");
+  CLI::Option* device = command
+                            .add_option("--dimmer",
+                                        light.device,
+                                        "LED dimmer to set before recording, by a name from "
+                                        "'alltact devices'; its setting is stored with every frame")
+                            ->type_name("DEVICE");
   CLI::Option* control =
       command
           .add_option("--dimmer-control",
                       light.control,
-                      "How it is told: 'mcp2221a gp2', 'mcp2221a gp3', or a report such as 'output "
-                      "id=0 bytes=8 at=1 range=0..255'")
+                      "Control of the dimmer: 'mcp2221a gp2', 'mcp2221a gp3', or a report such as "
+                      "'output id=0 bytes=8 at=1 range=0..255'")
           ->type_name("TEXT")
           ->needs(device);
   CLI::Option* brightness =
-      command.add_option("--brightness", light.brightness, "0 dark to 1 full")
+      command
+          .add_option(
+              "--brightness", light.brightness, "Brightness of the dimmer, from 0 dark to 1 full")
           ->type_name("B")
           ->transform(typed_number(0.0, 1.0))
           ->needs(device);
@@ -383,11 +385,11 @@ void add_light_flags(CLI::App& command, LightOptions& light) {
 void check_output(const RecordOptions& options) {
   if (!records_images(options)) return;
   if (!options.button)
-    throw CLI::ValidationError("--output", "pictures are taken with a --button; a video is .mkv");
+    throw CLI::ValidationError("--output", "images need a --button; a video is .mkv");
   if (!options.gauge.gauge.empty())
-    throw CLI::ValidationError("--gauge", "is read beside a video, not beside pictures");
+    throw CLI::ValidationError("--gauge", "works with a video, not with images");
   if (options.seconds)
-    throw CLI::ValidationError("--seconds", "pictures have no length; --frames counts them");
+    throw CLI::ValidationError("--seconds", "images have no length; --frames counts them");
 }
 
 }  // namespace
@@ -429,49 +431,48 @@ void add_record(CLI::App& program, Chosen& chosen) {
   command
       ->add_option("SOURCE",
                    options->inputs,
-                   "A camera (by a name that 'alltact devices' tells), a video, a scene (the "
-                   "simulated finger, at its camera's pace, without end), "
-                   "pictures or folders of them")
+                   "Camera (by a name from 'alltact devices'), video, scene (the simulated finger, "
+                   "at its camera's pace, without end), images or folders of them")
       ->required();
   command
       ->add_option("-o,--output",
                    options->output,
-                   "The video, NAME.mkv; NAME.frames.csv beside it says what each frame was. With "
-                   "--button also NAME.png")
+                   "Video to write, NAME.mkv; NAME.frames.csv next to it describes each frame. "
+                   "With --button also NAME.png")
       ->type_name("FILE")
       ->required();
   add_button_flag(*command, *options);
   add_light_flags(*command, options->light);
   add_gauge_flags(*command, options->gauge);
   command
-      ->add_option(
-          "--frames",
-          options->frames,
-          "Each recording ends after so many frames, or all after so many pictures (default: at "
-          "the source's end)")
+      ->add_option("--frames",
+                   options->frames,
+                   "Number of frames of each recording, or of images in total (default: until the "
+                   "source ends)")
       ->type_name("N")
       ->transform(typed_integer(1, 1000000000));
   command
       ->add_option("--seconds",
                    options->seconds,
-                   "Each recording ends after so much recorded time (default: at the source's end)")
+                   "Recorded time of each recording, s (default: until the source ends)")
       ->type_name("S")
       ->transform(typed_number(0.001, 1e7));
   command
       ->add_option("--pace",
                    *pace,
-                   "Videos and scenes: recorded: as they were, or as a camera gives them; asked: "
-                   "as fast as it goes (default recorded)")
+                   "Pace of videos and scenes: recorded, as they were recorded or as a camera "
+                   "sends them; asked, as fast as possible (default recorded)")
       ->type_name("recorded|asked")
       ->check(CLI::IsMember({"recorded", "asked"}));
-  command->add_option("--seed", options->seed, "Of a simulated finger, 0 to 2^64 - 1 (default 1)")
+  command
+      ->add_option("--seed", options->seed, "Seed of a simulated finger, 0 to 2^64 - 1 (default 1)")
       ->type_name("S")
       ->transform(typed_integer(0));
   command
       ->add_option("--threads",
                    options->threads,
-                   "That render a simulated finger; the pictures are the same for any number (1 to "
-                   "64; default 1)")
+                   "Number of threads that render a simulated finger (1 to 64; default 1); the "
+                   "images do not depend on it")
       ->type_name("N")
       ->transform(typed_integer(1, 64));
   SettingFlags<RecorderSettings> recorder;

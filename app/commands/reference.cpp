@@ -21,15 +21,15 @@ Status run_flat(const ReferenceOptions& options, Console& console) {
   const auto warnings = set_untouched_image(options.finger, *image);
   if (!warnings) return warnings.error();
   for (const Message& warning : *warnings) console.warn(fmt::format("Warning: {}", warning));
-  console.say("The untouched picture is installed. Next: alltact calibrate with ball presses");
+  console.say("The untouched image is installed. Next: alltact calibrate with ball presses");
   console.answer()["frames_kept"] = 1;
   return {};
 }
 
 void print_report(const ReferenceReport& report, Console& console) {
   console.say(
-      fmt::format("{} of {} frames are in the reference library; each lies {:.2f} px (median) "
-                  "from its nearest neighbour.",
+      fmt::format("{} of {} frames are in the reference library; the median distance to the "
+                  "nearest neighbour is {:.2f} px.",
                   report.frames_retained,
                   report.frames_read,
                   report.median_step_px));
@@ -41,31 +41,28 @@ void print_report(const ReferenceReport& report, Console& console) {
         fmt::format("  left out: {} more; --json lists them all", report.rejected.size() - kShown));
   if (report.doubtful > 0)
     console.say(
-        fmt::format("  {} of these frames are doubtful; --keep-frames FIRST-LAST keeps those that "
-                    "were untouched",
+        fmt::format("  {} of these frames are doubtful; --keep-frames FIRST-LAST includes those "
+                    "that were untouched",
                     report.doubtful));
   if (report.repeated > 0)
-    console.say(fmt::format("  {} frames repeat a pose that is already held and were left out",
-                            report.repeated));
+    console.say(fmt::format("  {} frames repeat a stored pose and were left out", report.repeated));
   const MotionCoverage& seen = report.coverage;
+  console.say(
+      fmt::format("The tip bent by {:+.1f} to {:+.1f} mm, swayed by {:+.1f} to {:+.1f} mm and "
+                  "twisted by {:+.1f} to {:+.1f} degrees; combined bend and sway cover {:.0f} %.",
+                  seen.bend_mm().least,
+                  seen.bend_mm().most,
+                  seen.sway_mm().least,
+                  seen.sway_mm().most,
+                  seen.twist_deg().least,
+                  seen.twist_deg().most,
+                  100.0 * seen.covered()));
   console.say(fmt::format(
-      "The tip was bent by {:+.1f} to {:+.1f} mm, pushed aside by {:+.1f} to {:+.1f} mm, twisted "
-      "by "
-      "{:+.1f} to {:+.1f} degrees; of bending together with pushing aside {:.0f} % was seen.",
-      seen.bend_mm().least,
-      seen.bend_mm().most,
-      seen.sway_mm().least,
-      seen.sway_mm().most,
-      seen.twist_deg().least,
-      seen.twist_deg().most,
-      100.0 * seen.covered()));
-  console.say(fmt::format(
-      "References made from it are off by {:.4f} mm of depth (half of the poses less; 95 % less "
-      "than "
-      "{:.4f} mm{}).",
+      "Depth error of its references: median {:.4f} mm, 95th percentile {:.4f} mm{}.",
       report.error_median_mm,
       report.error_p95_mm,
-      report.by_own_mapping ? "" : "; reckoned with a usual layer until the finger is calibrated"));
+      report.by_own_mapping ? ""
+                            : "; computed with a typical layer until the finger is calibrated"));
   for (const Message& remark : report.remarks) console.say(fmt::format("  {}", remark));
   for (const Message& warning : report.warnings) console.warn(fmt::format("Warning: {}", warning));
   Console::Json& answer = console.answer();
@@ -136,7 +133,7 @@ void add_ranges(CLI::App& command,
       ->delimiter(',')
       ->check([](const std::string& text) {
         return frame_range(text) ? std::string()
-                                 : fmt::format("'{}' is no range of frames such as 12-40", text);
+                                 : fmt::format("'{}' is not a range of frames such as 12-40", text);
       });
 }
 
@@ -156,7 +153,7 @@ void add_reference(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<ReferenceOptions>();
   CLI::App* command = add_command(program, "reference");
   command->add_option("FINGER", options->finger, "The finger's folder")->required();
-  command->add_option("RECORDING", options->inputs, "Video, folder of pictures, or pictures")
+  command->add_option("RECORDING", options->inputs, "Video, folder of images, or images")
       ->required();
   const auto need = [&](const char* flag, double& value, const char* help) {
     command->add_option(flag, value, help)
@@ -165,32 +162,34 @@ void add_reference(CLI::App& program, Chosen& chosen) {
   };
   need("--bend-mm",
        options->choices.need.bend_mm,
-       "How far grasping bends the tip, to and from the camera, mm; what is missing is told");
-  need("--sway-mm", options->choices.need.sway_mm, "How far it pushes the tip aside, each way, mm");
+       "Bend of the tip in a grasp, to and from the camera, mm; motion that the recording lacks is "
+       "reported");
+  need("--sway-mm", options->choices.need.sway_mm, "Sway of the tip in a grasp, to each side, mm");
   need("--twist-deg",
        options->choices.need.twist_deg,
-       "How far it turns the tip, each way, degrees");
+       "Twist of the tip in a grasp, in each direction, degrees");
   command
       ->add_option("--rest-frame",
                    options->choices.rest_frame,
                    "Frame of the recording that shows the finger at rest, counted from 0 (default: "
-                   "the one in the middle of all poses)")
+                   "the middle of all poses)")
       ->type_name("N")
       ->transform(typed_integer(0, std::numeric_limits<int>::max()));
-  add_ranges(*command,
-             "--keep-frames",
-             "Frames that were untouched whatever they look like: 12-40, or several with commas",
-             options,
-             &ReferenceChoices::keep);
+  add_ranges(
+      *command,
+      "--keep-frames",
+      "Frames to use as untouched, whatever the analysis finds: 12-40, or several with commas",
+      options,
+      &ReferenceChoices::keep);
   add_ranges(*command,
              "--leave-out-frames",
-             "Frames that are not used at all: 12-40, or several with commas",
+             "Frames to leave out: 12-40, or several with commas",
              options,
              &ReferenceChoices::leave_out);
   command->add_flag("--skin-changed",
                     options->choices.skin_was_changed,
-                    "The skin was cleaned, painted or replaced since the earlier reference, which "
-                    "then does not tell what pressed on it");
+                    "States that the skin was cleaned, painted or replaced since the earlier "
+                    "reference, which then cannot reveal contacts");
   command->callback([=, &chosen] {
     chosen = [=](Console& console) { return run_reference(*options, console); };
   });

@@ -187,7 +187,7 @@ class Serving {
   void follow() {
     if (const auto problem = finger_.take_problem()) report(*problem);
     if (!finger_.take_update()) return;
-    console_.warn("The finger has changed; it is measured as it is now.");
+    console_.warn("The finger has changed; new frames are measured with its current state.");
     describe();
   }
 
@@ -266,19 +266,17 @@ Status run_serve(const ServeOptions& options, Console& console) {
   const ServedSource about{options.inputs.front().string(),
                            (*source)->frames_per_s(),
                            dynamic_cast<CameraSource*>(source->get()) != nullptr};
-  console.say(
-      fmt::format("Serving {} at {}, to programs of this user on this computer; nothing is "
-                  "listening beyond it. "
-                  "Ctrl-C ends it.",
-                  (*snapshot)->finger.name,
-                  (*server)->path().string()));
+  console.say(fmt::format(
+      "Serving {} at {}, to programs of this user on this computer only. Ctrl-C ends it.",
+      (*snapshot)->finger.name,
+      (*server)->path().string()));
   Serving serving(**finger, std::move(*source), about, **server, console);
   const Message reason = serving.run();
   (*server)->end(end_json(reason));
   const StreamCounts counts = (*server)->counts();
   console.say(
-      fmt::format("{} frames, {} of them without depth; {} skipped to keep up; {} programs "
-                  "were served, which were too slow for {} frames.",
+      fmt::format("{} frames, {} of them without depth; {} skipped to keep up; {} programs served, "
+                  "which were too slow for {} frames.",
                   serving.measured(),
                   serving.failed(),
                   serving.skipped(),
@@ -301,25 +299,26 @@ void add_serve(CLI::App& program, Chosen& chosen) {
   CLI::App* command = add_command(program, "serve");
   CLI::Option* finger = command->add_option("FINGER", options->finger, "The finger's folder");
   CLI::Option* inputs = command->add_option(
-      "SOURCE", options->inputs, "A camera, a video, pictures or a folder of them, or a scene");
+      "SOURCE", options->inputs, "Camera, video, images or a folder of them, or scene");
   CLI::Option* socket =
       command
           ->add_option("--socket",
                        options->socket,
-                       "Where programs connect: a Unix socket in a folder that is yours alone "
+                       "Unix socket where programs connect, in a folder that is yours alone "
                        "(default alltact/NAME.sock in $XDG_RUNTIME_DIR)")
           ->type_name("PATH");
   CLI::Option* preset_flag =
       command
-          ->add_option("--preset",
-                       *preset,
-                       "Measure with settings that a study found for this finger (alltact study "
-                       "FINGER --save), or as it was calibrated (default: what the finger uses)")
+          ->add_option(
+              "--preset",
+              *preset,
+              "Settings to measure with: a preset that a study of this finger saved (alltact study "
+              "FINGER --save), or as calibrated (default: what the finger uses)")
           ->type_name("fast|balanced|finest|calibrated");
   CLI::Option* schema = command->add_flag(
       "--schema",
       options->schema,
-      "Instead: tells what a program sends and gets, for people or (--json) programs");
+      "Prints what a program sends and receives instead, for people or (--json) programs");
   for (CLI::Option* option : {finger, inputs, socket, preset_flag}) option->excludes(schema);
   SettingFlags<PipelineSettings> pipeline;
   pipeline.add_to(*command, pipeline_settings());

@@ -82,7 +82,7 @@ Console::Json finger_json(const Finger& finger) {
 /// One line for each effect, in the order they run.
 void explain(const Scene& scene, const Plan& plan, Console& console) {
   console.say(fmt::format(
-      "{}: {} frames, {:g} a second.", scene.name(), plan.frame_count(), plan.frames_per_s()));
+      "{}: {} frames, {:g} per second.", scene.name(), plan.frame_count(), plan.frames_per_s()));
   console.say(scene.why());
   Console::Json& answer = console.answer();
   answer["scene"] = scene.name();
@@ -217,11 +217,11 @@ Status run_simulate(const SimulateOptions& options, Console& console) {
   status = write_file_atomically(options.folder / kTruthFile, truth.dump(1) + "\n");
   if (!status) return status;
 
-  console.say(fmt::format("{} frames of '{}' in {}, the truth beside them.",
+  console.say(fmt::format("{} frames of '{}' in {}, with the truth next to them.",
                           frames.size(),
                           scene->name(),
                           options.folder.string()));
-  console.say("Its finger is made by: " + new_command(plan->finger(), camera_file));
+  console.say("Command for its finger: " + new_command(plan->finger(), camera_file));
   console.answer()["frames"] = frames.size();
   console.answer()["folder"] = options.folder.string();
   console.answer()["effects"] = plan->effects();
@@ -232,7 +232,7 @@ Status run_simulate(const SimulateOptions& options, Console& console) {
 Status run_simulate_costs(int frames, Console& console) {
   const auto costs = measure_effect_costs(frames, console.job());
   if (!costs) return costs.error();
-  console.say("What each effect adds to a frame, in ms per million pixels, one thread:");
+  console.say("Time of each effect per frame, ms per million pixels, one thread:");
   Console::Json& list = console.answer()["costs"] = Console::Json::array();
   for (const EffectCost& cost : *costs) {
     const std::string_view stage = to_string(cost.kind->stage);
@@ -252,19 +252,19 @@ void add_simulate(CLI::App& program, Chosen& chosen) {
   auto inputs = std::make_shared<std::vector<Path>>();
   CLI::App* command = add_command(program, "simulate");
   CLI::Option* costs = command->add_flag(
-      "--costs", options->costs, "Instead: what every effect costs in time on this computer");
+      "--costs", options->costs, "Measures the time of every effect on this computer instead");
   CLI::Option* scene = command->add_option(
-      "SCENE", *inputs, "Scene file (YAML); with --fit pictures of the pressed ball");
+      "SCENE", *inputs, "Scene file (YAML); with --fit, images of the pressed ball");
   CLI::Option* output =
       command
           ->add_option(
-              "-o,--output", options->folder, "Folder for the frames; with --fit the scene file")
+              "-o,--output", options->folder, "Folder for the frames; with --fit, the scene file")
           ->type_name("DIR");
   CLI::Option* effects =
       command
           ->add_option("--effects",
                        options->effect,
-                       "Instead: what effects there are, or what one takes and an example of it")
+                       "Lists all effects instead, or the parameters and an example of one")
           ->type_name("[NAME]")
           ->expected(0, 1)
           ->excludes(costs);
@@ -274,30 +274,30 @@ void add_simulate(CLI::App& program, Chosen& chosen) {
           ->add_option(
               "--frames",
               options->frames,
-              fmt::format("Only the first so many frames (default: all of the scene); with "
-                          "--costs how many are timed with and without each effect "
-                          "(default: {})",
+              fmt::format("Frames to render, from the first (default: all of the scene); with "
+                          "--costs, frames to time with and without each effect (default: {})",
                           kTimedFrames))
           ->type_name("N")
           ->transform(typed_integer(1, 1000000));
   CLI::Option* seed =
       command
-          ->add_option("--seed", options->seed, "Of everything random, 0 to 2^64 - 1 (default 1)")
+          ->add_option(
+              "--seed", options->seed, "Seed of all random numbers, 0 to 2^64 - 1 (default 1)")
           ->type_name("S")
           ->transform(typed_integer(0));
   CLI::Option* video = command->add_flag(
-      "--video", options->video, "One lossless video, frames.mkv, instead of pictures");
-  CLI::Option* maps = command->add_flag(
-      "--maps",
-      options->maps,
-      "Also the truth of every pixel: what touches (.contact.png, 1 + its number), normals and the "
-      "light without presses (.normal.tiff, .untouched.tiff), and what is seen (.seen.png: 1 face, "
-      "2 side, 3 dot, 4 hidden dot)");
+      "--video", options->video, "Writes one lossless video, frames.mkv, instead of images");
+  CLI::Option* maps =
+      command->add_flag("--maps",
+                        options->maps,
+                        "Adds the truth of every pixel: contact (.contact.png, 1 + its number), "
+                        "normals and the light without presses (.normal.tiff, .untouched.tiff), "
+                        "and what is visible (.seen.png: 1 face, 2 side, 3 dot, 4 hidden dot)");
   CLI::Option* explained =
       command
           ->add_flag("--explain",
                      options->explain,
-                     "Only tell which effects are built, in which frames, and why; without -o")
+                     "Only lists which effects are built, in which frames, and why; without -o")
           ->excludes(output)
           ->excludes(costs)
           ->excludes(effects);
@@ -306,23 +306,23 @@ void add_simulate(CLI::App& program, Chosen& chosen) {
       command
           ->add_option("--fit",
                        fit->finger,
-                       "Instead: writes the scene of a twin, whose pictures come out as those of "
-                       "this finger: the given presses, or those that it keeps")
+                       "Writes the scene of a twin instead, whose images match those of this "
+                       "finger: the given presses, or the stored ones")
           ->type_name("FINGER");
   for (CLI::Option* option : {costs, effects, frames, seed, video, maps, explained})
     option->excludes(fitted);
   command
       ->add_option("--ball-radius-mm",
                    fit->ball_radius_mm,
-                   "With --fit: radius of the ball, mm (default: what the finger keeps)")
+                   "With --fit: radius of the ball, mm (default: the stored radius)")
       ->type_name("R")
       ->transform(typed_number(kBallRadius))
       ->needs(fitted);
   command
       ->add_option("--reference",
                    fit->untouched,
-                   "With --fit: the untouched picture, where the finger keeps none; a second of "
-                   "the same pose tells the camera's noise in time")
+                   "With --fit: untouched image, if the finger has none stored; a second one of "
+                   "the same pose gives the camera's temporal noise")
       ->type_name("IMAGE")
       ->allow_extra_args(false)
       ->take_all()
@@ -375,14 +375,14 @@ void say_effect(const EffectDescription& effect, Console& console) {
   const EffectKind& kind = *effect.kind;
   console.say(
       fmt::format("{} ({}): {}.", kind.name, to_string(kind.stage), effect.sentence.english()));
-  if (effect.is_repeatable) console.say("May be named several times at once.");
+  if (effect.is_repeatable) console.say("Can be used several times in a scene.");
   if (!kind.needs.empty())
-    console.say(fmt::format("The example needs beside it: {}.", fmt::join(kind.needs, ", ")));
+    console.say(fmt::format("The example also needs: {}.", fmt::join(kind.needs, ", ")));
   for (const EffectParameter& parameter : effect.parameters)
     console.say(fmt::format("  {:<16} {}{}",
                             parameter.key,
                             parameter.values,
-                            parameter.in_example ? "" : "; may be left out"));
+                            parameter.in_example ? "" : "; optional"));
   console.say(fmt::format(
       "  - {{use: {}{}{}}}", kind.name, kind.example.empty() ? "" : ", ", kind.example));
 }
@@ -463,7 +463,7 @@ void print_figures(const Twin& twin, Console& console) {
 
 void print_residuals(const Twin& twin, Console& console) {
   console.say("");
-  console.say("How far the twin's pictures are from the real ones, grey levels RMS:");
+  console.say("Difference between the images of the twin and the real ones, grey levels RMS:");
   console.say(fmt::format("untouched face {:.2f}", twin.untouched_rms));
   console.say(fmt::format("{:<24} {:>10} {:>8} {:>8} {:>12} {:>12}",
                           "press",
@@ -481,9 +481,8 @@ void print_residuals(const Twin& twin, Console& console) {
                             one.ratio_rms,
                             one.ratio_profile_rms));
   console.say(
-      "* the real picture over the real untouched one, times the twin's untouched one: without "
-      "what "
-      "the lamps cannot match");
+      "* real image divided by the real untouched image, times the twin's untouched image: without "
+      "what the lamps cannot match");
 }
 
 }  // namespace

@@ -128,7 +128,7 @@ Status write_study(const StudyFiles& files,
       return written;
     names += (names.empty() ? "" : ", ") + file.name;
   }
-  console.say(fmt::format("Kept in {}: {}.", folder.string(), names));
+  console.say(fmt::format("Saved in {}: {}.", folder.string(), names));
   return {};
 }
 
@@ -173,7 +173,7 @@ Status run_simulating_study(const StudyCommandOptions& options, Console& console
   how.frames = options.quick ? kQuickSceneFrames : kSceneFrames;
   const auto study = study_simulating(*scene, *finger, how, console.job());
   if (!study) return study.error();
-  console.say(fmt::format("{}, {} pictures (simulated)", study->scene, study->rows.front().frames));
+  console.say(fmt::format("{}, {} images (simulated)", study->scene, study->rows.front().frames));
   return publish_study(*study, svg_of(*study), study->scene + "_simulating", options, console);
 }
 
@@ -217,14 +217,12 @@ Status use(const Path& finger,
   const auto presets = presets_of_finger(finger);
   if (!presets) return presets.error();
   const std::string flags = flags_of(settings, presets->calibrated);
-  console.say(
-      fmt::format("{} measures as '{}' from now on: {}. The way back: alltact study {} "
-                  "--use {}",
-                  finger.string(),
-                  name,
-                  flags.empty() ? "as it was calibrated" : flags,
-                  finger.string(),
-                  kCalibrated));
+  console.say(fmt::format("{} now measures with '{}': {}. To revert: alltact study {} --use {}",
+                          finger.string(),
+                          name,
+                          flags.empty() ? "as calibrated" : flags,
+                          finger.string(),
+                          kCalibrated));
   console.answer()["used"] = {{"name", name}, {"flags", flags}};
   return {};
 }
@@ -248,13 +246,13 @@ Result<std::pair<std::size_t, std::string>> row_within(const StudyCommandOptions
 void add_use_flags(CLI::App& command, StudyCommandOptions& options) {
   command.add_flag("--save",
                    options.save,
-                   "Keep the presets fast, balanced and finest with the finger, for --preset");
+                   "Saves the presets fast, balanced and finest with the finger, for --preset");
   command
       .add_option("--use",
                   options.use,
-                  "Let the finger measure with it from now on, everywhere: a preset that it keeps "
-                  "or, with --save, that this study finds; within-ms or keep-mm, what those "
-                  "options find; calibrated, the way back")
+                  "Settings with which the finger measures from now on, everywhere: a stored "
+                  "preset or, with --save, one of this study; within-ms or keep-mm, the result of "
+                  "those options; calibrated, to revert")
       ->type_name("NAME")
       ->check(CLI::IsMember({"fast", "balanced", "finest", kCalibrated, kWithin, kKeep}));
 }
@@ -262,11 +260,12 @@ void add_use_flags(CLI::App& command, StudyCommandOptions& options) {
 /// Refuses options that do not go together. Throws CLI::ValidationError.
 void check_use_flags(const StudyCommandOptions& options) {
   if ((options.save || !options.use.empty()) && options.fingers.empty())
-    throw CLI::ValidationError(options.save ? "--save" : "--use", "there is no finger to keep it");
+    throw CLI::ValidationError(options.save ? "--save" : "--use", "needs a FINGER");
   if ((options.save || !options.use.empty()) &&
       (options.calibrating || options.simulating || options.scaling))
-    throw CLI::ValidationError(options.save ? "--save" : "--use",
-                               "that study tells nothing of what frames are measured with");
+    throw CLI::ValidationError(
+        options.save ? "--save" : "--use",
+        "does not apply to that study, which compares no settings for measuring frames");
   if (options.use == kWithin && !options.max_time_ms) throw CLI::RequiredError("--within-ms");
   if (options.use == kKeep && !options.max_error_mm) throw CLI::RequiredError("--keep-mm");
 }
@@ -283,7 +282,7 @@ Status use_stored_preset(const Path& finger, const std::string& name, Console& c
     const auto store = FingerStore::of(finger);
     if (const auto there = store->snapshot(); !there) return there.error();
     if (const Status back = use_calibrated_settings(*store); !back) return back;
-    console.say(fmt::format("{} measures as it was calibrated from now on.", finger.string()));
+    console.say(fmt::format("{} now measures as calibrated.", finger.string()));
     console.answer()["used"] = {{"name", name}, {"flags", ""}};
     return {};
   }
@@ -307,7 +306,7 @@ Status save_and_use(const StudyCommandOptions& options,
     std::vector<std::string> names;
     for (const MeasuringPreset& preset : presets.presets) names.push_back(preset.name);
     console.say(fmt::format(
-        "Kept with {}: {}.", finger.string(), fmt::format("{}", fmt::join(names, ", "))));
+        "Saved with {}: {}.", finger.string(), fmt::format("{}", fmt::join(names, ", "))));
     console.answer()["kept"] = names;
   }
   if (options.use == kWithin || options.use == kKeep) {
@@ -458,7 +457,7 @@ class StudyCommand {
   }
 
   Status print_study(const AccuracyStudy& study, const StudyOptions& how) {
-    console_.say(fmt::format("{}, {} pictures ({} truth)",
+    console_.say(fmt::format("{}, {} images ({} truth)",
                              study.about,
                              study.rows.front().frames,
                              study.simulated ? "simulated" : "painted"));
@@ -493,17 +492,17 @@ class StudyCommand {
     const StudyRow& row = study.rows[*number];
     const std::string flags = flags_of(row.settings, how.base);
     console_.say(
-        fmt::format("{}: {:.2f} ms, {:.1f} micrometres in the median, 95 % within {:.1f}: {}",
+        fmt::format("{}: {:.2f} ms, error {:.1f} micrometres (median), 95 % within {:.1f}: {}",
                     name,
                     frame_ms(study, row),
                     1000 * row.depth->median_mm,
                     1000 * row.depth->p95_mm,
-                    flags.empty() ? "as it is" : flags));
+                    flags.empty() ? "no change of settings" : flags));
     const StudyBalance balance = balance_of(study, row);
     if (!balance.loses.empty())
-      console_.say(fmt::format("  against the one in use it loses: {}", en::list(balance.loses)));
-    if (!balance.brings.empty())
-      console_.say(fmt::format("  and brings: {}", en::list(balance.brings)));
+      console_.say(
+          fmt::format("  losses against the current settings: {}", en::list(balance.loses)));
+    if (!balance.brings.empty()) console_.say(fmt::format("  gains: {}", en::list(balance.brings)));
     json["choices"][name] = {{"flags", flags},
                              {"time_ms", frame_ms(study, row)},
                              {"median_mm", row.depth->median_mm},
@@ -563,56 +562,58 @@ void add_study(CLI::App& program, Chosen& chosen) {
   CLI::App* command = add_command(program, "study");
   command->add_option("FINGER",
                       options->fingers,
-                      "Balls are painted into pictures of its own recording (default: the "
-                      "demonstration's finger, simulated)");
-  CLI::Option* output =
-      command
-          ->add_option("-o,--output",
-                       *folder,
-                       "Folder for figure, table and JSON; a study that was stopped goes on there "
-                       "(default: kept nowhere)")
-          ->type_name("DIR");
-  command->add_flag("--quick", options->quick, "One setting at a time, on few pictures");
+                      "Finger whose recording supplies the images that balls are painted into "
+                      "(default: the demonstration's finger, simulated)");
+  CLI::Option* output = command
+                            ->add_option("-o,--output",
+                                         *folder,
+                                         "Folder for figure, table and JSON; a stopped study "
+                                         "continues there (default: not saved)")
+                            ->type_name("DIR");
+  command->add_flag("--quick", options->quick, "Varies one setting at a time, on few images");
   CLI::Option* calibrating =
       command->add_flag("--calibrating",
                         options->calibrating,
-                        "What presses, pictures of each, methods, families and iterations bring to "
-                        "a calibration, against minutes");
+                        "Studies what presses, images of each, methods, families and iterations "
+                        "gain for a calibration, against minutes");
   CLI::Option* simulating =
       command
           ->add_flag("--simulating",
                      options->simulating,
-                     "What each effect of a scene costs and changes; a scene takes the finger's "
-                     "place (default: demo_presses)")
+                     "Studies the cost and influence of each effect of a scene, which is given "
+                     "instead of the finger (default: demo_presses)")
           ->excludes(calibrating);
   command
-      ->add_flag("--scaling",
-                 options->scaling,
-                 "How time and memory grow with pixels, recorded frames (to 100000), markers and "
-                 "presses (to 200) and the length of recordings (to an hour), with exponents")
+      ->add_flag(
+          "--scaling",
+          options->scaling,
+          "Studies how time and memory grow with pixels, recorded frames (to 100000), markers, "
+          "presses (to 200) and the length of recordings (to an hour), with exponents")
       ->excludes(calibrating)
       ->excludes(simulating);
   CLI::Option* within =
       command
-          ->add_option(
-              "--within-ms", limits->first, "Also say what is most accurate in so much time")
+          ->add_option("--within-ms",
+                       limits->first,
+                       "Prints the most accurate settings within this time per frame, ms")
           ->type_name("MS")
           ->transform(typed_number(1e-3, 1e4));
-  CLI::Option* keep = command
-                          ->add_option("--keep-mm",
-                                       limits->second,
-                                       "Also say what is fastest with 95 % of depth within so much")
-                          ->type_name("MM")
-                          ->transform(typed_number(1e-6, 100.0));
+  CLI::Option* keep =
+      command
+          ->add_option(
+              "--keep-mm",
+              limits->second,
+              "Prints the fastest settings with 95 % of depth errors within this limit, mm")
+          ->type_name("MM")
+          ->transform(typed_number(1e-6, 100.0));
   CLI::Option* position_flag =
       command
           ->add_option("--place-mm",
                        *position_limit,
-                       "With both: how far off places may be told (default: a quarter more than "
-                       "now)")
+                       "With both: maximum position error, mm (default: a quarter more than now)")
           ->type_name("MM")
           ->transform(typed_number(1e-6, 100.0));
-  command->add_option("--seed", options->seed, "Of everything random (default 1)")
+  command->add_option("--seed", options->seed, "Seed of all random numbers (default 1)")
       ->type_name("S")
       ->transform(typed_integer(0));
   add_use_flags(*command, *options);

@@ -31,12 +31,12 @@ void add_thumbnail(CLI::App& program, Chosen& chosen) {
                    options->file,
                    "NAME.depth.tiff, NAME.depth16.png, or a mesh (ply, vtp, stl, glb, obj)")
       ->required();
-  command->add_option("-o,--output", options->output, "The picture to write, a PNG")
+  command->add_option("-o,--output", options->output, "Image to write, a PNG")
       ->type_name("FILE")
       ->required();
   command
       ->add_option(
-          "--size", options->size_px, "Of its longer side in pixels (16 to 4096; default 256)")
+          "--size", options->size_px, "Longer side of the image, pixels (16 to 4096; default 256)")
       ->type_name("PX")
       ->transform(typed_integer(16, 4096));
   command->callback([=, &chosen] {

@@ -18,30 +18,31 @@ struct CommandName {
 /// In the order of a day with a new finger.
 inline constexpr std::array kCommands = {
     CommandName{"new", "Makes the folder of a new finger"},
-    CommandName{"simulate", "Renders a scene, with the truth beside it"},
-    CommandName{"lens", "Calibrates a lens from pictures of a flat board"},
+    CommandName{"simulate", "Renders a scene, with the truth next to it"},
+    CommandName{"lens", "Calibrates a lens from images of a flat board"},
     CommandName{"reference",
-                "Installs a recording of the finger bent in all ways but touched nowhere"},
-    CommandName{"calibrate", "Learns depth from presses of a ball of known radius"},
-    CommandName{"reconstruct", "Turns pictures into depth and 3D points"},
-    CommandName{"merge",
-                "Brings the parts of a reconstruction that several computers shared together"},
+                "Installs a recording of the finger, bent in all directions without contact"},
+    CommandName{"calibrate", "Calibrates depth with presses of a ball of known radius"},
+    CommandName{"reconstruct", "Computes depth and 3D points from images"},
+    CommandName{"merge", "Joins the parts of a reconstruction that several computers shared"},
     CommandName{"serve", "Measures a source live, for other programs on this computer"},
-    CommandName{"record", "Records a source without loss, and without losing anything when killed"},
-    CommandName{"force", "Learns forces from where the markers are, with a gauge beside"},
-    CommandName{"check", "Is this finger fit to use? What is missing, stale or weak"},
+    CommandName{"record", "Records a source without loss; recorded frames survive a kill"},
+    CommandName{"force", "Trains a force model from marker positions and gauge readings"},
+    CommandName{"check",
+                "Checks whether a finger is fit to use, and lists what is missing, stale or weak"},
     CommandName{"export", "Writes the calibration for other programs"},
     CommandName{"gripper",
-                "Where the cameras of two fingers are for a motor position, and what they hold"},
+                "Computes camera poses of two fingers at a motor position, and what they hold"},
     CommandName{"devices",
-                "Cameras and HID devices found, with what is wrong with those that can't be used"},
-    CommandName{"study", "What each setting costs in time and brings in accuracy, on this finger"},
+                "Lists cameras and HID devices, with the problems of those that can't be used"},
+    CommandName{"study", "Compares the time and accuracy of each setting, on this finger"},
     CommandName{"experiments",
-                "The source paper's experiments in simulation, beside the paper's own figures"},
+                "Repeats the source paper's experiments in simulation, next to its own figures"},
     CommandName{"demo",
-                "A whole day in a minute: simulated finger, reference, calibration, "
+                "Demonstrates a full day in a minute: simulated finger, reference, calibration, "
                 "reconstruction, report"},
-    CommandName{"thumbnail", "A small picture of depth or of a mesh, as file managers show it"},
+    CommandName{"thumbnail",
+                "Writes a small image of depth or of a mesh, as file managers show it"},
 };
 
 /// Adds one of kCommands, still without its options.
@@ -61,7 +62,7 @@ inline void describe(CLI::App& program) {
   program.require_subcommand(1);
   program.footer(
       "Exit status: 0 done, 1 the work could not be done, 2 wrong usage.\n"
-      "`alltact COMMAND --help` tells everything about a command.");
+      "`alltact COMMAND --help` describes a command with all its options.");
 }
 
 }  // namespace alltact

@@ -64,7 +64,7 @@ CLI::Validator typed_integer(std::uint64_t low, std::uint64_t high) {
         if (read.ec == std::errc{} && read.ptr == text.data() + text.size() && value >= low &&
             value <= high)
           return std::string();
-        return fmt::format("must be a whole number from {} to {}, not {}", low, high, text);
+        return fmt::format("must be an integer from {} to {}, not {}", low, high, text);
       },
       is_bounded ? fmt::format("NUMBER from {} to {}", low, high) : "NUMBER");
 }
@@ -87,7 +87,7 @@ Result<std::vector<double>> typed_numbers(std::string_view text, std::size_t cou
   }
   if (numbers.size() == count) return numbers;
   return Error{Message::typed(fmt::format("'{}' holds {} numbers, not {}: write decimals with a "
-                                          "point, or semicolons between the numbers",
+                                          "point, or separate the numbers with semicolons",
                                           printable(text),
                                           numbers.size(),
                                           count)),

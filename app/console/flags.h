@@ -46,8 +46,7 @@ std::string help_of(const Setting<S>& setting) {
   std::string help = fmt::format(
       "{} ({}; default {})", setting.sentence, setting.range.text(), setting.default_value());
   if (setting.trade)
-    help +=
-        fmt::format(". In accuracy: {}. In time: {}", setting.trade->gains, setting.trade->costs);
+    help += fmt::format(". Accuracy: {}. Time: {}", setting.trade->gains, setting.trade->costs);
   return help;
 }
 
@@ -97,8 +96,9 @@ class SettingFlags {
 /// `--threads` for commands that compute in several; default 1.
 inline void add_threads_flag(CLI::App& command, int& threads) {
   command
-      .add_option(
-          "--threads", threads, "The result is the same for any number (1 to 64; default 1)")
+      .add_option("--threads",
+                  threads,
+                  "Number of threads (1 to 64; default 1); the result does not depend on it")
       ->type_name("N")
       ->transform(typed_integer(1, 64));
 }
@@ -112,9 +112,9 @@ class PressFlags {
     for (const PressNoteKind& kind : press_note_kinds()) {
       if (!only.empty() && only != kind.flag) continue;
       auto texts = std::make_shared<std::vector<std::string>>();
-      std::string help = std::string(kind.help) + "; may be given again for another";
+      std::string help = std::string(kind.help) + "; may be repeated for other presses";
       if (only.empty() && kind.reset_word != nullptr)
-        help += std::string(". With --again NAME=") + kind.reset_word + " takes it back";
+        help += std::string(". With --again NAME=") + kind.reset_word + " removes it";
       command.add_option("--" + std::string(kind.flag), *texts, help)
           ->type_name(kind.form)
           ->allow_extra_args(false)

@@ -17,12 +17,12 @@ inline void describe_studio(CLI::App& program, StudioArguments& arguments, std::
   program.set_version_flag("--version", "alltact-studio " + std::move(version));
   program.add_option("FINGER",
                      arguments.finger,
-                     "The finger's folder to open; a scene or a video is taken as the source");
+                     "Folder of the finger to open; a scene or a video is taken as the source");
   program
       .add_option("--source",
                   arguments.source,
-                  "Where pictures come from: a camera (by a name that 'alltact devices' tells), a "
-                  "video, a folder of pictures, or a scene (a simulated finger)")
+                  "Source of the images: a camera (by a name from 'alltact devices'), a video, a "
+                  "folder of images, or a scene (a simulated finger)")
       ->type_name("SOURCE");
   program.footer("Exit status: 0 closed by hand, 1 there is no display, 2 wrong usage.");
 }

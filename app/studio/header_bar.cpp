@@ -52,7 +52,7 @@ FingerSummary::FingerSummary(const LiveSession& session, const Workspace& work, 
     Q_EMIT due_requested(records ? "record" : "calibrate");
   });
   say([this] {
-    text_->setAccessibleName(tr("What is known of this finger"));
+    text_->setAccessibleName(tr("Summary of this finger"));
     show_summary();
   });
 }

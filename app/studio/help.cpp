@@ -306,7 +306,7 @@ HelpMenu::HelpMenu(std::function<std::string()> page, std::vector<Page*> pages, 
   set_title([] { return tr("&Help"); });
   add(
       {QKeySequence::HelpContents},
-      [] { return tr("&Help on this place"); },
+      [] { return tr("&Help on this page"); },
       [this] { show_help(); });
   add(
       {}, [] { return tr("&Glossary"); }, [this] { show_page(QStringLiteral("glossary")); });
@@ -333,7 +333,7 @@ void HelpMenu::choose_guide_file() {
   auto* dialog = new QFileDialog(parentWidget(),
                                  tr("Save the quick guide"),
                                  QDir::home().filePath(QStringLiteral("alltact-quick-guide.pdf")),
-                                 tr("Pages to print (*.pdf)"));
+                                 tr("PDF files (*.pdf)"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix(QStringLiteral("pdf"));
@@ -360,7 +360,7 @@ void HelpMenu::show_about() {
   text->setMarkdown(
       tr("## AllTact Studio %1\n\nTurns a clear silicone finger with a camera inside into a "
          "measuring instrument.\n\nIts own source is under the BSD-3-Clause licence; with the "
-         "libraries it uses, the program as a whole is under the GPL, version 3.")
+         "libraries it uses, the entire program is under the GPL, version 3.")
           .arg(QString::fromStdString(program_version())));
   text->setAccessibleName(title);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);

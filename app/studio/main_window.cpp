@@ -309,7 +309,7 @@ void MainWindow::restore(const SessionState& state) {
   live_->set_options(state.view);
   const bool was_inspecting = !state.inspect.options.recording.empty();
   if (!state.finger.empty() || !state.source.empty() || was_inspecting) {
-    undo_.beginMacro(tr("go on with the last session"));
+    undo_.beginMacro(tr("continue the last session"));
     if (!state.finger.empty()) open_finger(state.finger);
     if (!state.source.empty()) open_source(state.source);
     inspect_->restore(state.inspect.options, state.inspect.frame);
@@ -334,12 +334,12 @@ void MainWindow::name_last() {
 }
 
 void MainWindow::ask_before_closing() {
-  auto* box = new QMessageBox(QMessageBox::Question,
-                              tr("A recording is under way"),
-                              tr("A recording is under way. Quitting ends it; what was recorded "
-                                 "until then is kept."),
-                              QMessageBox::NoButton,
-                              this);
+  auto* box = new QMessageBox(
+      QMessageBox::Question,
+      tr("A recording is running"),
+      tr("A recording is running. Quitting ends it; the recording up to then is saved."),
+      QMessageBox::NoButton,
+      this);
   box->setAttribute(Qt::WA_DeleteOnClose);
   auto* end = box->addButton(tr("&End it and quit"), QMessageBox::AcceptRole);
   auto* go_on = box->addButton(tr("&Go on recording"), QMessageBox::RejectRole);

@@ -180,7 +180,7 @@ void SourceMenu::fill() {
   };
   add(tr("&Simulated finger"), &SourceMenu::open_simulated);
   add(tr("&Video file…"), &SourceMenu::choose_video);
-  add(tr("Folder of &pictures…"), &SourceMenu::choose_folder);
+  add(tr("Folder of &images…"), &SourceMenu::choose_folder);
   add(tr("Scene &file…"), &SourceMenu::choose_scene);
   addSeparator();
   add(tr("&Close the source"), [this] { work_.open_source({}); });
@@ -207,7 +207,7 @@ void SourceMenu::choose_video() {
 }
 
 void SourceMenu::choose_folder() {
-  choose(tr("Open a folder of pictures"), QFileDialog::Directory);
+  choose(tr("Open a folder of images"), QFileDialog::Directory);
 }
 
 void SourceMenu::choose_scene() {

@@ -153,7 +153,7 @@ QString Tutorial::what_next() const {
       return tr("Record it for half a minute while it bends, then install the recording.");
     case Step::kPresses:
       return tr(
-          "Tell the ball's radius, 4 mm, and press Space whenever the ball is in: six times.");
+          "Enter the ball's radius, 4 mm, and press Space each time the ball is in: six times.");
     case Step::kCalibrate:
       return tr("Calibrate with these presses and read the verdict.");
     case Step::kCheck:
@@ -161,7 +161,7 @@ QString Tutorial::what_next() const {
     case Step::kDone:
       break;
   }
-  return tr("That was a finger's whole day. Look at its contacts in 3D.");
+  return tr("That was a finger's full day. View its contacts in 3D.");
 }
 
 void Tutorial::lead() {
@@ -191,7 +191,7 @@ PageHint::PageHint(const Tutorial& guide, QWidget* parent)
   });
   connect(&guide_, &Tutorial::turned, this, &PageHint::follow);
   say([this] {
-    setAccessibleName(tr("What this place is for"));
+    setAccessibleName(tr("Purpose of this page"));
     more_->setText(tr("How it is &done (F1)"));
     seen_->setText(tr("&Understood"));
     follow();

@@ -89,7 +89,7 @@ Result<SessionState> session_from_json(const std::string& text, const std::strin
   const Json json = Json::parse(text, nullptr, false);
   if (!json.is_object() || value_or(json, "format", std::string()) != kSessionFormat)
     return Error{
-        en::say("this is not a session of this program"), origin, en::say("beginning a new one")};
+        en::say("this is not a session of this program"), origin, en::say("starting a new one")};
   SessionState state;
   state.finger = value_or(json, "finger", std::string());
   state.source = paths_of(json, "source");

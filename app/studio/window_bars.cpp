@@ -131,7 +131,7 @@ void NotificationBar::add_session_problems(Problems& problems) {
   if (session_store_.has_crashed() && !is_crash_reported_)
     problems.push_back({Meaning::kDoubtful,
                         tr("The program ended unexpectedly last time."),
-                        tr("What was worked on is kept."),
+                        tr("Your work is saved."),
                         tr("&Go on with it"),
                         [this] { Q_EMIT continue_requested(); }});
   if (const auto unkept = session_store_.problem())
@@ -148,7 +148,7 @@ void NotificationBar::add_disk_problems(Problems& problems) const {
 void NotificationBar::add_pedal_problems(Problems& problems) const {
   if (const auto& away = pedal_.problem())
     problems.push_back({Meaning::kDoubtful,
-                        tr("The foot pedal is not heard now."),
+                        tr("The foot pedal sends no signal now."),
                         window_sentence(away->message()),
                         {},
                         {}});
@@ -160,7 +160,7 @@ void NotificationBar::add_source_problems(Problems& problems) {
   if (status.source.problem) problems.push_back(Problem::of(*status.source.problem));
   if (status.source.state == SourceState::kEnded)
     problems.push_back({Meaning::kDoubtful,
-                        tr("The source has ended; its last picture is shown."),
+                        tr("The source has ended; its last image is shown."),
                         {},
                         tr("&Play it again"),
                         [this, inputs = work_.state().source] { work_.open_source(inputs); }});
@@ -196,7 +196,7 @@ StatusLine::StatusLine(const LiveSession& session)
   say([this] {
     delivered_->setAccessibleName(tr("Frames delivered"));
     lost_->setAccessibleName(tr("Frames lost"));
-    time_->setAccessibleName(tr("Time of a frame"));
+    time_->setAccessibleName(tr("Time per frame"));
     follow();
   });
 }
@@ -213,12 +213,12 @@ void StatusLine::follow() {
   const QLocale locale;
   show_source(status.source, status.shown_per_s);
   age_->show_age(status.age_ms);
-  time_->setText(tr("%1 ms a frame").arg(locale.toString(session_.times_ms().total, 'f', 1)));
+  time_->setText(tr("%1 ms per frame").arg(locale.toString(session_.times_ms().total, 'f', 1)));
 }
 
 void StatusLine::show_source(const SourceStatus& source, double shown_per_s) {
   const QLocale locale;
-  delivered_->setText(tr("%1 frames/s, %2 delivered, %3 shown a second")
+  delivered_->setText(tr("%1 frames/s, %2 delivered, %3 shown per second")
                           .arg(locale.toString(source.frames_per_s, 'f', 1),
                                locale.toString(static_cast<qulonglong>(source.delivered)),
                                locale.toString(shown_per_s, 'f', 1)));

@@ -131,7 +131,7 @@ Result<std::vector<CheckEntry>> load_checks(const fs::path& folder,
     if (auto entry = entry_from(line)) {
       entries.push_back(std::move(*entry));
     } else if (warnings != nullptr) {
-      warnings->push_back(en::say("{}:{}: this is no check and is left out.", file, number));
+      warnings->push_back(en::say("{}:{}: this line is not a check and is ignored.", file, number));
     }
   }
   return entries;

@@ -34,8 +34,8 @@ double worst_patch_mm(const DepthMap& depth) {
 Message sentence_of(const ContactFreeCheck& check) {
   const Message how = check.light_change < 0 ? en::say("darker") : en::say("brighter");
   const Message figures = en::say(
-      "the face is {:.1f} % {} than when its reference was recorded; false depth {:.3f} mm in the "
-      "worst twentieth of it ({:.3f} mm if the light were not corrected; up to {:.3f} mm is noise)",
+      "the face is {:.1f} % {} than in its reference; false depth {:.3f} mm in its worst 5 % "
+      "({:.3f} mm without light correction; up to {:.3f} mm is noise)",
       100.0 * std::abs(check.light_change),
       how,
       check.false_depth_mm,
@@ -45,13 +45,12 @@ Message sentence_of(const ContactFreeCheck& check) {
     case CheckVerdict::kPass:
       return en::at(en::say("pass"), figures);
     case CheckVerdict::kDrifting:
-      return en::clauses(
-          {en::at(en::say("drifting"), figures),
-           en::say("let the lamps warm up, look at exposure and gain, and record the reference "
-                   "again when it goes on")});
+      return en::clauses({en::at(en::say("drifting"), figures),
+                          en::say("let the lamps warm up, check exposure and gain, and record the "
+                                  "reference again if it persists")});
     case CheckVerdict::kTooFew:
       return en::clauses(
-          {en::at(en::say("too few to tell"), figures),
+          {en::at(en::say("too few to judge"), figures),
            en::say(
                "a check needs {} images, {} could be measured", kCheckPresses, check.image_count)});
     case CheckVerdict::kRecalibrate:
@@ -113,10 +112,10 @@ Result<ContactFreeCheck> check_contact_free(const FingerSnapshot& snapshot,
     noise_mm += result->depth->noise_mm;
   }
   if (check.image_count == 0) {
-    const Message none = en::say("none of the pictures can be compared with the reference");
+    const Message none = en::say("none of the images can be compared with the reference");
     return Error{check.left_out.empty() ? none : en::say("{} ({})", none, check.left_out.front()),
                  folder,
-                 en::say("pictures of the untouched finger in poses that were recorded")};
+                 en::say("images of the untouched finger in recorded poses")};
   }
   for (double* mean :
        {&check.light_change, &check.false_depth_mm, &check.uncorrected_mm, &noise_mm})

@@ -26,8 +26,8 @@ CheckItem check_reference(const FingerSnapshot& snapshot, const Job& job) {
   if (!finger.reference) {
     return {"reference",
             CheckState::kMissing,
-            flat ? en::say("no untouched picture; give one to calibrate with --reference")
-                 : en::say("no recording of the bending, untouched finger; run alltact reference")};
+            flat ? en::say("no untouched image; specify it with --reference to calibrate")
+                 : en::say("no recording of the untouched finger bending; run alltact reference")};
   }
   const ReferenceState state = reference_state(snapshot);
   if (state == ReferenceState::kMissing || state == ReferenceState::kCut ||
@@ -36,29 +36,31 @@ CheckItem check_reference(const FingerSnapshot& snapshot, const Job& job) {
   const auto library = ReferenceLibrary::load(snapshot, job);
   if (!library)
     return {"reference", CheckState::kMissing, en::say("{}.", library.error().message())};
-  if (flat) return {"reference", CheckState::kFine, en::say("one untouched picture")};
+  if (flat) return {"reference", CheckState::kFine, en::say("one untouched image")};
   const std::size_t count = library->frame_count();
   if (count < kPlentyOfFrames) {
-    return {"reference",
-            CheckState::kWeak,
-            en::say("only {} frames; poses between them are guessed, record more bending", count)};
+    return {
+        "reference",
+        CheckState::kWeak,
+        en::say("only {} frames; poses between them are estimates, record more bending", count)};
   }
   return {"reference", CheckState::kFine, en::count("{} frames", "{} frame", count)};
 }
 
 CheckItem check_markers(const Finger& finger) {
   if (!finger.contact) {
-    return {"markers",
-            CheckState::kMissing,
-            en::say("no layout at rest, so touch cannot be told; run alltact reference again")};
+    return {
+        "markers",
+        CheckState::kMissing,
+        en::say("no layout at rest, so contact cannot be detected; run alltact reference again")};
   }
   if (finger.reference && finger.reference->positions)
     return {"markers",
             CheckState::kWeak,
-            en::say("none; poses are told by the shape of the face, which cannot tell twist")};
+            en::say("none; the pose comes from the shape of the face, which hides twist")};
   return {"markers",
           CheckState::kFine,
-          en::say("{} markers; touch is told from {:.1f} px of summed offset",
+          en::say("{} markers; contact is detected from {:.1f} px of summed offset",
                   finger.marker_count() - static_cast<int>(finger.markers.missing.size()),
                   finger.contact->threshold_px)};
 }
@@ -70,10 +72,9 @@ CheckItem check_mapping(const Finger& finger, const CalibrationEvidence& evidenc
             en::say("not calibrated; run alltact calibrate with ball presses")};
   }
   if (!finger.mapping_record) {
-    return {
-        "mapping",
-        CheckState::kWeak,
-        en::say("nothing says how it came about or how good it is; run alltact calibrate again")};
+    return {"mapping",
+            CheckState::kWeak,
+            en::say("its origin and quality are not recorded; run alltact calibrate again")};
   }
   const Verdict worth = verdict(evidence);
   const CheckState state = worth.grade == Grade::kUnfit  ? CheckState::kMissing
@@ -108,7 +109,7 @@ CheckItem check_age(const Finger& finger, const CalibrationEvidence& evidence) {
   return {
       "calibration",
       CheckState::kFine,
-      calibration.empty() ? en::say("made at an unknown date") : en::say("made {}", calibration)};
+      calibration.empty() ? en::say("made on an unknown date") : en::say("made {}", calibration)};
 }
 
 CheckItem check_inputs(const fs::path& folder, const Finger& finger) {
@@ -125,15 +126,15 @@ CheckItem check_inputs(const fs::path& folder, const Finger& finger) {
   if (gone > 0)
     return {"presses",
             CheckState::kWeak,
-            en::say("{} of {} press pictures are gone, so the calibration cannot be repeated",
+            en::say("{} of {} press images are missing, so the calibration cannot be repeated",
                     gone,
                     inputs->presses.size())};
   if (inputs->date != value_or_empty(finger, "calibration_date"))
     return {"presses",
             CheckState::kStale,
-            en::say("what is kept is of a calibration that was cut off; complete it with {}",
+            en::say("the stored data is of an interrupted calibration; complete it with {}",
                     repeat_command(folder))};
-  return {"presses", CheckState::kFine, en::say("{} pictures kept", inputs->presses.size())};
+  return {"presses", CheckState::kFine, en::say("{} images stored", inputs->presses.size())};
 }
 
 CheckItem check_force(const FingerSnapshot& snapshot) {

@@ -240,9 +240,9 @@ void judge(const std::vector<CheckedPress>& own, double held_out_mm, PressCheck&
 Message why_depth_is_off(const PressCheck& check) {
   if (!(check.error_mm > check.drifting_above_mm)) return {};
   if (std::abs(check.factor - 1) < kFactorSeen)
-    return en::say("the contacts have no ball's shape: is ball or face dirty?");
+    return en::say("the contacts are not ball-shaped: is the ball or face dirty?");
   const Message side = check.factor > 1 ? en::say("shallow") : en::say("deep");
-  return en::say("the mapping reads {:.0f} % too {}: layer, ball or camera are not what they were",
+  return en::say("the mapping reads {:.0f} % too {}: layer, ball or camera have changed",
                  100 * std::abs(1 - 1 / check.factor),
                  side);
 }
@@ -250,7 +250,7 @@ Message why_depth_is_off(const PressCheck& check) {
 Message why_light_is_off(const PressCheck& check) {
   if (!(std::abs(check.light_change) > check.light_limit)) return {};
   const Message how = check.light_change > 0 ? en::say("brighter") : en::say("darker");
-  return en::say("the face is {:.1f} % {} than it was: look at lamps, exposure and layer",
+  return en::say("the face is {:.1f} % {} than before: check lamps, exposure and layer",
                  100 * std::abs(check.light_change),
                  how);
 }
@@ -280,7 +280,7 @@ Message sentence_of(const PressCheck& check) {
   const Message where =
       en::count("at {0} positions", "at {0} position", static_cast<long>(check.positions));
   const Message figures = en::count(
-      "{1:.3f} mm of depth error on {0} presses {4} (passes up to {2:.3f} mm), light {3:+.1f} %",
+      "{1:.3f} mm depth error on {0} presses {4} (passes up to {2:.3f} mm), light {3:+.1f} %",
       "{1:.3f} mm of depth error on {0} press {4} (passes up to {2:.3f} mm), light {3:+.1f} %",
       check.presses.size(),
       check.error_mm,
@@ -316,9 +316,9 @@ Result<PressCheck> check_with_presses(const FingerSnapshot& snapshot,
   PressSet press_notes = of_presses;
   if (!(press_notes.ball_radius_mm > 0)) press_notes.ball_radius_mm = known_radius_mm(finger);
   if (!(press_notes.ball_radius_mm > 0))
-    return Error{en::say("the finger does not tell the ball it was calibrated with"),
+    return Error{en::say("the finger's data does not name its calibration ball"),
                  snapshot.folder,
-                 en::say("--ball-radius-mm with the radius of the ball that was pressed")};
+                 en::say("--ball-radius-mm with the radius of the pressed ball")};
   PressCheck check;
   check.ball_radius_mm = press_notes.ball_radius_mm;
   check.is_flat = finger.face.kind == FaceKind::kFlat;
@@ -334,7 +334,7 @@ Result<PressCheck> check_with_presses(const FingerSnapshot& snapshot,
   check.left_out_names = std::move(measured->left_out_names);
   for (const auto& [name, note] : press_notes.notes)
     if (!measured->names.contains(name))
-      return Error{en::say("no press is called '{}'", name),
+      return Error{en::say("no press is named '{}'", name),
                    "",
                    en::say("one of {}", fmt::format("{}", fmt::join(measured->names, ", ")))};
   if (check.presses.empty()) {
@@ -343,7 +343,7 @@ Result<PressCheck> check_with_presses(const FingerSnapshot& snapshot,
     return Error{
         en::say("no press can be used: {}", in_a_row(reasons)),
         "",
-        en::say("pictures of this finger with the ball pressed 0.3 mm or more into its face")};
+        en::say("images of this finger with the ball pressed 0.3 mm or more into its face")};
   }
   job.report(0.6, en::say("measuring the presses of the calibration"));
   const auto own = own_presses(snapshot.folder, *pipeline, *snapshot.mapping, job);
@@ -372,7 +372,7 @@ Result<BallByShape> ball_by_shape(const Press& press,
   if (!guess) return guess.error();
   const Error too_small{en::say("{}: the contact covers too few pixels", press.name),
                         "",
-                        en::say("pressing deeper, or a larger picture")};
+                        en::say("pressing deeper, or a larger image")};
   PressSamples samples =
       sample_around(press, face, guess->centre_mm, 1.06 * press.ball_radius_mm, kSamplesOfBall);
   if (samples.samples.size() < kMinSamplesOfBall) return too_small;

@@ -160,10 +160,10 @@ RigFinding RigCheck::focus(RigItem item, const std::optional<double>& width_px) 
   RigFinding found;
   found.item = item;
   if (!width_px) {
-    found.sentence = en::say("the edges at the {} are not seen", end_name(item));
+    found.sentence = en::say("the edges at the {} are not visible", end_name(item));
     if (has_frame_) {
       found.state = RigState::kBad;
-      found.advice = en::say("bring the whole face into the picture, lit, with dark beside it");
+      found.advice = en::say("bring the entire face into the image, lit, with dark next to it");
     }
     return found;
   }
@@ -180,15 +180,15 @@ RigFinding RigCheck::focus(RigItem item, const std::optional<double>& width_px) 
 RigFinding RigCheck::brightness() const {
   RigFinding found;
   found.item = RigItem::kBrightness;
-  found.sentence = en::say("no face is seen");
+  found.sentence = en::say("no face is visible");
   if (!has_face_) return found;
   if (saturated_ > kFewSaturated) {
     found.state = saturated_ > kManySaturated ? RigState::kBad : RigState::kDoubtful;
-    found.sentence = en::say("{:.1f} % of the face are too bright to measure", 100 * saturated_);
+    found.sentence = en::say("{:.1f} % of the face is too bright to measure", 100 * saturated_);
     found.advice = en::say("dim the lamp, or shorten the exposure");
     return found;
   }
-  found.sentence = en::say("the face is {:.0f} of 255 bright, nothing is too bright", bright_);
+  found.sentence = en::say("the face has brightness {:.0f} of 255, nothing is too bright", bright_);
   found.state = bright_ >= kDark      ? RigState::kFine
                 : bright_ >= kTooDark ? RigState::kDoubtful
                                       : RigState::kBad;
@@ -205,7 +205,7 @@ RigFinding RigCheck::lamp() const {
     found.sentence = has_face_ ? en::say("hold the finger still: {:.0f} of {:.0f} s",
                                          std::floor(part * kLamp_s),
                                          kLamp_s)
-                               : en::say("no face is seen");
+                               : en::say("no face is visible");
     return found;
   }
   const auto [darkest, brightest] =
@@ -228,7 +228,7 @@ RigFinding RigCheck::dots(int expected) const {
   RigFinding found;
   found.item = RigItem::kDots;
   if (!has_frame_) {
-    found.sentence = en::say("no picture yet");
+    found.sentence = en::say("no image yet");
     return found;
   }
   if (expected == 0) {
@@ -242,8 +242,7 @@ RigFinding RigCheck::dots(int expected) const {
                                              : RigState::kBad;
   if (found.state != RigState::kFine)
     found.advice = en::say(
-        "light the dots evenly, keep both rows in the picture, and check how "
-        "many the finger has");
+        "light the dots evenly, keep both rows in the image, and check how many the finger has");
   return found;
 }
 

@@ -66,14 +66,14 @@ Result<ExperimentOutcome> run_localisation(const ExperimentBench& bench) {
   ExperimentOutcome outcome;
   outcome.frames = frames;
   outcome.figures = {
-      {en::say("place, mean error within +-20 mm of the middle"),
+      {en::say("position, mean error within +-20 mm of the middle"),
        "mm",
        own->inner.mean(),
        0.814,
        0.2},
-      {en::say("place, mean error at the tip"), "mm", own->tip.mean(), 2.93, 0.5},
-      {en::say("place, greatest error"), "mm", own->all.greatest, {}, {}},
-      {en::say("touches that are found"), "%", percent_of(found, frames), {}, {}, true},
+      {en::say("position, mean error at the tip"), "mm", own->tip.mean(), 2.93, 0.5},
+      {en::say("position, greatest error"), "mm", own->all.greatest, {}, {}},
+      {en::say("contacts found"), "%", percent_of(found, frames), {}, {}, true},
       {en::say("the worst of {} fingers drawn at random, within +-20 mm", kFingerVariants),
        "mm",
        inner.greatest,
@@ -86,9 +86,9 @@ Result<ExperimentOutcome> run_localisation(const ExperimentBench& bench) {
        0.5},
   };
   using Style = ExperimentSeries::Style;
-  outcome.plots.push_back({en::say("error of the place along the finger, one point a touch"),
-                           en::say("place along the finger (mm)"),
-                           en::say("error of the place (mm)"),
+  outcome.plots.push_back({en::say("position error along the finger, one point per contact"),
+                           en::say("position along the finger (mm)"),
+                           en::say("position error (mm)"),
                            {std::move(own->found),
                             level_line(en::say("paper, mean within 20 mm of the middle, measured"),
                                        Style::kPaper,
@@ -124,16 +124,21 @@ Result<ExperimentOutcome> run_pose(const ExperimentBench& bench) {
   outcome.figures = {
       {en::say("angle, mean error"), "degrees", errors.mean(), 3.22, 1.0},
       {en::say("angle, greatest error"), "degrees", errors.greatest, 12.06, 1.0},
-      {en::say("bars whose angle is told"), "%", percent_of(errors.count, *frames), {}, {}, true},
+      {en::say("bars whose angle is measured"),
+       "%",
+       percent_of(errors.count, *frames),
+       {},
+       {},
+       true},
   };
   outcome.remarks = {
-      en::say("The lesser of the paper's two figures stands beside the mean error, the greater one "
-              "beside the greatest error")};
+      en::say("The lesser of the paper's two figures is next to the mean error, the greater one "
+              "next to the greatest error")};
   using Style = ExperimentSeries::Style;
   outcome.plots.push_back(
-      {en::say("error of the angle of a bar, by how it is turned"),
+      {en::say("angle error of a bar, by its orientation"),
        en::say("true angle (degrees)"),
-       en::say("error of the angle (degrees)"),
+       en::say("angle error (degrees)"),
        {turned,
         level_line(en::say("paper, the lesser, measured"), Style::kPaper, 3.22, -75, 90),
         level_line(en::say("paper, the greater, measured"), Style::kPaper, 12.06, -75, 90)},
@@ -257,12 +262,13 @@ void show(const Truth& truth,
   const std::size_t bent = is_bent(truth) ? 1 : 0;
   if (!shown[bent] && method == 0) {
     frame[bent] = number;
-    shown[bent].emplace(bent == 0 ? en::say("relief of the straight finger, as the pressed face "
-                                            "lies from base (left) to tip")
-                                  : en::say("relief of the bent finger, as the pressed face lies "
-                                            "from base (left) to tip"),
-                        truth,
-                        *result.shape);
+    shown[bent].emplace(
+        bent == 0
+            ? en::say(
+                  "relief of the straight finger, along the pressed face from base (left) to tip")
+            : en::say("relief of the bent finger, along the pressed face from base (left) to tip"),
+        truth,
+        *result.shape);
   }
   if (!shown[bent] || frame[bent] != number) return;
   if (method == 0)
@@ -309,7 +315,7 @@ Result<ExperimentOutcome> relief_of(const ExperimentBench& bench, const std::str
   }
   using Style = ExperimentSeries::Style;
   const auto& figures = outcome.figures;
-  outcome.plots.push_back({en::say("error of the relief, ours alone: the paper shows pictures"),
+  outcome.plots.push_back({en::say("relief error, ours only: the paper shows only images"),
                            "",
                            en::say("mean depth error (mm)"),
                            {{en::say("recording of all poses"),
@@ -324,8 +330,8 @@ Result<ExperimentOutcome> relief_of(const ExperimentBench& bench, const std::str
   for (const auto& maps : shown)
     if (maps) outcome.maps.push_back(maps->maps());
   outcome.remarks = {
-      en::say("The paper shows pictures of reliefs and no figure; both of ours use the same "
-              "calibration, so that only the reference differs")};
+      en::say("The paper shows images of reliefs but no figure; both of ours use the same "
+              "calibration, so only the reference differs")};
   return outcome;
 }
 

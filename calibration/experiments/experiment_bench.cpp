@@ -106,7 +106,7 @@ std::vector<Shot> shots_of_plan(const Plan& plan,
 }
 
 Error stopped_in_experiment() {
-  return {en::say("stopped before the experiments were over"), "", ""};
+  return {en::say("stopped before the experiments ended"), "", ""};
 }
 
 /// Every n-th of a plan's frames, some of them rendered at a time.
@@ -538,7 +538,7 @@ void remove_quietly(const fs::path& folder) {
 
 Error caching_error(const fs::path& where, int code) {
   return system_error(
-      en::say("could not keep the simulated finger for the next time"), where, code);
+      en::say("could not save the simulated finger for the next time"), where, code);
 }
 
 /// A new folder next to the cached ones.

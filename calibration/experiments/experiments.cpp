@@ -12,20 +12,20 @@ namespace alltact {
 const std::vector<Experiment>& experiments() {
   static const std::vector<Experiment> all{
       {"localisation",
-       en::say("where a touch is, at 9 x 3 places of the face"),
+       en::say("contact position, at 9 x 3 points of the face"),
        {"experiment_localisation"},
        run_localisation},
-      {"pose", en::say("how a held bar is turned"), {"experiment_pose"}, run_pose},
+      {"pose", en::say("rotation of a held bar"), {"experiment_pose"}, run_pose},
       {"least-touch",
-       en::say("the least depth of a ball that is felt"),
+       en::say("smallest detectable depth of a ball"),
        {"experiment_least_touch"},
        run_min_contact},
       {"least-force",
-       en::say("the least force that is felt, on every face"),
+       en::say("smallest detectable force on every face"),
        {"experiment_least_force"},
        run_min_force},
       {"direction",
-       en::say("from which of 8 sides the finger is pushed"),
+       en::say("push direction, one of 8 sides"),
        {"experiment_direction", "experiment_references"},
        run_direction},
       {"force",
@@ -33,11 +33,11 @@ const std::vector<Experiment>& experiments() {
        {"experiment_force"},
        run_force},
       {"references",
-       en::say("one untouched picture against a recording of all poses"),
+       en::say("one untouched image against a recording of all poses"),
        {"experiment_references"},
        run_references},
       {"room-light",
-       en::say("place and force in rooms of 300, 1100 and 2500 lux"),
+       en::say("position and force in rooms of 300, 1100 and 2500 lux"),
        {"experiment_room_light", "experiment_room_force", "experiment_force"},
        run_room_light},
       {"thread",
@@ -49,7 +49,7 @@ const std::vector<Experiment>& experiments() {
        {"experiment_usb_plug"},
        run_usb_plug},
       {"markers",
-       en::say("what the ways of finding markers cost and gain"),
+       en::say("what the methods of finding markers cost and gain"),
        {"demo_presses",
         "hard_hidden_dots",
         "hard_worn_dots",
@@ -59,7 +59,7 @@ const std::vector<Experiment>& experiments() {
         "hard_dirty_skin"},
        run_markers},
       {"time",
-       en::say("time of a frame's steps, in full HD with 24 dots"),
+       en::say("time for each step of a frame, full HD with 24 dots"),
        {"experiment_time", "demo_hd_reference"},
        run_time},
   };
@@ -68,7 +68,7 @@ const std::vector<Experiment>& experiments() {
 
 Message simulated_and_real() {
   return en::say(
-      "Ours are simulated, with the truth known; the paper's were measured on a real finger.");
+      "Our values are simulated, with known truth; the paper's were measured on a real finger.");
 }
 
 Result<std::vector<const Experiment*>> experiments_named(const std::vector<std::string>& names) {
@@ -157,7 +157,7 @@ Result<ExperimentOutcome> run_time(const ExperimentBench& bench) {
       {en::say("edges and global shape, median"), "ms", upper_median(global_ms), 2.0, {}},
       {en::say("markers and reference, median"), "ms", upper_median(reference_ms), 10.0, {}},
       {en::say("local depth and contacts, median"), "ms", upper_median(local_ms), 6.0, {}},
-      {en::say("whole frame, median"), "ms", upper_median(total_ms), 18.0, {}},
+      {en::say("entire frame, median"), "ms", upper_median(total_ms), 18.0, {}},
   };
   outcome.plots.push_back(compared_bars(
       en::say("time of a frame's steps, ours on this computer and the paper's on its own"),
@@ -165,7 +165,7 @@ Result<ExperimentOutcome> run_time(const ExperimentBench& bench) {
       {en::say("edges, shape"),
        en::say("markers, reference"),
        en::say("depth, contacts"),
-       en::say("whole frame")},
+       en::say("entire frame")},
       {upper_median(global_ms),
        upper_median(reference_ms),
        upper_median(local_ms),
@@ -173,8 +173,8 @@ Result<ExperimentOutcome> run_time(const ExperimentBench& bench) {
       {2, 10, 6, 18}));
   outcome.plots.back().series[0].name = en::say("ours, on this computer");
   outcome.remarks = {
-      en::say("Times are of this computer, those of the paper of its own; the finger measures with "
-              "the demonstration's mapping and 24 recorded poses")};
+      en::say("Times were measured on this computer, those of the paper on its own; the finger "
+              "uses the demonstration's mapping and 24 recorded poses")};
   return outcome;
 }
 

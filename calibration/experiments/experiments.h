@@ -177,7 +177,7 @@ struct ErrorSamples {
 
 /// Error: no frame gives a value for the figure.
 [[nodiscard]] inline Error no_result(const std::string& scene) {
-  return {en::say("no frame tells what the experiment asks for"), scene, ""};
+  return {en::say("no frame gives a value for the experiment"), scene, ""};
 }
 
 }  // namespace alltact

@@ -68,7 +68,8 @@ ExperimentPlot estimated_against_true(const Message& caption, ExperimentSeries e
   const ExperimentSeries exact{
       en::say("no error"), Style::kExact, {*least, *most}, {*least, *most}};
   estimated.name = en::say("held out, ours, simulated");
-  return {caption, en::say("true force (N)"), en::say("told force (N)"), {exact, estimated}, {}};
+  return {
+      caption, en::say("true force (N)"), en::say("estimated force (N)"), {exact, estimated}, {}};
 }
 
 std::vector<ExperimentPlot> force_plots(const HeldOutForces& forces) {
@@ -79,24 +80,24 @@ std::vector<ExperimentPlot> force_plots(const HeldOutForces& forces) {
                     {en::say("Fx"), en::say("Fy")},
                     {forces.error_N[0].mean(), forces.error_N[1].mean()},
                     {kPaperFx_N, kPaperFy_N});
-  bars.series.push_back(level_line(en::say("aim"), Style::kAim, kAimForce_N, -0.5, 1.5));
+  bars.series.push_back(level_line(en::say("target"), Style::kAim, kAimForce_N, -0.5, 1.5));
   ExperimentPlot along{
-      en::say("where along the finger the error is: the base moves the markers least"),
-      en::say("place along the finger (mm)"),
+      en::say("error along the finger: pushes near the base move the markers least"),
+      en::say("position along the finger (mm)"),
       en::say("mean error (N)"),
       {forces.errors_along(en::say("Fx, ours"), 0), forces.errors_along(en::say("Fy, ours"), 1)},
       {}};
   if (!along.series[0].x.empty()) {
     const double from = along.series[0].x.front(), to = along.series[0].x.back();
     along.series.push_back(
-        level_line(en::say("Fx, paper, over all places"), Style::kPaper, kPaperFx_N, from, to));
+        level_line(en::say("Fx, paper, over all positions"), Style::kPaper, kPaperFx_N, from, to));
     along.series.push_back(
-        level_line(en::say("Fy, paper, over all places"), Style::kPaper, kPaperFy_N, from, to));
+        level_line(en::say("Fy, paper, over all positions"), Style::kPaper, kPaperFy_N, from, to));
   }
   return {bars,
-          estimated_against_true(en::say("Fx told of places that were held out"),
+          estimated_against_true(en::say("Fx estimated at positions held out"),
                                  forces.estimated_by_true[0]),
-          estimated_against_true(en::say("Fy told of places that were held out"),
+          estimated_against_true(en::say("Fy estimated at positions held out"),
                                  forces.estimated_by_true[1]),
           along};
 }
@@ -147,29 +148,29 @@ Result<ExperimentOutcome> run_force(const ExperimentBench& bench) {
   ExperimentOutcome outcome;
   outcome.frames = held_out.rows;
   outcome.figures = {
-      {en::say("Fx, mean error on places held out"),
+      {en::say("Fx, mean error at positions held out"),
        "N",
        error_N[0].mean(),
        kPaperFx_N,
        kAimForce_N},
-      {en::say("Fy, mean error on places held out"),
+      {en::say("Fy, mean error at positions held out"),
        "N",
        error_N[1].mean(),
        kPaperFy_N,
        kAimForce_N},
-      {en::say("Fx, the same of the worst finger"), "N", held_out.worst_N[0], {}, {}},
-      {en::say("Fy, the same of the worst finger"), "N", held_out.worst_N[1], {}, {}},
-      {en::say("forces within their intervals of 95 %"), "%", covered, {}, {}},
-      {en::say("the same, away from 95 %"), "%", std::abs(covered - 95), {}, 2.0},
+      {en::say("Fx, the same for the worst finger"), "N", held_out.worst_N[0], {}, {}},
+      {en::say("Fy, the same for the worst finger"), "N", held_out.worst_N[1], {}, {}},
+      {en::say("forces within their 95 % intervals"), "%", covered, {}, {}},
+      {en::say("the same, deviation from 95 %"), "%", std::abs(covered - 95), {}, 2.0},
   };
   outcome.remarks = {
-      en::say("{} fingers drawn at random, 484 pushes each at {} places, of which whole ones are "
-              "held out; {} pushes are measured, in the others too few markers are found. Forces "
-              "are those on the finger in the camera's axes and have no error of a gauge",
+      en::say("{} fingers drawn at random, 484 pushes each at {} positions, some of which are held "
+              "out entirely; {} pushes are measured, the others show too few markers. Forces act "
+              "on the finger, in the camera's axes, without a gauge's error",
               kFingerVariants,
               kForcePositions,
               held_out.rows),
-      en::say("Nothing drags along the finger: that hardly moves a marker, and is told by none")};
+      en::say("No drag acts along the finger: it hardly moves a marker, so no marker shows it")};
   outcome.plots = force_plots(held_out);
   return outcome;
 }
@@ -202,15 +203,15 @@ std::optional<double> min_detected(const std::vector<ContactTrial>& trials) {
 Message face_phrase(PushedFace face) {
   switch (face) {
     case PushedFace::kContact:
-      return en::say("least force felt on the contact face, over all heights");
+      return en::say("smallest force detected on the contact face, all heights");
     case PushedFace::kBack:
-      return en::say("least force felt on the back, over all heights");
+      return en::say("smallest force detected on the back, all heights");
     case PushedFace::kUpper:
-      return en::say("least force felt on the upper side, over all heights");
+      return en::say("smallest force detected on the upper side, all heights");
     case PushedFace::kLower:
       break;
   }
-  return en::say("least force felt on the lower side, over all heights");
+  return en::say("smallest force detected on the lower side, all heights");
 }
 
 /// Heights of the scene are 20 mm apart; a push slides along the face a little as the finger bends.
@@ -243,11 +244,15 @@ Result<ExperimentOutcome> run_min_contact(const ExperimentBench& bench) {
     const auto least = min_detected(trials);
     if (!least) return no_result(kScene);
     outcome.figures.push_back(
-        {en::say("least depth felt, {:.0f} mm from the base", along_mm), "mm", *least, {}, {}});
+        {en::say("smallest depth detected, {:.0f} mm from the base", along_mm),
+         "mm",
+         *least,
+         {},
+         {}});
   }
-  ExperimentPlot plot{en::say("least depth of a ball that is felt, ours alone"),
-                      en::say("place along the finger (mm)"),
-                      en::say("least depth felt (mm)"),
+  ExperimentPlot plot{en::say("least detected depth of a ball, ours only"),
+                      en::say("position along the finger (mm)"),
+                      en::say("least detected depth (mm)"),
                       {{en::say("ours, simulated"), ExperimentSeries::Style::kLine, {}, {}}},
                       {}};
   for (const auto& [along_mm, trials] : by_height) {
@@ -255,9 +260,8 @@ Result<ExperimentOutcome> run_min_contact(const ExperimentBench& bench) {
     plot.series[0].y.push_back(min_detected(trials).value_or(0));
   }
   outcome.plots.push_back(std::move(plot));
-  outcome.remarks = {
-      en::say("Depths are doubled from 0.01 mm on, so that the least lies between a "
-              "figure and its half")};
+  outcome.remarks = {en::say(
+      "Depths double from 0.01 mm on, so that the smallest is between a value and its half")};
   return outcome;
 }
 
@@ -293,9 +297,9 @@ Result<ExperimentOutcome> run_min_force(const ExperimentBench& bench) {
   }
   ExperimentOutcome outcome;
   outcome.frames = *frames;
-  ExperimentPlot plot{en::say("least force that is felt, on every face over height"),
-                      en::say("place along the finger (mm)"),
-                      en::say("least force felt (N)"),
+  ExperimentPlot plot{en::say("least detected force on every face, by height"),
+                      en::say("position along the finger (mm)"),
+                      en::say("least detected force (N)"),
                       {},
                       {},
                       true};
@@ -323,8 +327,8 @@ Result<ExperimentOutcome> run_min_force(const ExperimentBench& bench) {
                                    static_cast<double>(plot.categories.size()) - 0.4));
   outcome.plots.push_back(std::move(plot));
   outcome.remarks = {
-      en::say("All heights lie beyond {:.0f} mm, where the paper has less than 2 N; the body is "
-              "rubber of Shore 40 A as the scene has it, and the paper's silicone is another",
+      en::say("All heights are beyond {:.0f} mm, where the paper reports less than 2 N; the body "
+              "in the scene is rubber of Shore 40 A, the paper's silicone differs",
               kBase_mm)};
   return outcome;
 }

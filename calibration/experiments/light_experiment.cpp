@@ -104,18 +104,18 @@ std::vector<ExperimentPlot> light_plots(const ErrorsOfRooms& rooms) {
     force_N.push_back(force_of_room(rooms[i]));
   }
   return {
-      compared_bars(en::say("error of the place in rooms of different light; the paper tells no "
-                            "figure by room"),
-                    en::say("mean error of the place (mm)"),
-                    names,
-                    position_mm,
-                    {}),
-      compared_bars(en::say("error of the force in rooms of different light, by a model that "
-                            "learnt in the dark"),
-                    en::say("mean error of Fx and Fy (N)"),
-                    names,
-                    force_N,
-                    {})};
+      compared_bars(
+          en::say("position error in rooms of different light; the paper gives no figure by room"),
+          en::say("mean position error (mm)"),
+          names,
+          position_mm,
+          {}),
+      compared_bars(
+          en::say("force error in rooms of different light, with a model trained in the dark"),
+          en::say("mean error of Fx and Fy (N)"),
+          names,
+          force_N,
+          {})};
 }
 
 }  // namespace
@@ -133,7 +133,7 @@ Result<ExperimentOutcome> run_room_light(const ExperimentBench& bench) {
   for (std::size_t i = 0; i < kRooms; ++i) {
     if (rooms[i].position_mm.count == 0 || rooms[i].force_N.count == 0)
       return no_result("experiment_room_light");
-    outcome.figures.push_back({en::say("place, mean error at {} lux", kRooms_lux[i]),
+    outcome.figures.push_back({en::say("position, mean error at {} lux", kRooms_lux[i]),
                                "mm",
                                position_of_room(rooms[i]),
                                {},
@@ -148,7 +148,7 @@ Result<ExperimentOutcome> run_room_light(const ExperimentBench& bench) {
   if (!corrected) return corrected.error();
   const auto ignored = depth_error_mm(bench, LightChange::kIgnored);
   if (!ignored) return ignored.error();
-  outcome.figures.push_back({en::say("place, greatest change between rooms"),
+  outcome.figures.push_back({en::say("position, greatest change between rooms"),
                              "%",
                              change_percent(rooms, position_of_room),
                              {},
@@ -166,9 +166,9 @@ Result<ExperimentOutcome> run_room_light(const ExperimentBench& bench) {
        {}});
   outcome.figures.push_back(
       {en::say("the same without correction of the light"), "mm", *ignored, {}, {}});
-  outcome.remarks = {en::say(
-      "How much of a room's light gets into a finger is a guess of the scene, 4 grey levels "
-      "of a white surface for every 1000 lux; the same frames are shown in every room")};
+  outcome.remarks = {
+      en::say("The scene assumes how much of a room's light enters a finger: 4 grey levels of a "
+              "white surface per 1000 lux; every room shows the same frames")};
   outcome.plots = light_plots(rooms);
   return outcome;
 }

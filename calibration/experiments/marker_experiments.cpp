@@ -102,35 +102,35 @@ Result<ExperimentOutcome> run_direction(const ExperimentBench& bench) {
   }
   if (angles.count == 0) return no_result("experiment_direction");
   outcome.figures = {
-      {en::say("pushes whose side of 8 is told right"),
+      {en::say("pushes with the correct side of 8"),
        "%",
        percent_of(right, pushed),
        98.1,
        99.5,
        true},
-      {en::say("direction of a push in the picture, mean error"), "degrees", angles.mean(), {}, {}},
-      {en::say("direction of a push in the picture, greatest error"),
+      {en::say("direction of a push in the image, mean error"), "degrees", angles.mean(), {}, {}},
+      {en::say("direction of a push in the image, maximum error"),
        "degrees",
        angles.greatest,
        {},
        {}},
   };
-  outcome.plots.push_back(compared_bars(en::say("pushes whose side of 8 is told right"),
-                                        en::say("told right (%)"),
-                                        {en::say("side of 8")},
+  outcome.plots.push_back(compared_bars(en::say("pushes with the correct side of 8"),
+                                        en::say("correct (%)"),
+                                        {en::say("one of 8 sides")},
                                         {percent_of(right, pushed)},
                                         {98.1}));
   outcome.plots.push_back(
-      {en::say("error of a push's direction in the picture; sides begin at 22.5 degrees and every "
-               "45 from there, and the paper tells no figure of it"),
+      {en::say("error of a push's direction in the image; sides begin at 22.5 degrees and every 45 "
+               "from there; the paper gives no figure for it"),
        en::say("true direction (degrees)"),
        en::say("error of the direction (degrees)"),
        {by_direction},
        {}});
-  outcome.remarks = {en::say(
-      "{} pushes, by how the dots truly moved in the picture; those near a border of two sides are "
-      "counted as all others",
-      pushed)};
+  outcome.remarks = {
+      en::say("{} pushes, by the true motion of the dots in the image; those near a border of two "
+              "sides count like all others",
+              pushed)};
   return outcome;
 }
 
@@ -181,7 +181,7 @@ Result<ExperimentOutcome> run_references(const ExperimentBench& bench) {
   ExperimentOutcome outcome;
   outcome.frames = near.frames;
   outcome.figures = {
-      {en::say("frames under 40 px, nearest of a recording"),
+      {en::say("frames under 40 px, nearest recorded image"),
        "%",
        percent_of(close[1], *frames),
        91.0,
@@ -193,32 +193,28 @@ Result<ExperimentOutcome> run_references(const ExperimentBench& bench) {
        40.6,
        {},
        true},
-      {en::say("frames under 10 px a dot, or told to be in a pose never recorded"),
+      {en::say("frames under 10 px per dot, or reported as a pose never recorded"),
        "%",
        percent_of(near.mean, near.frames),
        {},
        99.5,
        true},
-      {en::say("depth where nothing touches, one reference"), "mm", false_depth_mm[0], {}, {}},
-      {en::say("depth where nothing touches, nearest of a recording"),
-       "mm",
-       false_depth_mm[1],
-       {},
-       {}},
-      {en::say("depth where nothing touches, local regression"), "mm", false_depth_mm[2], {}, {}},
+      {en::say("depth without contact, one reference"), "mm", false_depth_mm[0], {}, {}},
+      {en::say("depth without contact, nearest recorded image"), "mm", false_depth_mm[1], {}, {}},
+      {en::say("depth without contact, local regression"), "mm", false_depth_mm[2], {}, {}},
       {en::say("frames under 10 px summed over the dots, nearest of a recording"),
        "%",
        percent_of(near.sum, near.frames),
        {},
        {},
        true},
-      {en::say("the same, of the recorded frames as the reference combines them"),
+      {en::say("the same, for the recorded frames as the reference combines them"),
        "%",
        percent_of(near.combined_sum, near.frames),
        {},
        {},
        true},
-      {en::say("the same, or told that the pose or its surroundings were not recorded"),
+      {en::say("the same, or the pose or its surroundings are reported as not recorded"),
        "%",
        percent_of(near.combined_or_estimated, near.frames),
        {},
@@ -226,7 +222,7 @@ Result<ExperimentOutcome> run_references(const ExperimentBench& bench) {
        true},
   };
   outcome.plots.push_back(
-      {en::say("how many frames have a reference closer than so many px, summed over the dots"),
+      {en::say("share of frames with a reference closer than the given px, summed over the dots"),
        en::say("distance to the reference (px)"),
        en::say("frames (%)"),
        {frames_within(en::say("nearest of a recording, ours"), distances_px[1]),
@@ -236,11 +232,11 @@ Result<ExperimentOutcome> run_references(const ExperimentBench& bench) {
         {en::say("one, paper, measured"), ExperimentSeries::Style::kPaper, {kClose_px}, {40.6}}},
        {}});
   outcome.remarks = {
-      en::say("How many frames a single reference is near to depends on how far the finger moves, "
-              "which is the scene's choice here and was the paper's there"),
+      en::say("The number of frames near a single reference depends on how far the finger moves; "
+              "here the scene sets this, in the paper its own recording"),
       en::say(
-          "The paper sums the distance over its dots, and under 40 px is told so here; under 10 "
-          "px is told over this finger and {} drawn at random, for a dot and summed",
+          "The paper sums the distance over its dots, and so does the figure under 40 px here; the "
+          "figure under 10 px covers this finger and {} drawn at random, per dot and summed",
           kFingerVariants)};
   return outcome;
 }
@@ -340,13 +336,13 @@ Result<int> measure_methods(const ExperimentBench& bench, MethodTallies& tallies
 }
 
 void add_figures(const Message& name, MarkerTally& tally, std::vector<ExperimentFigure>& figures) {
-  figures.push_back({en::say("{}: markers in sight that are found", name),
+  figures.push_back({en::say("{}: visible markers that are found", name),
                      "%",
                      tally.found_percent(),
                      {},
                      {},
                      true});
-  figures.push_back({en::say("{}: told as seen, and elsewhere", name),
+  figures.push_back({en::say("{}: reported as seen, but elsewhere", name),
                      "%",
                      percent_of(tally.wrong, tally.reported),
                      {},
@@ -405,11 +401,11 @@ Result<ExperimentOutcome> run_markers(const ExperimentBench& bench) {
   for (std::size_t index = 0; index < all.size(); ++index)
     add_figures(all[index].name, tallies[index].all, outcome.figures);
   outcome.plots = {
-      bars_of(en::say("markers in sight that are found, each frame by itself"),
+      bars_of(en::say("visible markers that are found, each frame by itself"),
               en::say("found (%)"),
               tallies,
               [](const MarkerTally& tally) { return std::optional(tally.found_percent()); }),
-      bars_of(en::say("how far hidden markers are from where they are said to be"),
+      bars_of(en::say("how far hidden markers are from their reported positions"),
               en::say("root mean square (px)"),
               tallies,
               [](const MarkerTally& tally) {
@@ -417,12 +413,12 @@ Result<ExperimentOutcome> run_markers(const ExperimentBench& bench) {
                 return tally.hidden > 0 ? std::optional(rms) : std::nullopt;
               })};
   outcome.plots.back().logarithmic_y = true;
-  outcome.remarks = {
-      en::say("The demonstration's finger and {} drawn at random, which the network has not been "
-              "trained on. Blobs and network are numbered by the recording, the paper's rows from "
-              "left to right with hidden ones between their neighbours; each frame is looked at "
-              "anew, as if none had come before. The paper tells no figure of its markers",
-              kFingerVariants)};
+  outcome.remarks = {en::say(
+      "The demonstration's finger and {} drawn at random, on which the network was not trained. "
+      "The recording numbers blobs and network dots; the paper's rows are numbered from left to "
+      "right, hidden dots between their neighbours. Each frame is analysed anew, as if none had "
+      "come before. The paper gives no figure for its markers",
+      kFingerVariants)};
   return outcome;
 }
 

@@ -239,7 +239,7 @@ class SimulatingRun {
 
 /// Why the finger cannot measure the scene's images.
 Message mismatch_of(const FingerPtr& finger, const Finger& shown) {
-  if (!finger) return en::say("no finger was given that measures these pictures");
+  if (!finger) return en::say("no finger was specified to measure these images");
   const Finger& own = finger->finger;
   const bool same = own.camera.width_px == shown.camera.width_px &&
                     own.camera.height_px == shown.camera.height_px &&
@@ -439,7 +439,7 @@ Result<StudyWorld> simulated_world(const std::filesystem::path& folder,
   if (!library) return library.error();
   const auto plan = bench->plan(kStudyScene);
   if (!plan) return plan.error();
-  StudyWorld world{en::say("the demonstration's finger, simulated, pressed in random places"),
+  StudyWorld world{en::say("the demonstration's finger, simulated, pressed at random positions"),
                    true,
                    std::move(finger).value(),
                    std::move(library).value(),

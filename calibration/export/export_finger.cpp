@@ -100,7 +100,7 @@ Result<std::vector<ZipEntry>> files_below(const fs::path& finger_folder,
   if (failed)
     return Error{en::say("the finger's folder could not be read: {}", failed.message()),
                  finger_folder.string(),
-                 en::say("its permissions, and that its disk is there")};
+                 en::say("check its permissions, and that its disk is connected")};
   std::sort(entries.begin(), entries.end(), [](const ZipEntry& a, const ZipEntry& b) {
     return a.name < b.name;
   });
@@ -111,7 +111,7 @@ Result<std::vector<ZipEntry>> zip_entries(const Finger& finger,
                                           const fs::path& finger_folder,
                                           const fs::path& folder) {
   if (is_below(folder, finger_folder))
-    return Error{en::say("a zip of the finger cannot lie in the finger's own folder"),
+    return Error{en::say("a zip of the finger cannot be in the finger's own folder"),
                  folder.string(),
                  en::say("another folder")};
   auto json = json_of(finger, finger_folder);

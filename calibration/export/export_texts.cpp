@@ -162,9 +162,9 @@ Status has_camera_matrix(const CameraParameters& camera, const std::string& who)
   if (camera.model == CameraModel::kOrthographic) which = en::say("an orthographic camera");
   if (camera.port) which = en::say("a camera behind a window");
   if (which.empty()) return {};
-  return Error{en::say("{} has no camera matrix, so {} has no form for it", which, who),
+  return Error{en::say("{} has no camera matrix, so {} cannot describe it", which, who),
                "",
-               en::say("json, or zip for the whole finger")};
+               en::say("json, or zip for the entire finger")};
 }
 
 /// Missing coefficients are zero.

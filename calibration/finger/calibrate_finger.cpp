@@ -126,13 +126,12 @@ void sign_inputs(const CalibrationWork& work, FingerCalibration& done) {
   for (const FramePtr& frame : work.frames)
     inputs.presses.push_back({frame->name, image_checksum(frame->grey)});
   if (work.is_repetition && inputs.reference_checksum != work.stored.reference_checksum)
-    done.warnings.push_back(
-        en::say("The finger has another reference than it was calibrated with: this is a new "
-                "calibration."));
-  if (work.is_repetition && inputs.finger_checksum != work.stored.finger_checksum)
     done.warnings.push_back(en::say(
-        "The finger's camera, face or markers are not what they were when it was calibrated: this "
-        "is a new calibration."));
+        "The finger's reference has changed since its calibration: this is a new calibration."));
+  if (work.is_repetition && inputs.finger_checksum != work.stored.finger_checksum)
+    done.warnings.push_back(
+        en::say("The finger's camera, face or markers have changed since its calibration: this is "
+                "a new calibration."));
   if (work.is_repetition && inputs.program_version != work.stored.program_version)
     done.warnings.push_back(en::say(
         "The finger was calibrated by version {}: this is a new calibration, by version {}.",
@@ -173,8 +172,7 @@ Status write(const CalibrationWork& work, FingerCalibration& done, const Job& jo
     auto reports = work.make_report(done, job);
     // A stop request, or a lack of memory, must still save the calibration, without its reports.
     if (!reports && !job.stop_requested())
-      done.warnings.push_back(
-          en::say("There are no pages of the report: {}.", reports.error().message()));
+      done.warnings.push_back(en::say("The report has no pages: {}.", reports.error().message()));
     has_pages = reports.ok();
     if (has_pages) files.insert(files.end(), reports->begin(), reports->end());
   }
@@ -221,7 +219,7 @@ Result<FingerCalibration> run(CalibrationWork work, CalibrationInputs inputs, co
   done.warnings = (*finger)->warnings;
   if (work.untouched && done.finger.face.kind != FaceKind::kFlat) {
     return Error{
-        en::say("only a flat sensor has one untouched picture"),
+        en::say("only a flat sensor has a single untouched image"),
         work.untouched->origin,
         en::say("leaving --reference out; this finger is compared with its reference recording")};
   }

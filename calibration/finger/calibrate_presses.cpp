@@ -91,9 +91,9 @@ Result<ReferenceLibrary> flat_library(const CalibrationWork& work, const Finger&
   const auto grey =
       oriented_for(finger.camera,
                    work.untouched->grey,
-                   en::say("the reference picture"),
+                   en::say("the reference image"),
                    work.untouched->origin,
-                   en::say("the untouched picture of this sensor, at the size of its presses"));
+                   en::say("the untouched image of this sensor, at the size of its presses"));
   if (!grey) return grey.error();
   return ReferenceLibrary::single(*grey);
 }
@@ -132,9 +132,9 @@ Status check_stored(const CalibrationWork& work, const Frame& frame, std::size_t
   if (!work.is_repetition) return {};
   const StoredPress& stored = work.stored.presses[index];
   if (frame.name == stored.name && image_checksum(frame.grey) == stored.checksum) return {};
-  return Error{en::say("this is not the picture that the finger was calibrated with"),
+  return Error{en::say("this is not the image that the finger was calibrated with"),
                work.presses.files[index].string(),
-               en::say("calibrating anew with the pictures that are there")};
+               en::say("calibrating again with the existing images")};
 }
 
 Status measure_presses(CalibrationWork& work,
@@ -158,7 +158,7 @@ Status measure_presses(CalibrationWork& work,
       return Error{
           en::say("two presses are called '{}'", frame->name),
           frame->origin,
-          en::say("giving the pictures different names; they are kept by name with the finger")};
+          en::say("giving the images different names; they are stored by name with the finger")};
     if (const Status status = check_stored(work, *frame, work.frames.size()); !status)
       return status;
     if (count > 0)
@@ -182,7 +182,7 @@ Status check_names(const FingerCalibration& done) {
   for (const TakenPress& press : done.presses) names.insert(press.name);
   for (const auto& [name, note] : done.inputs.press_set.notes)
     if (!names.contains(name))
-      return Error{en::say("no press is called '{}'", name),
+      return Error{en::say("no press is named '{}'", name),
                    "",
                    en::say("one of {}", fmt::format("{}", fmt::join(names, ", ")))};
   return {};
@@ -243,11 +243,10 @@ void add_remarks(Calibration& calibration) {
   if (calibration.next_press) calibration.remarks.push_back(calibration.next_press->sentence);
   for (const BallFit& ball : calibration.balls) {
     if (calibration.balls.size() > 2 && ball.residual_mm > 3 * calibration.residual_mm) {
-      calibration.remarks.push_back(
-          en::at(Message::typed(ball.press),
-                 en::say("{:.3f} mm, more than three times the others; look at the picture, or "
-                         "leave it out",
-                         ball.residual_mm)));
+      calibration.remarks.push_back(en::at(
+          Message::typed(ball.press),
+          en::say("{:.3f} mm, more than three times the others; check the image, or leave it out",
+                  ball.residual_mm)));
     }
   }
 }
@@ -264,7 +263,7 @@ void leave_out_beyond(int max_count, std::vector<TakenPress>& presses) {
   };
   for (std::size_t i = 0; i < usable.size(); ++i)
     if (before(i + 1) == before(i))
-      usable[i]->left_out = en::say("beyond the {} that are to be used", max_count);
+      usable[i]->left_out = en::say("beyond the {} to be used", max_count);
 }
 
 }  // namespace
@@ -310,7 +309,7 @@ Status solve_presses(FingerCalibration& done,
   if (used.empty())
     return Error{en::clauses({en::say("no press can be used"), en::clauses(left_out)}),
                  "",
-                 en::say("pictures of this finger with a ball pressed into its face")};
+                 en::say("images of this finger with a ball pressed into its face")};
   job.report(0.5, en::say("solving"));
   const auto camera = Camera::create(done.finger.camera);
   if (!camera) return camera.error();
@@ -327,8 +326,8 @@ Status solve_presses(FingerCalibration& done,
                            })));
   if (!done.is_complete)
     done.calibration.remarks.push_back(
-        en::say("stopped before the end: this is the best solution until then, without a report; "
-                "calibrating again from what is kept finishes it"));
+        en::say("stopped early: this is the best solution so far, without a report; calibrate "
+                "again from the stored data to finish it"));
   auto& all_left_out = done.calibration.left_out;
   all_left_out.insert(all_left_out.begin(), left_out.begin(), left_out.end());
   add_remarks(done.calibration);
@@ -352,8 +351,8 @@ Status solve_presses(FingerCalibration& done,
   done.halo = measure_halo(presses, done.finger.face, done.calibration);
   if (done.halo.is_seen)
     done.calibration.remarks.push_back(
-        en::say("beside contacts {:.3f} mm of depth is read: light scatters sideways there, or the "
-                "skin is pressed in",
+        en::say("next to contacts, {:.3f} mm of depth is measured: light scatters sideways there, "
+                "or the skin is pressed in",
                 done.halo.excess_mm));
   done.contradictions = find_contradictions(done);
   // The verdict names the worst.

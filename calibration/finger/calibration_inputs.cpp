@@ -50,7 +50,7 @@ bool is_checksum(const std::string& text) {
 std::string read_checksum(YamlSection& top, const char* key) {
   std::string text = top.text(key);
   if (!is_checksum(text))
-    top.refuse(key, en::say("is no checksum of 16 digits"), en::say("calibrating again"));
+    top.refuse(key, en::say("is not a checksum of 16 digits"), en::say("calibrating again"));
   return text;
 }
 
@@ -62,22 +62,22 @@ bool is_plain_name(const std::string& name) {
 void read_presses(YamlSection& top, CalibrationInputs& inputs) {
   const auto names = top.texts("presses");
   const auto checksums = top.texts("checksums");
-  if (names.empty()) top.refuse("presses", en::say("names no press"), en::say("calibrating again"));
+  if (names.empty()) top.refuse("presses", en::say("lists no press"), en::say("calibrating again"));
   if (names.size() != checksums.size())
     top.refuse("checksums",
                en::say("has {} entries for {} presses", checksums.size(), names.size()),
                en::say("one for each press"));
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (!is_plain_name(names[i]))
-      top.refuse("presses", en::say("'{}' is no picture's name", printable(names[i])), "");
+      top.refuse("presses", en::say("'{}' is not an image name", printable(names[i])), "");
     if (!is_checksum(checksums[i]))
       top.refuse(
-          "checksums", en::say("'{}' is no checksum of 16 digits", printable(checksums[i])), "");
+          "checksums", en::say("'{}' is not a checksum of 16 digits", printable(checksums[i])), "");
     for (std::size_t before = 0; before < i; ++before)
       if (names[before] == names[i])
         top.refuse("presses",
-                   en::say("names '{}' twice", printable(names[i])),
-                   en::say("leave one of the two"));
+                   en::say("lists '{}' twice", printable(names[i])),
+                   en::say("delete one of the two"));
     inputs.presses.push_back({names[i], checksums[i]});
   }
 }
@@ -88,10 +88,9 @@ void refuse_unknown(const YamlSection& top, const CalibrationInputs& inputs) {
     if (std::none_of(inputs.presses.begin(),
                      inputs.presses.end(),
                      [&name = name](const StoredPress& press) { return press.name == name; }))
-      top.refuse(
-          "presses",
-          en::say("'{}' is not among the presses, and something is said of it", printable(name)),
-          en::say("remove that"));
+      top.refuse("presses",
+                 en::say("'{}' is annotated, but is not among the presses", printable(name)),
+                 en::say("remove the annotation"));
 }
 
 CalibrationInputs read_inputs(YamlSection& top) {
@@ -99,8 +98,8 @@ CalibrationInputs read_inputs(YamlSection& top) {
   if (const std::string format = top.text("format"); format != CalibrationInputs::kFormat)
     top.refuse("format",
                en::say("'{}' cannot be read by this version", printable(format)),
-               en::say("the version of this program that wrote it, or calibrating again with "
-                       "the pictures in presses/ (this version writes '{}')",
+               en::say("the version of this program that wrote it, or calibrating again with the "
+                       "images in presses/ (this version writes '{}')",
                        std::string(CalibrationInputs::kFormat)));
   inputs.date = top.text("date");
   inputs.program_version = top.text("program_version");
@@ -126,11 +125,10 @@ Result<CalibrationInputs> CalibrationInputs::load(const fs::path& finger_folder,
   const fs::path file = finger_folder / kFileName;
   std::error_code failed;
   if (!fs::exists(file, failed))
-    return Error{
-        en::say("there is nothing to repeat: this finger was not calibrated, or by a version that "
-                "did not keep what with"),
-        file.string(),
-        en::say("calibrating it with the pictures in presses/ and --ball-radius-mm")};
+    return Error{en::say("there is nothing to repeat: this finger is not calibrated, or by a "
+                         "version that did not store its data"),
+                 file.string(),
+                 en::say("calibrating it with the images in presses/ and --ball-radius-mm")};
   const auto content = read_file(file, YamlFile::kMaxBytes);
   if (!content) return content.error();
   return parse(*content, file, warnings);

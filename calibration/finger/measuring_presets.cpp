@@ -41,7 +41,7 @@ std::map<std::string, std::string> read_changes(YamlSection section) {
   for (const auto& [name, value] : section.all_texts()) {
     const auto* setting = setting_named(name);
     if (setting == nullptr)
-      section.refuse(name, en::say("is no setting of this version"), en::say("a new study"));
+      section.refuse(name, en::say("is not a setting of this version"), en::say("a new study"));
     PipelineSettings scratch;
     if (const Status status = setting->set(scratch, value); !status)
       section.refuse(name, status.error().what, Message::typed(setting->range.text()));
@@ -239,7 +239,7 @@ Result<PipelineSettings> preset_settings(const fs::path& folder, const std::stri
   if (const MeasuringPreset* preset = stored->find(name)) return preset->settings;
   if (name == "balanced" || name == "calibrated") return stored->calibrated;
   if (stored->date.empty())
-    return Error{en::say("this finger keeps no presets: it was not studied yet"),
+    return Error{en::say("this finger has no presets: it was not studied yet"),
                  folder.string(),
                  en::say("alltact study {} --save", folder.string())};
   std::vector<std::string> names{"calibrated"};
@@ -247,11 +247,11 @@ Result<PipelineSettings> preset_settings(const fs::path& folder, const std::stri
   if (name == "fast" || name == "finest")
     return Error{
         name == "fast"
-            ? en::say("nothing is faster on this finger without being half as wrong again")
-            : en::say("nothing is more accurate on this finger than how it was calibrated"),
+            ? en::say("no setting is faster on this finger without an error half as large again")
+            : en::say("no setting is more accurate on this finger than those of its calibration"),
         folder.string(),
         en::say("measuring with {}", either(names))};
-  return Error{en::say("'{}' is no preset of this finger", printable(name)),
+  return Error{en::say("'{}' is not a preset of this finger", printable(name)),
                folder.string(),
                en::say("{}", either(names))};
 }

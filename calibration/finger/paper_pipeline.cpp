@@ -35,7 +35,7 @@ Result<std::vector<Press>> paper_presses(PaperMethod& method,
                                          const PressSet& press_set,
                                          const Job& job) {
   std::vector<Press> presses;
-  Message reason = en::say("there is none that is not excluded");
+  Message reason = en::say("all are excluded");
   for (const FramePtr& frame : frames) {
     if (job.stop_requested()) return Error{en::say("stopped before there was a solution"), "", ""};
     const PressNote& note = press_set.of(frame->name);
@@ -70,8 +70,8 @@ Result<Pipeline> paper_pipeline(const FingerSnapshot& finger, const Job& job) {
   }
   const auto inputs = CalibrationInputs::load(finger.folder);
   if (!inputs)
-    return Error{en::say("the source paper's method calibrates in its own way, and this finger "
-                         "keeps no presses to do so with"),
+    return Error{en::say("the source paper's method calibrates differently, and this finger has no "
+                         "stored presses for it"),
                  (finger.folder / CalibrationInputs::kFileName).string(),
                  en::say("alltact calibrate with ball presses")};
   const auto frames = read_stored_frames(finger, *inputs);

@@ -227,7 +227,7 @@ Result<CollectedForce> collect_force(const std::vector<MarkerFrame>& all,
   const bool all_timed = std::all_of(
       all.begin(), all.end(), [](const MarkerFrame& frame) { return frame.time_s.has_value(); });
   if (gauge.by_time && !all_timed)
-    return Error{en::say("the recording's frames have no times, the gauge has nothing but times"),
+    return Error{en::say("the recording's frames have no times, the gauge has only times"),
                  "",
                  en::say("a recording of alltact record, or a gauge file with a column 'frame'")};
   const std::vector<MarkerFrame> frames = all_timed ? in_order(all) : all;
@@ -383,10 +383,10 @@ class GaugeReader {
         name = force->first;
         columns_.unit_N[name == "fy" ? 1 : name == "fz" ? 2 : 0] = force->second;
       } else if (name == "fx" || name == "fy" || name == "fz" || name == "f") {
-        return wrong(en::say("the column '{}' counts in no unit of force", printable(cell)));
+        return wrong(en::say("the column '{}' has no unit of force", printable(cell)));
       }
       if (!columns_.at.emplace(name, static_cast<int>(count_++)).second)
-        return wrong(en::say("the column '{}' is given twice", printable(cell)));
+        return wrong(en::say("the column '{}' appears twice", printable(cell)));
     }
     columns_.is_single = columns_["f"] >= 0 && columns_["fx"] < 0 && columns_["fy"] < 0;
     for (const char* axis : {"fx", "fy"})
@@ -397,7 +397,7 @@ class GaugeReader {
     if (columns_["t"] < 0 && columns_["frame"] < 0)
       return wrong(en::say("there is neither a column 't_s' nor a column 'frame'"));
     if ((columns_["along"] < 0) != (columns_["across"] < 0))
-      return wrong(en::say("of the place of contact there is only one of along_mm and across_mm"));
+      return wrong(en::say("the contact position has only one of along_mm and across_mm"));
     gauge_.has_block = columns_["block"] >= 0, gauge_.has_day = columns_["day"] >= 0;
     gauge_.has_indenter = columns_["indenter"] >= 0;
     return {};
@@ -413,7 +413,7 @@ class GaugeReader {
     if (Status status = read_force(cells, reading); !status) return status;
     if (gauge_.by_time) {
       const auto time = lines_.number_in(cell("t"));
-      if (!time) return wrong(en::say("'{}' is no time", printable(cell("t"))));
+      if (!time) return wrong(en::say("'{}' is not a time", printable(cell("t"))));
       reading.time_s = *time * columns_.time_unit_s;
       if (!gauge_.readings.empty() && reading.time_s <= gauge_.readings.back().time_s)
         return wrong(
@@ -421,7 +421,7 @@ class GaugeReader {
     }
     if (!cell("along").empty() || !cell("across").empty()) {
       const auto along = lines_.number_in(cell("along")), across = lines_.number_in(cell("across"));
-      if (!along || !across) return wrong(en::say("the place of contact is no pair of numbers"));
+      if (!along || !across) return wrong(en::say("the contact position is not a pair of numbers"));
       reading.position_mm = Eigen::Vector2d(*along, *across);
     }
     reading.frame = cell("frame"), reading.block = cell("block"), reading.day = cell("day");
@@ -439,7 +439,7 @@ class GaugeReader {
     const auto number = [&](const char* name, double unit_N) -> Result<double> {
       const auto force = lines_.number_in(cell(name));
       if (!force || std::abs(*force * unit_N) > 1e5)
-        return wrong(en::say("'{}' is no force", printable(cell(name))));
+        return wrong(en::say("'{}' is not a force", printable(cell(name))));
       return *force * unit_N;
     };
     const int values = columns_.is_single ? 1 : gauge_.axes;
@@ -530,7 +530,7 @@ Result<ForceGauge> ForceGauge::parse_truth(std::string_view text,
     any_force = any_force || greatest_N > 0;
     if (is_complete) gauge.readings.push_back(std::move(reading));
   }
-  if (!any_force) return wrong(en::say("tells no force of any contact"));
+  if (!any_force) return wrong(en::say("contains no contact force"));
   return gauge;
 }
 
@@ -651,7 +651,7 @@ Result<std::vector<MarkerFrame>> measured_frames(const std::vector<std::filesyst
   if (frames.empty())
     return Error{en::say("the markers were found in no frame"),
                  inputs.front(),
-                 en::say("alltact reconstruct, which says why")};
+                 en::say("alltact reconstruct, which reports why")};
   return frames;
 }
 

@@ -64,7 +64,7 @@ Result<TableColumns> columns_of(const std::vector<std::string_view>& cells,
       name = fmt::format("{}{}", marker->first, marker->second);
     }
     if (!name.empty() && !(marker ? by_number : plain).emplace(name, static_cast<int>(i)).second)
-      return wrong(en::say("the column '{}' is given twice", printable(cells[i])));
+      return wrong(en::say("the column '{}' appears twice", printable(cells[i])));
   }
   if (highest < 0) return wrong(en::say("there are no columns u0, v0, ... of markers"));
   if (highest >= kMaxTableMarkers)
@@ -101,7 +101,7 @@ Result<TableColumns> columns_of(const std::vector<std::string_view>& cells,
   }
   columns.along = take(plain, "along"), columns.across = take(plain, "across");
   if ((columns.along < 0) != (columns.across < 0))
-    return wrong(en::say("of the place of contact there is only one of along_mm and across_mm"));
+    return wrong(en::say("the contact position has only one of along_mm and across_mm"));
   columns.time = take(plain, "t");
   if (columns.time < 0) columns.time = take(plain, "time");
   columns.block = take(plain, "block"), columns.day = take(plain, "day");
@@ -136,7 +136,7 @@ class TableReader {
     const Message line = en::say("{}, line {}", origin_, lines_.number());
     return {std::move(what),
             column.empty() ? line : en::say("{}, column {}", line, printable(column)),
-            en::say("removing the line, or writing what was measured")};
+            en::say("removing the line, or entering what was measured")};
   }
 
   Result<double> number(const std::vector<std::string_view>& cells,
@@ -145,9 +145,9 @@ class TableReader {
                         double greatest) const {
     const std::string_view cell = cells[static_cast<std::size_t>(at)];
     const auto value = lines_.number_in(cell);
-    if (!value) return wrong(en::say("'{}' is no number", printable(cell)), column);
+    if (!value) return wrong(en::say("'{}' is not a number", printable(cell)), column);
     if (std::abs(*value) > greatest)
-      return wrong(en::say("'{}' is beyond all that can be measured", printable(cell)), column);
+      return wrong(en::say("'{}' is beyond the measurable range", printable(cell)), column);
     return *value;
   }
 
@@ -186,7 +186,7 @@ class TableReader {
       if (columns_.seen[m] >= 0) {
         const auto flag = number(cells, columns_.seen[m], fmt::format("seen{}", m), 1);
         if (!flag) return flag.error();
-        if (*flag != 0 && *flag != 1) return wrong(en::say("seen is 1 or 0"), name);
+        if (*flag != 0 && *flag != 1) return wrong(en::say("seen must be 1 or 0"), name);
         seen = *flag == 1;
       }
       double u = 0, v = 0;
@@ -223,7 +223,7 @@ class TableReader {
 
   Result<ForceTable> finish() {
     if (count_ == 0)
-      return Error{en::say("{} rows are too few to learn from", 0), origin_, table_advice()};
+      return Error{en::say("{} rows are too few to train with", 0), origin_, table_advice()};
     using ByRow = Eigen::Matrix<double, -1, -1, Eigen::RowMajor>;
     const auto matrix = [&](const std::vector<double>& numbers) -> Eigen::MatrixXd {
       return Eigen::Map<const ByRow>(
@@ -279,7 +279,7 @@ Status ForceTable::check(const std::filesystem::path& origin) {
     return Error{std::move(what), origin, std::move(advice)};
   };
   if (rows() < static_cast<Eigen::Index>(kMinRows))
-    return too_bad(en::say("{} rows are too few to learn from", rows()),
+    return too_bad(en::say("{} rows are too few to train with", rows()),
                    en::say("at least {}, better several hundred", kMinRows));
   if (axes == 3 && (force_N.col(2).array() == 0).all()) {
     force_N.conservativeResize(Eigen::NoChange, 2);
@@ -438,7 +438,7 @@ Result<ForceFolds> force_folds(const ForceTable& table, ForceSplit split, std::u
   return Error{folds.count == 0 ? en::say("the table has no column '{}'", column)
                                 : en::say("the column '{}' is the same in all rows", column),
                std::string("--split"),
-               en::say("--split block, or a table of several")};
+               en::say("--split block, or several values")};
 }
 
 // Joins force tables.

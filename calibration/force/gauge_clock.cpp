@@ -386,12 +386,12 @@ bool overlap(const std::vector<MarkerFrame>& frames, const ForceGauge& gauge) {
 
 void report_delay(const GaugeClock& clock, std::vector<Message>& remarks) {
   const double late_ms = 1e3 * clock.shift_s, sd_ms = 1e3 * clock.sd_s;
-  remarks.push_back(late_ms >= 0 ? en::say("The gauge tells {:.0f} ms (sd {:.0f} ms) after the "
-                                           "pictures; that is taken out.",
+  remarks.push_back(late_ms >= 0 ? en::say("The gauge reports {:.0f} ms (sd {:.0f} ms) later than "
+                                           "the images; this is corrected.",
                                            late_ms,
                                            sd_ms)
-                                 : en::say("The gauge tells {:.0f} ms (sd {:.0f} ms) before the "
-                                           "pictures; that is taken out.",
+                                 : en::say("The gauge reports {:.0f} ms (sd {:.0f} ms) earlier "
+                                           "than the images; this is corrected.",
                                            -late_ms,
                                            sd_ms));
 }
@@ -404,7 +404,7 @@ GaugeClock same_clock(const ClockSearch* search, GaugeClock clock, std::vector<M
     return found;
   }
   remarks.push_back(
-      en::say("How late the gauge tells could not be told from these frames: nothing is taken out. "
+      en::say("The gauge's delay could not be estimated from these frames: nothing is corrected. "
               "Try: some quick taps while recording."));
   return clock;
 }
@@ -427,9 +427,8 @@ GaugeClock other_clock(const ClockSearch* search,
                 1e6 * found.drift));
     return found;
   }
-  remarks.push_back(
-      en::say("The gauge and the camera were on different clocks: their beginnings are taken for "
-              "one moment."));
+  remarks.push_back(en::say(
+      "The gauge and the camera used different clocks: their starts are assumed to coincide."));
   clock.shift_s = begun_s;
   return clock;
 }

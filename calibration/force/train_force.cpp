@@ -248,7 +248,7 @@ class ForceTrainer {
   Status compare() {
     for (const ForceKind kind : kForceOrder) {
       job_.report(0.12 * static_cast<double>(at(kind)),
-                  en::say("training {} without one block after the other", kind_word(kind)));
+                  en::say("training {}, leaving out one block at a time", kind_word(kind)));
       held_out_.push_back(
           hold_out_force(inputs_, table_.force_N, folds_, kind, options_.network, job_));
       if (job_.stop_requested()) return stopped_training();
@@ -332,16 +332,14 @@ class ForceTrainer {
                   relative(ForceKind::kRidge)));
     if (selected != ForceKind::kMean &&
         !beats(by_fold_[at(selected)], by_fold_[at(ForceKind::kMean)]))
-      remarks.push_back(
-          en::say("What is kept does not beat the mean of the table: these markers do not tell the "
-                  "force."));
+      remarks.push_back(en::say(
+          "The chosen model does not beat the table's mean: these markers do not show the force."));
     else if (selected == ForceKind::kMean)
       remarks.push_back(
-          en::say("Nothing beats the mean of the table: these markers do not tell the force."));
+          en::say("Nothing beats the mean of the table: these markers do not show the force."));
     if (folds_.by_time)
       remarks.push_back(
-          en::say("The table has no column 'block': {} stretches of rows that follow each other "
-                  "were held out.",
+          en::say("The table has no column 'block': {} sections of consecutive rows were held out.",
                   folds_.count));
     else if (folds_.count < 4)
       remarks.push_back(en::say("Only {} groups could be held out: errors and intervals are rough.",
@@ -474,13 +472,14 @@ std::string force_before(const Finger& finger) {
 Status check_force_markers(const ForceTable& table, const Finger& finger) {
   const Message advice = en::say("a table of this finger's markers");
   if (finger.marker_count() == 0)
-    return Error{en::say("the finger has no markers, so they cannot tell a force"),
+    return Error{en::say("the finger has no markers to estimate a force from"),
                  finger.name,
                  en::say("a finger with markers")};
   if (!finger.contact)
-    return Error{en::say("the finger has no reference, so it is not known where its markers rest"),
-                 finger.name,
-                 en::say("alltact reference")};
+    return Error{
+        en::say("the finger has no reference, so the rest positions of its markers are unknown"),
+        finger.name,
+        en::say("alltact reference")};
   if (table.marker_count != finger.marker_count())
     return Error{en::say("the table has {} markers, the finger has {}",
                          table.marker_count,
@@ -501,12 +500,11 @@ Status check_force_markers(const ForceTable& table, const Finger& finger) {
     nearest_px = std::min(nearest_px, std::sqrt(squares / count));
   }
   if (nearest_px > rest_spacing_px(rest))
-    return Error{
-        en::say("the table's markers are another finger's: in every row they lie {:.0f} px "
-                "or more from where this finger's rest",
-                nearest_px),
-        finger.name,
-        advice};
+    return Error{en::say("the table's markers belong to another finger: in every row they are "
+                         "{:.0f} px or more from this finger's rest positions",
+                         nearest_px),
+                 finger.name,
+                 advice};
   return {};
 }
 
@@ -553,7 +551,7 @@ Result<FingerPtr> revert_force(const fs::path& folder) {
   return FingerStore::of(folder)->update([&](Finger& finger) -> Status {
     const auto before = finger.provenance.find(kForceBefore);
     if (before == finger.provenance.end())
-      return Error{en::say("there is no force model to take back"), folder, ""};
+      return Error{en::say("there is no force model to revert"), folder, ""};
     const std::string file = before->second == kNoForce ? std::string() : before->second;
     if (!file.empty())
       if (const auto model = ForceModel::load(folder / file); !model) return model.error();
@@ -603,7 +601,7 @@ Result<ForceTable> stored_force_table(const fs::path& folder) {
   const auto& record = (*model)->record;
   const auto table = record.find(kForceTable);
   if (table == record.end() || fs::path(table->second).parent_path() != fs::path(kForceFolder))
-    return Error{en::say("the force model does not say which table it is of"),
+    return Error{en::say("the force model does not name its table"),
                  folder,
                  en::say("giving the table to train with")};
   return ForceTable::load(folder / table->second);

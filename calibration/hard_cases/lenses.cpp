@@ -199,7 +199,7 @@ HardRow frontal_boards() {
     const auto found =
         calibrate_lens(seen.views, {seen.lens.width_px, seen.lens.height_px}, settings, Job{});
     const HardQuestion question =
-        is_straight ? expected_refusal({"not fit", "unproven", "undetermined", "explain"})
+        is_straight ? expected_refusal({"unfit", "unproven", "undetermined", "explain"})
                     : expected(settings.distance_mm, 5 * 0.08);
     if (!found) {
       row.ask(

@@ -85,7 +85,7 @@ std::vector<FoundBall> find_balls(const std::vector<Press>& presses,
                                         [&](const Press& p) { return same_image(p, press); });
     if (duplicate != presses.begin() + static_cast<std::ptrdiff_t>(i)) {
       unusable->push_back(en::at(Message::typed(press.name),
-                                 en::say("the same picture as {}, counted once", duplicate->name)));
+                                 en::say("the same image as {}, counted once", duplicate->name)));
       continue;
     }
     auto guess =
@@ -103,7 +103,7 @@ std::vector<FoundBall> find_balls(const std::vector<Press>& presses,
     if (contact_samples(one.coarse, centre) < kMinBallSamples) {
       unusable->push_back(Error{en::say("the contact covers too few pixels"),
                                 press.name,
-                                en::say("pressing deeper, or a larger picture")}
+                                en::say("pressing deeper, or a larger image")}
                               .message());
       continue;
     }
@@ -194,13 +194,13 @@ std::vector<Message> drop_contradicting(const std::vector<MeasuredPress>& presse
     if (!is_far(measured->mm, seen_mm, measured->sd_mm, seen_sd_mm)) continue;
     reasons.push_back(en::at(
         Message::typed(presses[i].name),
-        en::say("its measured depth of {:.3f} +- {:.3f} mm was left out, because the pictures say "
-                "{:.3f} +- {:.3f} mm; it counts from where the ball first touches, normal to the "
-                "face",
-                measured->mm,
-                measured->sd_mm,
-                seen_mm,
-                seen_sd_mm)));
+        en::say(
+            "its measured depth of {:.3f} +- {:.3f} mm was left out, because the images show "
+            "{:.3f} +- {:.3f} mm; depth counts from the ball's first contact, normal to the face",
+            measured->mm,
+            measured->sd_mm,
+            seen_mm,
+            seen_sd_mm)));
     presses[i].coarse->given_depth.reset();
     presses[i].fine->given_depth.reset();
   }
@@ -210,14 +210,12 @@ std::vector<Message> drop_contradicting(const std::vector<MeasuredPress>& presse
     const double seen_sd_mm = std::sqrt(std::max(
         0.0, seen.by_values.dot(covariance.topLeftCorner(numbers, numbers) * seen.by_values)));
     if (!is_far(step.step_mm, seen.height_mm, seen.sd_mm, seen_sd_mm)) return false;
-    reasons.push_back(en::at(
-        Message::typed(step.press),
-        en::say(
-            "its step of {:.3f} mm was left out, because the balls say {:.3f} +- {:.3f} mm; is the "
-            "balls' radius right",
-            step.step_mm,
-            seen.height_mm,
-            std::hypot(seen.sd_mm, seen_sd_mm))));
+    reasons.push_back(en::at(Message::typed(step.press),
+                             en::say("its step of {:.3f} mm was left out, because the balls show "
+                                     "{:.3f} +- {:.3f} mm; check the balls' radius",
+                                     step.step_mm,
+                                     seen.height_mm,
+                                     std::hypot(seen.sd_mm, seen_sd_mm))));
     return true;
   });
   return reasons;
@@ -225,19 +223,17 @@ std::vector<Message> drop_contradicting(const std::vector<MeasuredPress>& presse
 
 Error no_press(const std::vector<Press>& presses, const std::vector<Message>& left_out) {
   if (presses.empty())
-    return {en::say("no press was given"), "", en::say("at least one picture of a pressed ball")};
+    return {en::say("no press was given"), "", en::say("at least one image of a pressed ball")};
   if (std::all_of(presses.begin(), presses.end(), [](const Press& p) { return p.step_mm; }))
-    return {
-        en::say("there are only presses of a punch with a step"),
-        "",
-        en::say(
-            "pressing a ball as well, once at least: a step tells how far apart two depths are, "
-            "not where they begin")};
+    return {en::say("there are only presses of a punch with a step"),
+            "",
+            en::say("pressing a ball at least once as well: a step shows how far apart two depths "
+                    "are, not where they begin")};
   return {
       en::say("none of {} presses could be used: {}", presses.size(), en::sentences(left_out)),
       "",
       en::say(
-          "pictures in which the ball, and nothing else, is pressed 0.3 mm or more into the face")};
+          "images in which the ball, and nothing else, is pressed 0.3 mm or more into the face")};
 }
 
 Error stopped() {
@@ -305,7 +301,7 @@ Error no_mapping(const std::vector<FoundBall>& found, const Face& face) {
     if (here_mm > depth_mm) depth_mm = here_mm, deepest = &f;
   }
   if (deepest != nullptr && depth_mm > kTooDeep * face.layer_mm)
-    return {en::say("the ball lies {:.1f} mm deep in a layer of {:g} mm", depth_mm, face.layer_mm),
+    return {en::say("the ball is {:.1f} mm deep in a layer of {:g} mm", depth_mm, face.layer_mm),
             deepest->press->name,
             en::say("pressing less deep, and checking the ball's radius and the camera's scale in "
                     "mm per px")};
@@ -363,15 +359,16 @@ JointFit fit_finely(std::vector<FoundBall>& found,
   std::vector<const PressSamples*> presses;
   for (const FoundBall& f : found) presses.push_back(&f.fine);
   JointOptions options = choice.options;
-  const std::function<void(int, double, const JointFit&)> report_round =
-      [&](int round, double change_mm, const JointFit& now) {
-        job.report(0.9, en::say("solving: round {}, unknowns move by {:.1e} mm", round, change_mm));
-        if (!on_round) return;
-        double residual_mm = 0;
-        for (const double each_mm : quality_of(presses, now, with_inner_zone(options)).residual_mm)
-          residual_mm += each_mm / static_cast<double>(presses.size());
-        on_round({round, residual_mm, change_mm});
-      };
+  const std::function<void(int, double, const JointFit&)> report_round = [&](int round,
+                                                                             double change_mm,
+                                                                             const JointFit& now) {
+    job.report(0.9, en::say("solving: round {}, unknowns change by {:.1e} mm", round, change_mm));
+    if (!on_round) return;
+    double residual_mm = 0;
+    for (const double each_mm : quality_of(presses, now, with_inner_zone(options)).residual_mm)
+      residual_mm += each_mm / static_cast<double>(presses.size());
+    on_round({round, residual_mm, change_mm});
+  };
   options.watch = &report_round;
   JointFit fit = fit_jointly(presses, choice.fit, options, job);
   if (!fit.converged) return choice.fit;  // stopped: returns the best so far
@@ -460,7 +457,7 @@ Result<Calibration> solve_jointly(std::vector<FoundBall> found,
     calibration.mapping.covariance = 0.5 * (stored + stored.transpose());
   }
   if (const auto mapping = Mapping::create(calibration.mapping); !mapping)
-    return Error{en::say("the solution is no mapping: {}", mapping.error().what),
+    return Error{en::say("the solution is not a valid mapping: {}", mapping.error().what),
                  "",
                  en::say("more presses of different depth, or a lower degree")};
   if (covariance.covariance.size() > 0)
@@ -483,9 +480,9 @@ Result<Calibration> solve_jointly(std::vector<FoundBall> found,
   calibration.remarks.insert(
       calibration.remarks.end(), choice->remarks.begin(), choice->remarks.end());
   if (found.size() == 1)
-    calibration.remarks.push_back(en::say(
-        "one press cannot separate the ball's depth from the mapping: add presses of different "
-        "depth at other places"));
+    calibration.remarks.push_back(
+        en::say("one press cannot separate the ball's depth from the mapping: add presses of "
+                "different depth at other positions"));
   if (covariance.covariance.size() == 0)
     calibration.remarks.push_back(
         en::say("the presses do not determine every unknown: add presses"));
@@ -543,7 +540,7 @@ MethodRow row_of(CalibrationMethod method, const Calibration& made, const Calibr
   for (const BallFit& ball : made.balls) row.press_depth_mm += ball.depth_mm / row.presses;
   const auto mapping = Mapping::create(made.mapping), reads = Mapping::create(joint.mapping);
   if (!mapping || !reads) {
-    row.failed = en::say("no mapping came of it");
+    row.failed = en::say("no mapping resulted");
     return row;
   }
   const double x = std::min(mapping->x_max(), reads->x_max());

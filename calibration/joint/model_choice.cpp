@@ -56,7 +56,7 @@ double contact_fraction(const ChoiceInput& input, const JointFit& fit) {
 
 Message inner_sentence(double zone) {
   return en::say(
-      "the inner {:.0f} % of each contact's radius was used, where the skin surely touches the "
+      "the inner {:.0f} % of each contact's radius was used, where the skin certainly touches the "
       "ball",
       100.0 * zone);
 }
@@ -102,8 +102,8 @@ JointFit choose_zone(const ChoiceInput& input,
     constexpr double kShownMm = 1e-4;
     *remark = quality.lifted_sd_mm > kShownMm
                   ? en::say(
-                        "the inner {:.0f} % of each contact's radius was used; the skin comes back "
-                        "from the ball over {:.2f} mm",
+                        "the inner {:.0f} % of each contact's radius was used; the skin leaves the "
+                        "ball over {:.2f} mm",
                         100.0 * zone,
                         next.lift_mm)
                   : inner_sentence(zone);
@@ -192,18 +192,17 @@ MappingAlong choose_along(const ChoiceInput& input,
                                 : en::say("along z projected onto its normal");
   if (chosen != MappingAlong::kNormal && !by_normal.empty())
     *remark = en::say(
-        "brightness follows the layer's thickness {}: {:.4f} mm on presses left out, against "
+        "brightness follows the layer's thickness {}: error on presses left out {:.4f} mm, against "
         "{:.4f} mm along its normal",
         direction,
         finite_mean_mm(best),
         finite_mean_mm(by_normal));
   if (chosen == MappingAlong::kNormal && !by_normal.empty() && !rival.empty())
     *remark = en::say(
-        "the presses do not tell whether brightness follows the layer's thickness along its normal "
-        "({:.4f} mm on presses left out) or along z ({:.4f} mm): the normal is taken, and if that "
-        "is wrong, places on the face lie {:.1f} mm off along it; larger pictures tell, and "
-        "presses "
-        "where the face is steep and where it is flat",
+        "the presses do not show whether brightness follows the layer's thickness along its normal "
+        "({:.4f} mm on presses left out) or along z ({:.4f} mm): the normal is assumed; if wrong, "
+        "positions on the face are {:.1f} mm off along it; use larger images, and presses where "
+        "the face is steep and where it is flat",
         finite_mean_mm(by_normal),
         finite_mean_mm(rival),
         separation_mm(input));
@@ -315,7 +314,7 @@ Message why(const FamilyCandidate& chosen, const FamilyCandidate& best) {
   const Message name = chosen.fit.curve.family().name();
   const double error_mm = mean_mm(chosen.held_out.errors_mm);
   if (&chosen == &best)
-    return en::at(name, en::say("least error on presses left out, {:.4f} mm", error_mm));
+    return en::at(name, en::say("smallest error on presses left out, {:.4f} mm", error_mm));
   return en::at(
       name,
       en::say(
@@ -355,8 +354,8 @@ std::optional<ModelChoice> choose_family(const ChoiceInput& input,
   store_errors(chosen->held_out, &choice);
   const Message name = choice.fit.curve.family().name();
   choice.sentence = input.presses.size() < 2
-                        ? en::at(name, en::say("with one press nothing can be held out"))
-                    : families.size() == 1 ? en::at(name, en::say("as asked for"))
+                        ? en::at(name, en::say("a single press cannot be left out"))
+                    : families.size() == 1 ? en::at(name, en::say("as requested"))
                                            : why(*chosen, *best);
   return choice;
 }
@@ -405,9 +404,9 @@ void try_variation(const ChoiceInput& input, ModelChoice* choice, const Job& job
     return;
   const Eigen::Vector2d part = varying.fit.curve.values().tail<2>();
   choice->remarks.push_back(en::say(
-      "the mapping varies over the face, as uneven light or an uneven layer make it: by {:+.0f} % "
-      "from the presses nearest to the base to those nearest to the tip, by {:+.0f} % from side to "
-      "side; {:.4f} mm on presses left out, against {:.4f} mm with one mapping for all",
+      "the mapping varies over the face, as with uneven light or layer: by {:+.0f} % from the "
+      "presses nearest the base to those nearest the tip, by {:+.0f} % from side to side; error on "
+      "presses left out {:.4f} mm, against {:.4f} mm with one mapping for all",
       200.0 * part.x(),
       200.0 * part.y(),
       mean_mm(errors),

@@ -231,7 +231,8 @@ constexpr double kZero_mm = 1e-3;   // tolerance of a zero constant
 constexpr double kMaxMisfit = 0.3;  // above, the cubic fits noise
 
 Error no_circle(const Press& press, Message what) {
-  return {std::move(what), press.name, en::say("pressing the ball in deeper, whole on the face")};
+  return {
+      std::move(what), press.name, en::say("pressing the ball in deeper, entirely on the face")};
 }
 
 /// The cubic through (x, d) of a press for any ball.
@@ -400,7 +401,7 @@ Result<Circle> dark_circle(const Press& press, const Camera& camera) {
   cv::Point darkest_px;
   cv::minMaxLoc(x, nullptr, &darkest, nullptr, &darkest_px);
   if (!(darkest >= static_cast<double>(kMinDark)))
-    return no_circle(press, en::say("nothing is dark enough for a ball that presses"));
+    return no_circle(press, en::say("nothing is dark enough for a pressed ball"));
   std::vector<std::vector<cv::Point>> borders;
   cv::findContours(x > kDarkPart * darkest, borders, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
   const auto around = std::find_if(borders.begin(), borders.end(), [&](const auto& border) {
@@ -544,7 +545,7 @@ Result<Calibration> fit_cubic_mapping(const std::vector<BallCloud>& clouds,
   calibration.mapping = mapping_parameters(*curve, MappingAlong::kZ);
   calibration.degree_choice =
       degree == kCloudDegree ? en::at(curve->family().name(), en::say("the source paper's"))
-                             : en::say("{}, in place of the paper's cubic", curve->family().name());
+                             : en::say("{}, instead of the paper's cubic", curve->family().name());
   for (const BallCloud& cloud : clouds) {
     BallFit ball = cloud.ball;
     double sum = 0;
@@ -610,7 +611,7 @@ Result<Border> border_of(const OutlinePress& input) {
       border_circle(press.difference.x, input.guess.disc_px, input.guess.disc_radius_px);
   if (!circle) return no_ball(press, en::say("no circle goes through the dark border"));
   const auto middle = press.shape.at(circle->centre.x(), circle->centre.y());
-  if (!middle) return no_ball(press, en::say("the circle's middle lies off the face"));
+  if (!middle) return no_ball(press, en::say("the circle's centre is off the face"));
   return Border{press, input.guess, *circle, *middle};
 }
 
@@ -631,7 +632,7 @@ Result<Eigen::Vector3d> by_contact_line(const Border& border, const Face& face) 
     radius_mm += (untouched_point_mm(*local, face.layer_mm, MappingAlong::kNormal) - foot).norm();
     ++seen;
   }
-  if (seen == 0) return no_ball(border.press, en::say("the circle lies off the face"));
+  if (seen == 0) return no_ball(border.press, en::say("the circle is off the face"));
   radius_mm /= seen;
   const double ball_mm = border.press.ball_radius_mm;
   if (radius_mm >= ball_mm)
@@ -645,12 +646,11 @@ Result<Eigen::Vector3d> by_cone(const OutlinePress& input) {
   const Press& press = *input.press;
   const TangentArc arc = find_tangent_arc(press, input.guess.centre_mm, press.ball_radius_mm);
   if (arc.arc_deg < kMinConeArcDeg)
-    return no_ball(
-        press,
-        en::say("{:.0f} degrees of the ball's outline are seen, a cone needs {:.0f}; the "
-                "rest of the dark border is where the skin leaves the ball",
-                arc.arc_deg,
-                kMinConeArcDeg));
+    return no_ball(press,
+                   en::say("{:.0f} degrees of the ball's outline are visible, a cone needs {:.0f}; "
+                           "the rest of the dark border is where the skin leaves the ball",
+                           arc.arc_deg,
+                           kMinConeArcDeg));
   std::vector<Eigen::Vector3d> directions;
   for (const OutlinePoint& point : arc.points) directions.push_back(point.direction);
   const auto centre = fit_ball_to_outline(directions, press.ball_radius_mm);

@@ -185,8 +185,8 @@ double scatter_without(const std::vector<Searched>& samples) {
 Error refused(const Press& press, Message what) {
   return {std::move(what),
           press.name,
-          en::say("pressing the punch in until the skin lies on both of its levels, each 4 mm wide "
-                  "or more")};
+          en::say("pressing the punch in until the skin rests on both of its levels, each 4 mm "
+                  "wide or more")};
 }
 
 }  // namespace
@@ -211,7 +211,7 @@ Result<StepSamples> find_step(const Press& press, const Face& face) {
   const StepLine step_line = best_step_line(searched);
   if (!(step_line.scatter < kSeenPart * scatter_without(searched)) ||
       !(std::abs(step_line.step) > kPunchedSd * step.samples.x_sd))
-    return refused(press, en::say("no step is to be seen"));
+    return refused(press, en::say("no step is visible"));
   const auto off_mm = [&](const Sample& sample) {
     return step_line.across.dot(tangent.of(sample.untouched_n)) - step_line.offset_mm;
   };

@@ -126,16 +126,17 @@ WeakestDirection weakest_direction(const MappingCurve& curve, const Eigen::Matri
   weakest.depth_mm = curve.depth_mm(curve.x_max() * static_cast<double>(at_max + 1) / kGrid);
   weakest.is_scale = shape.minCoeff() * shape.maxCoeff() >= 0.0;
   weakest.sentence =
-      weakest.is_scale ? en::say(
-                             "least certain is the scale: all depths may be too large or too small "
-                             "together, by {:.3f} mm at {:.2f} mm (one standard deviation)",
-                             weakest.sd_mm,
-                             weakest.depth_mm)
-                       : en::say(
-                             "least certain is how shallow and deep go together: by {:.3f} mm at "
-                             "{:.2f} mm (one standard deviation), the other way at the other end",
-                             weakest.sd_mm,
-                             weakest.depth_mm);
+      weakest.is_scale
+          ? en::say(
+                "the scale is least certain: all depths may be too large or too small together, by "
+                "{:.3f} mm at {:.2f} mm (one standard deviation)",
+                weakest.sd_mm,
+                weakest.depth_mm)
+          : en::say(
+                "the relation of shallow to deep is least certain: by {:.3f} mm at {:.2f} mm (one "
+                "standard deviation), with opposite sign at the other end",
+                weakest.sd_mm,
+                weakest.depth_mm);
   return weakest;
 }
 
@@ -180,8 +181,8 @@ std::optional<RadiusSensitivity> vary_radius(const std::vector<const PressSample
       std::min(smaller->residual_mm, larger->residual_mm) > (1.0 + kSeen) * given->residual_mm;
   const Message other = sensitivity.depth_part < 0 ? en::say("smaller") : en::say("larger");
   const Message figures = en::say(
-      "a ball 1 % larger than said makes depths {:.1f} % {}; the residual is {:.4f} mm "
-      "with a radius 1 % smaller, {:.4f} mm as given, {:.4f} mm with one 1 % larger",
+      "a ball 1 % larger than given makes depths {:.1f} % {}; the residual is {:.4f} mm with a "
+      "radius 1 % smaller, {:.4f} mm as given, {:.4f} mm with one 1 % larger",
       100.0 * std::abs(sensitivity.depth_part),
       other,
       sensitivity.smaller_mm,
@@ -231,30 +232,28 @@ PressAdvice advise(const std::vector<const PressSamples*>& presses,
     }
   const double empty = empty_third_mm(made, face_length_mm);
   if (!std::isfinite(advice.sd_then_mm)) {
-    advice.sentence = en::say("press next: at another place, 0.5 to 1 mm deep");
+    advice.sentence = en::say("press next: at another position, 0.5 to 1 mm deep");
   } else if (empty >= 0.0) {
     advice.along_mm = empty;
     advice.across_mm = 0;
     advice.sentence = en::say(
-        "press next: {}, {:.1f} mm deep; no press tells whether the mapping holds in that third",
+        "press next: {}, {:.1f} mm deep; no press shows whether the mapping holds in that third",
         position_text(empty, 0),
         advice.depth_mm);
   } else {
     advice.enough = advice.sd_then_mm > (1.0 - kMinGain) * advice.sd_now_mm;
-    advice.sentence =
-        advice.enough
-            ? en::say(
-                  "enough: one press more would take the standard deviation of depth from "
-                  "{:.4f} mm to {:.4f} mm at best",
-                  advice.sd_now_mm,
-                  std::min(advice.sd_now_mm, advice.sd_then_mm))
-            : en::say(
-                  "press next: {}, {:.1f} mm deep; that would take the standard deviation "
-                  "of depth from {:.4f} mm to {:.4f} mm",
-                  position_text(advice.along_mm, advice.across_mm),
-                  advice.depth_mm,
-                  advice.sd_now_mm,
-                  advice.sd_then_mm);
+    advice.sentence = advice.enough ? en::say(
+                                          "enough: another press would reduce the standard "
+                                          "deviation of depth from {:.4f} mm to {:.4f} mm at best",
+                                          advice.sd_now_mm,
+                                          std::min(advice.sd_now_mm, advice.sd_then_mm))
+                                    : en::say(
+                                          "press next: {}, {:.1f} mm deep; that would reduce the "
+                                          "standard deviation of depth from {:.4f} mm to {:.4f} mm",
+                                          position_text(advice.along_mm, advice.across_mm),
+                                          advice.depth_mm,
+                                          advice.sd_now_mm,
+                                          advice.sd_then_mm);
   }
   return advice;
 }

@@ -104,17 +104,17 @@ Error no_board(const cv::Mat& grey, const Board& board, const Message& pattern) 
   cv::meanStdDev(grey, mean, sd);
   const double white = static_cast<double>(cv::countNonZero(grey >= kClippedFrom)) /
                        static_cast<double>(grey.total());
-  Error error{en::say("no {} with {} can be seen", pattern, board.words()), "", ""};
+  Error error{en::say("no {} with {} is visible", pattern, board.words()), "", ""};
   if (sd[0] < 12) {
-    error.what = en::clauses({error.what, en::say("the picture has hardly any contrast")});
+    error.what = en::clauses({error.what, en::say("the image has hardly any contrast")});
     error.advice = en::say("more light, and the board in focus");
   } else if (white > 0.3) {
     error.what =
-        en::clauses({error.what, en::say("a large part of the picture is white without detail")});
+        en::clauses({error.what, en::say("a large part of the image is white without detail")});
     error.advice = en::say("a shorter exposure");
   } else {
     error.advice =
-        en::say("the whole board in the picture, with its white border, sharp and evenly lit");
+        en::say("the entire board in the image, with its white border, sharp and evenly lit");
   }
   return error;
 }
@@ -180,11 +180,11 @@ Result<BoardView> find_charuco(const cv::Mat& grey, const Board& board) {
   std::vector<int> ids;
   cv::aruco::interpolateCornersCharuco(markers, marker_ids, grey, charuco, corners, ids);
   if (static_cast<int>(corners.size()) < kFewestCorners)
-    return Error{en::say("only {} of the ChArUco board's corners can be seen, {} are needed",
+    return Error{en::say("only {} of the ChArUco board's corners are visible, {} are needed",
                          corners.size(),
                          kFewestCorners),
                  "",
-                 en::say("more of the board in the picture, sharp and evenly lit")};
+                 en::say("more of the board in the image, sharp and evenly lit")};
   // Markers fill the squares around a corner, so the window ends before them.
   refine(grey, corners, 0.5 * (1 - board.marker_part));
   BoardView view;
@@ -194,9 +194,9 @@ Result<BoardView> find_charuco(const cv::Mat& grey, const Board& board) {
     view.pixels.emplace_back(corners[i].x, corners[i].y);
   }
   if (!spans_a_plane(view.board_mm))
-    return Error{en::say("only corners in one line of the ChArUco board can be seen"),
+    return Error{en::say("only corners in one line of the ChArUco board are visible"),
                  "",
-                 en::say("more of the board in the picture")};
+                 en::say("more of the board in the image")};
   return view;
 }
 
@@ -228,9 +228,10 @@ Status set_board_size(Board& board, std::string_view text) {
   const int rows = cross < text.size() ? side(text.substr(cross + 1)) : 0;
   for (const int count : {columns, rows})
     if (count < 3 || count > 100)
-      return Error{en::say("'{}' is no board; it takes two counts from 3 to 100", printable(text)),
-                   std::string("--board"),
-                   en::say("9x6 for nine inner corners in a row and six rows")};
+      return Error{
+          en::say("'{}' is not a board; it needs two counts from 3 to 100", printable(text)),
+          std::string("--board"),
+          en::say("9x6 for nine inner corners in a row and six rows")};
   board.columns = columns;
   board.rows = rows;
   return {};
@@ -246,7 +247,7 @@ Result<BoardView> find_board(const cv::Mat& grey, const Board& board) {
     return view;
   } catch (const cv::Exception& problem) {
     return Error{
-        en::say("the board finder gave up: {}", problem.err), "", en::say("another picture")};
+        en::say("the search for the board failed: {}", problem.err), "", en::say("another image")};
   }
 }
 
@@ -447,9 +448,9 @@ Result<BoardView> find_dots(const cv::Mat& grey, const Board& board) {
     const Eigen::Matrix2d spacing = spacing_at(centres, board, i);
     const auto dot = measured(dark_dots, centres[static_cast<std::size_t>(i)], spacing);
     if (!dot)
-      return Error{en::say("a dot of the grid lies at the picture's border or has no contrast"),
+      return Error{en::say("a dot of the grid is at the image border or has no contrast"),
                    "",
-                   en::say("the whole board in the picture, evenly lit")};
+                   en::say("the entire board in the image, evenly lit")};
     // The ratio of two areas is the same in every affine view.
     parts.push_back(std::sqrt(4 / M_PI * dot->area_px2 / std::abs(spacing.determinant())));
     view.board_mm.push_back(board.point_mm(i));

@@ -112,7 +112,7 @@ bool shows_the_same(const BoardView& a, const BoardView& b, cv::Size size) {
 }
 
 Error none_found(const LensViews& views, const cv::Mat& first, const Board& board) {
-  Message what = en::say("no board was found in any of {} pictures", views.analysed);
+  Message what = en::say("no board was found in any of {} images", views.analysed);
   if (!views.refused.empty())
     what = en::say("{} (the first: {})", what, views.refused.front().second);
   if (!first.empty())
@@ -120,9 +120,8 @@ Error none_found(const LensViews& views, const cv::Mat& first, const Board& boar
       return {en::say("no board with {} was found, but one with {}", board.words(), other),
               views.refused.empty() ? Where() : views.refused.front().first,
               en::say("--board with {}: inner corners are counted, not squares", other)};
-  return {what,
-          "",
-          en::say("--board and --pattern as the board is, and the whole board in the picture")};
+  return {
+      what, "", en::say("--board and --pattern that match the board, and all of it in the image")};
 }
 
 }  // namespace
@@ -160,17 +159,17 @@ Result<LensViews> find_boards(Source& source,
     }
     if (frame.grey.size() != raw)
       return Error{
-          en::say("is {} x {} px, the pictures before it {} x {}",
+          en::say("is {} x {} px, the images before it {} x {}",
                   frame.grey.cols,
                   frame.grey.rows,
                   raw.width,
                   raw.height),
           frame.origin,
-          en::say("pictures of one camera in one mode; a lens differs with the picture's size")};
+          en::say("images from one camera in one mode; the lens changes with the image size")};
     if (!names.insert(frame.name).second)
-      return Error{en::say("another picture is called '{}' as well", frame.name),
+      return Error{en::say("another image is called '{}' as well", frame.name),
                    frame.origin,
-                   en::say("giving the pictures different names")};
+                   en::say("giving the images different names")};
     ++views.analysed;
     auto view = find_board(frame.grey, board);
     if (!view) {

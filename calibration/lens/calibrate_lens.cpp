@@ -40,10 +40,10 @@ Message outlier_reason(const BoardView& view,
                        double scatter,
                        double median_scatter,
                        double median_edge_px) {
-  const Message found = en::say(
-      "its corners lie {:.2f} px from where the lens sees them, those of the others {:.2f} px",
-      scatter,
-      median_scatter);
+  const Message found =
+      en::say("its corners are {:.2f} px off the lens model, those of the others {:.2f} px",
+              scatter,
+              median_scatter);
   if (view.edge_px > kBlurred * median_edge_px)
     return en::say(
         "blurred, by motion or focus: its edges are {:.1f} px wide, those of the "
@@ -56,14 +56,12 @@ Message outlier_reason(const BoardView& view,
   const double flat = fit_pose(view, fit.lens, ones, flat_pose);
   const double bent = fit_pose(view, fit.lens, ones, bent_pose, &shape);
   if (bent < 0.5 * flat)
-    return en::clauses({found, en::say("the board is bent in it, glue it to something stiff")});
+    return en::clauses({found, en::say("the board is bent; glue it to something stiff")});
   const auto wrong = std::count(fit.weights[index].begin(), fit.weights[index].end(), 0.0);
   if (scatter < kOutlierScatter * median_scatter)
-    return en::say(
-        "{} of its {} corners lie elsewhere: covered, mirrored in something, or "
-        "blurred",
-        wrong,
-        view.pixels.size());
+    return en::say("{} of its {} corners are misplaced: covered, reflected or blurred",
+                   wrong,
+                   view.pixels.size());
   return en::clauses({found, en::say("moved during the exposure, or not this board")});
 }
 
@@ -128,19 +126,19 @@ Message board_problem(const std::vector<BoardView>& views,
   }
   if (problem.empty()) return {};
   return en::say(
-      "the board is not the flat, even one it is taken for: {}; with that allowed for fx would be "
-      "{:.2f} instead of {:.2f} px; use a board on glass or metal",
+      "the board is not flat and even as assumed: {}; corrected for this, fx would be {:.2f} "
+      "instead of {:.2f} px; use a board on glass or metal",
       problem,
       shaped->lens.fx_px,
       fit.lens.fx_px);
 }
 
 Error too_few(std::size_t count) {
-  return {en::say("only {} different views of the board are left, {} are needed at least",
+  return {en::say("only {} different views of the board are left; at least {} are needed",
                   count,
                   kFewestViews),
           "",
-          en::say("{} pictures or more, with the board tilted and in all parts of the picture",
+          en::say("{} images or more, with the board tilted and in all parts of the image",
                   kEnoughViews)};
 }
 
@@ -187,7 +185,7 @@ void reject_repeats(LensCalibration& calibration, cv::Size size) {
     if (calibration.used.begin() + static_cast<std::ptrdiff_t>(i) == same) {
       ++i;
     } else {
-      reject_view(calibration, i, en::say("shows the board just where {} shows it", same->name));
+      reject_view(calibration, i, en::say("shows the board exactly where {} shows it", same->name));
     }
   }
 }
@@ -201,7 +199,7 @@ Status start(LensCalibration& calibration, cv::Size size, CameraModel model) {
   for (std::size_t i = 0; i < calibration.used.size();) {
     const auto poses = poses_of(calibration.used[i], camera);
     if (poses.empty()) {
-      reject_view(calibration, i, en::say("no flat board can look so"));
+      reject_view(calibration, i, en::say("no flat board can look like this"));
       continue;
     }
     calibration.fit.poses.push_back(poses.front());
@@ -234,7 +232,8 @@ Status fit_stepwise(LensCalibration& calibration, LensFitOptions& options, const
     LensFit begin = calibration.fit;
     if (coefficients == 0) begin.lens.distortion.clear();
     auto fit = fit_lens(calibration.used, begin, options, job);
-    if (job.stop_requested()) return Error{en::say("stopped before the lens was known"), "", ""};
+    if (job.stop_requested())
+      return Error{en::say("stopped before the lens was estimated"), "", ""};
     if (fit) {
       const auto camera = Camera::create(fit->lens);
       if (camera) {
@@ -242,7 +241,7 @@ Status fit_stepwise(LensCalibration& calibration, LensFitOptions& options, const
         return {};
       }
       problem = camera.error();
-      problem.advice = en::say("views that reach into the picture's corners, or another --model");
+      problem.advice = en::say("views that reach into the image's corners, or another --model");
     } else {
       problem = fit.error();
     }
@@ -362,20 +361,20 @@ void remark(LensCalibration& calibration, const LensFitOptions& options, const J
   const int max_count = coefficient_counts(calibration.fit.lens.model).front();
   if (options.coefficients < max_count)
     calibration.remarks.push_back(
-        en::say("with {} coefficients of distortion the lens folds over inside the picture or "
-                "stays undetermined; {} are used",
+        en::say("with {} distortion coefficients the lens folds over inside the image or stays "
+                "undetermined; {} are used",
                 max_count,
                 options.coefficients));
   if (const Message shape = board_problem(calibration.used, calibration.fit, options, job);
       !shape.empty())
     calibration.remarks.push_back(shape);
   if (calibration.fit.sigma_px > 0.5)
-    calibration.remarks.push_back(en::say(
-        "corners scatter by {:.2f} px; good boards give 0.2 or less: look at focus, motion, and "
-        "whether the board is flat",
-        calibration.fit.sigma_px));
+    calibration.remarks.push_back(
+        en::say("corners scatter by {:.2f} px; good boards give 0.2 or less: check focus, motion, "
+                "and whether the board is flat",
+                calibration.fit.sigma_px));
   if (job.stop_requested())
-    calibration.remarks.push_back(en::say("stopped before everything was judged"));
+    calibration.remarks.push_back(en::say("stopped before everything was evaluated"));
 }
 
 }  // namespace
@@ -384,7 +383,7 @@ const std::vector<Setting<LensSettings>>& lens_settings() {
   using S = LensSettings;
   static const std::vector<Setting<S>> table{
       choice_setting<S, BoardPattern>("pattern",
-                                      en::say("What is printed on the board"),
+                                      en::say("Pattern printed on the board"),
                                       &S::pattern,
                                       {{"chessboard", BoardPattern::kChessboard},
                                        {"charuco", BoardPattern::kCharuco},
@@ -395,19 +394,19 @@ const std::vector<Setting<LensSettings>>& lens_settings() {
           &S::model,
           {{"brown", CameraModel::kBrown}, {"fisheye", CameraModel::kFisheye}}),
       number_setting<S, double>("distance-mm",
-                                en::say("Distance of the finger, at which errors are told in mm"),
+                                en::say("Distance of the finger, for errors in mm"),
                                 &S::distance_mm,
                                 1.0,
                                 10000.0),
       choice_setting<S, MarkerDictionary>("dictionary",
-                                          en::say("ChArUco: the markers' family"),
+                                          en::say("ChArUco: family of the markers"),
                                           &S::dictionary,
                                           {{"4x4", MarkerDictionary::k4x4},
                                            {"5x5", MarkerDictionary::k5x5},
                                            {"6x6", MarkerDictionary::k6x6},
                                            {"original", MarkerDictionary::kOriginal}}),
       number_setting<S, double>("marker-part",
-                                en::say("ChArUco: a marker's side as part of a square's"),
+                                en::say("ChArUco: a marker's side as a fraction of a square's"),
                                 &S::marker_part,
                                 0.2,
                                 0.95)};
@@ -466,12 +465,12 @@ Result<LensCalibration> calibrate_lens(std::vector<BoardView> views,
   reject_repeats(calibration, size);
   if (calibration.used.size() < kFewestViews) {
     if (calibration.used.size() == 1)
-      return Error{en::say("all {} views show the board in the same place", given),
+      return Error{en::say("all {} views show the board in the same position", given),
                    "",
-                   en::say("move and tilt the board, or the camera, between pictures")};
+                   en::say("move and tilt the board, or the camera, between images")};
     return too_few(calibration.used.size());
   }
-  job.report(0, en::say("looking for a first lens"));
+  job.report(0, en::say("estimating a first lens"));
   if (const Status status = start(calibration, size, settings.model); !status)
     return status.error();
   job.report(0.2, en::say("fitting the lens"));

@@ -237,8 +237,8 @@ Result<LensFit> fit_lens(const std::vector<BoardView>& views,
                          const LensFitOptions& options,
                          const Job& job) {
   const auto failed = [&]() -> Error {
-    if (job.stop_requested()) return {en::say("stopped before the lens was known"), "", ""};
-    return {en::say("no lens could be fitted to the corners that were found"),
+    if (job.stop_requested()) return {en::say("stopped before the lens was estimated"), "", ""};
+    return {en::say("no lens model could be fitted to the found corners"),
             "",
             en::say("a flat board of the size given with --board, and views that show it tilted")};
   };
@@ -581,7 +581,7 @@ Result<CameraParameters> first_lens(const std::vector<BoardView>& views,
     }
   if (!std::isfinite(best))
     return Error{
-        en::say("no lens explains the corners that were found"),
+        en::say("no lens model explains the found corners"),
         "",
         en::say("a flat board of the size given with --board; --model fisheye for a lens wider "
                 "than 120 degrees")};

@@ -33,7 +33,7 @@ Message name_of(Grade grade) {
     case Grade::kUnfit:
       break;
   }
-  return en::say("not fit to measure with");
+  return en::say("unfit for measuring");
 }
 
 }  // namespace
@@ -67,17 +67,17 @@ Verdict lens_verdict(const LensEvidence& evidence) {
                      evidence.sigma_px));
   if (!evidence.coverage.enough)
     lower_to(Grade::kUsable,
-             en::say("but the views do not cover the picture and the tilts it needs"));
+             en::say("but the views cover too little of the image or too few tilts"));
   if (!evidence.held_out)
     lower_to(Grade::kUnproven,
-             en::say("with so few views none could be left out to show what it is worth"));
+             en::say("with so few views, none could be left out to test the lens"));
   result.grade = grade;
   const Message& more = evidence.coverage.advice;
   Message advice;
   if (!more.empty())
     advice = en::say("take {}", more);
   else if (grade != Grade::kGood)
-    advice = en::say("add views, sharp and tilted, that fill the picture");
+    advice = en::say("add views, sharp and tilted, that fill the image");
   result.sentence = en::clauses({en::at(name_of(grade), reason), advice});
   return result;
 }
@@ -169,7 +169,7 @@ Message advice_of(const LensCoverage& coverage, int views) {
                              : en::say("{} more, tilted", number);
   Message where;
   if (coverage.unseen.size() > 4) {
-    where = en::say("large enough to fill the picture");
+    where = en::say("large enough to fill the image");
   } else if (!coverage.unseen.empty()) {
     where = en::say("near the {}", listed(coverage.unseen));
   }

@@ -120,9 +120,9 @@ Status FrameMeasurer::open_recording(const std::filesystem::path& input, const J
   last_.reset();
   std::error_code ignored;
   if (!std::filesystem::exists(input, ignored))
-    return Error{en::say("this recording is not there any more"),
+    return Error{en::say("this recording no longer exists"),
                  input.string(),
-                 en::say("plugging in the disk it lies on, or opening another one")};
+                 en::say("plugging in its disk, or opening another one")};
   auto frames = RecordedFrames::open(input, job);
   if (!frames) return frames.error();
   frames_ = std::move(*frames);

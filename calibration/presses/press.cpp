@@ -76,9 +76,9 @@ Result<BallGuess> guess_of_manual_ball(const Press& press,
   const auto contact = ball_on_face(press.shape, face, centre_mm, radius_mm);
   const auto outline = fit_circle(ball_outline_px(camera, centre_mm, radius_mm, kRimPoints));
   if (!contact || !(contact->depth_mm > 0) || !(contact->depth_mm < radius_mm) || !outline)
-    return Error{en::say("the ball that was put there by hand does not touch the face"),
+    return Error{en::say("the ball that was set by hand does not touch the face"),
                  press.name,
-                 en::say("moving its outline onto the dark disc, or having the ball found")};
+                 en::say("moving its outline to the dark disc, or automatic detection")};
   BallGuess guess;
   guess.centre_mm = centre_mm;
   guess.contact_radius_mm = contact->radius_mm;
@@ -474,8 +474,8 @@ Result<BallGuess> find(const Press& press, const Face& face) {
   const auto circle_px = robust_circle(rim.points_px);
   if (!circle || !circle_px)
     return refuse(press,
-                  en::say("the border of the dark part is no arc of a circle"),
-                  en::say("a press in which the ball lies wholly on the face"));
+                  en::say("the border of the dark part is not a circular arc"),
+                  en::say("a press in which the ball is entirely on the face"));
   BallGuess guess;
   guess.rim_arc_deg = arc_deg(rim.points_mm, *circle);
   guess.cut_by_edge = rim.off_face > 2;
@@ -485,15 +485,14 @@ Result<BallGuess> find(const Press& press, const Face& face) {
   if (guess.rim_arc_deg < kMinimumRimDeg)
     return refuse(
         press,
-        en::say("only {:.0f} degrees of the dark disc's rim lie on the face", guess.rim_arc_deg),
-        en::say("a press nearer to the middle of the face"));
+        en::say("only {:.0f} degrees of the dark disc's rim are on the face", guess.rim_arc_deg),
+        en::say("a press closer to the middle of the face"));
   if (circle->radius > ball_radius_mm)
-    return refuse(
-        press,
-        en::say("the dark part has a radius of {:.2f} mm, more than the ball's {:g} mm",
-                circle->radius,
-                ball_radius_mm),
-        en::say("checking the ball's radius, or a picture in which only the ball touches"));
+    return refuse(press,
+                  en::say("the dark part has a radius of {:.2f} mm, more than the ball's {:g} mm",
+                          circle->radius,
+                          ball_radius_mm),
+                  en::say("checking the ball's radius, or an image with only the ball in contact"));
   double spread = 0;
   for (const auto& p : rim.points_mm)
     spread += std::pow((p - circle->centre).norm() - circle->radius, 2);
@@ -501,15 +500,15 @@ Result<BallGuess> find(const Press& press, const Face& face) {
   const Inside inside = analyse_inside(press, x, *circle, level);
   if (spread > kRoughRim || inside.dark_share < kRagged || !inside.nearest)
     return refuse(press,
-                  en::say("the dark part is no disc: its rim is off a circle by {:.0f} % of the "
+                  en::say("the dark part is not a disc: its rim is off a circle by {:.0f} % of the "
                           "radius, and {:.0f} % of the circle is dark",
                           100.0 * spread,
                           100.0 * inside.dark_share),
-                  en::say("a picture in which a ball, and only the ball, touches the face"));
+                  en::say("an image in which a ball, and only the ball, touches the face"));
   if (inside.to_middle_mm.norm() > circle->radius)
     return refuse(press,
-                  en::say("the middle of the dark disc lies off the face"),
-                  en::say("a press nearer to the middle of the face"));
+                  en::say("the middle of the dark disc is outside the face"),
+                  en::say("a press closer to the middle of the face"));
 
   const double depth = disc_depth_mm(circle->radius, ball_radius_mm);
   guess.contact_radius_mm = std::sqrt(std::max(0.0, depth * (2.0 * ball_radius_mm - depth)));
@@ -533,13 +532,13 @@ Result<BallGuess> find_ball(const Press& press, const Face& face) {
   if (press.difference.x.type() != CV_32FC1 || press.difference.x.empty() ||
       press.difference.x.cols != press.shape.width_px())
     return refuse(
-        press, en::say("the press has no difference picture"), en::say("taking the picture again"));
+        press, en::say("the press has no difference image"), en::say("taking the image again"));
   try {
     return find(press, face);
   } catch (const cv::Exception& problem) {
     return refuse(press,
                   en::say("OpenCV failed: {}", std::string(problem.what())),
-                  en::say("a smaller picture"));
+                  en::say("a smaller image"));
   }
 }
 

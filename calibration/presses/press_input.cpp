@@ -130,11 +130,11 @@ Result<FramePtr> BurstSource::next() {
     if (auto alike = held.alike(); alike.size() > longest.size()) longest = std::move(alike);
   }
   if (read > 1 && longest.size() < kFewestHeld)
-    return Error{en::say("the finger moves: no more than {} of {} frames in a row show the same",
+    return Error{en::say("the finger moves: at most {} of {} frames in a row are the same",
                          longest.size(),
                          read),
                  burst.string(),
-                 en::say("holding ball and finger still for half a second, at a steady light")};
+                 en::say("holding ball and finger still for half a second, in steady light")};
   if (longest.size() > max_frames_)
     longest.erase(longest.begin(), longest.end() - static_cast<std::ptrdiff_t>(max_frames_));
   auto frame = std::make_shared<Frame>(*mean_frame(longest));
@@ -142,7 +142,7 @@ Result<FramePtr> BurstSource::next() {
   frame->origin = burst.string();
   made_of_.push_back(
       en::at(Message::typed(frame->name),
-             en::say("the mean of {} frames held still, of {} read", longest.size(), read)));
+             en::say("the mean of {} still frames, of {} read", longest.size(), read)));
   return FramePtr(std::move(frame));
 }
 

@@ -266,9 +266,9 @@ void report_stretches(const FrameJudgements& evidence,
 /// time, so that no frame may be left out for it.
 void leave_all_in(std::size_t frames, ReferenceReport& report) {
   report.warnings.push_back(
-      en::say("In {} of {} frames the face is darker than in the others: something pressed on it "
-              "most of the time, or most poses were shown once. All frames stay in; if anything "
-              "touched the face, record again, and show each pose several times",
+      en::say("In {} of {} frames the face is darker than in the others. Something pressed on it "
+              "most of the time, or most poses occur once. All frames stay in use. If there was "
+              "contact, record again, and show each pose several times",
               report.contact_frames + report.doubtful,
               frames));
   report.doubtful += report.contact_frames;
@@ -287,12 +287,12 @@ void warn_of_unexplained(const FrameJudgements& evidence, ReferenceReport& repor
         return frame.touch == FrameContact::kUnexplained;
       });
   if (unexplained == 0) return;
-  report.warnings.push_back(en::say(
-      "In {} of {} frames the face is darker than in the brightest, and so are frames of near "
-      "poses: something pressed on it for long, or these poses were shown once. They stay in; if "
-      "anything touched the face, record again, and show each pose several times",
-      unexplained,
-      evidence.size()));
+  report.warnings.push_back(
+      en::say("In {} of {} frames the face is darker than in the brightest, and so are frames of "
+              "near poses. Something pressed on it for long, or these poses occur once. They stay "
+              "in use. If there was contact, record again, and show each pose several times",
+              unexplained,
+              evidence.size()));
 }
 
 /// Reports the stretch, so that its darkest frame can be shown.
@@ -308,15 +308,16 @@ Error refuse(const PersistentContact& touch,
   stretch.darkest = static_cast<int>(numbers[static_cast<std::size_t>(touch.darkest)]);
   stretch.sentence = sentence_of(stretch);
   report.stretches = {stretch};
-  return {en::say("something pressed on the contact face {:.0f} mm from its base in {} of {} "
-                  "frames: it is {:.0f} % darker there than in the reference from before",
-                  touch.along_mm,
-                  touch.frames,
-                  numbers.size(),
-                  100.0 * touch.darker),
-          en::say("recording"),
-          en::say("record again with nothing on the contact face, or say that its skin was changed "
-                  "since")};
+  return {
+      en::say("something pressed on the contact face {:.0f} mm from its base in {} of {} "
+              "frames: it is {:.0f} % darker there than in the reference from before",
+              touch.along_mm,
+              touch.frames,
+              numbers.size(),
+              100.0 * touch.darker),
+      en::say("recording"),
+      en::say(
+          "record again with nothing on the contact face, or specify that its skin has changed")};
 }
 
 /// Reduces `selected` (numbers in the recording) to frames that show a face and have no certain or
@@ -560,7 +561,7 @@ Status choose_rest(const ReferenceChoices& choices,
     if (!is_there || !markers[number]) {
       const Message why =
           is_there ? made.numbered.problems[number] : en::say("the recording has no such frame");
-      return Error{en::say("frame {} cannot be the finger's rest: {}", *requested, why),
+      return Error{en::say("frame {} cannot be the rest pose: {}", *requested, why),
                    en::say("recording"),
                    en::say("another frame in which the finger rests")};
     }
@@ -652,11 +653,10 @@ void report_missing(MadeReference& made) {
   report.by_shape = numbered.positions.has_value();
   report.missing = numbered.missing;
   if (!numbered.no_markers.empty())
-    report.warnings.push_back(
-        en::say("No markers can be used: {}; poses are told by the shape of the face alone, "
-                "which cannot tell twist; if the finger has dots, light both side faces so that "
-                "they stand out, and focus",
-                numbered.no_markers));
+    report.warnings.push_back(en::say(
+        "No markers can be used: {}. Poses are estimated from the shape of the face alone, without "
+        "twist. If the finger has dots, light both side faces so that they stand out, and focus",
+        numbered.no_markers));
   if (!numbered.missing.empty())
     report.remarks.push_back(
         en::say("Markers {} were not found anywhere; the finger works with the other {}",
@@ -709,7 +709,7 @@ Status make_reference(Source& source,
   if (selected.size() < 2) return refuse(too_few(report, selected.size()));
   std::erase_if(selected, [&](std::size_t frame) { return is_in(choices.leave_out, frame); });
   if (selected.size() < 2)
-    return Error{en::say("only {} frames are left of those that are to be used", selected.size()),
+    return Error{en::say("only {} frames are left to use", selected.size()),
                  en::say("recording"),
                  en::say("leave out fewer frames")};
   std::optional<EarlierReference> earlier;

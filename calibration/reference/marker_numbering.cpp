@@ -198,7 +198,7 @@ Message too_few_dots(const std::vector<FrameDots>& frames, Polarity polarity, in
   const double above = upper_median(upper), below = upper_median(lower);
   return en::say(
       "a frame shows {} dots on the upper and {} on the lower side face (median of {} frames), but "
-      "no two rows of up to {} that keep their places on the finger",
+      "no two rows of up to {} with fixed positions on the finger",
       above,
       below,
       upper.size(),
@@ -230,7 +230,7 @@ void number_all(const std::vector<FrameDots>& frames,
       out.problems[i] =
           en::say("only {} of {} markers found", seen_count(*markers), model.present_count());
     } else if (const double residual = model.residual_px(*markers); residual > kMaxResidualPx) {
-      out.problems[i] = en::say("the markers lie {:.1f} px from where they can be", residual);
+      out.problems[i] = en::say("the markers are {:.1f} px off any possible position", residual);
     } else {
       out.markers[i] = std::move(markers);
     }
@@ -277,7 +277,7 @@ bool number_by_dots(const std::vector<FrameDots>& frames,
     return false;
   }
   if (present < kMinMarkers) {
-    out.no_markers = en::say("of {} markers none may be hidden", present);
+    out.no_markers = en::say("with {} markers, none may be hidden", present);
     return false;
   }
   out.missing = rows.missing;
@@ -334,7 +334,7 @@ Result<void> number_by_shape(const std::vector<FrameDots>& frames, NumberedRecor
     if (!out.markers[i]) continue;
     out.markers[i] = model->complete(std::move(*out.markers[i]));
     if (!out.markers[i])
-      out.problems[i] = en::say("too little of the face is seen to tell the pose by its shape");
+      out.problems[i] = en::say("too little face is visible to estimate the pose from its shape");
   }
   out.marker_noise_px = model->noise_px();
   return {};

@@ -83,8 +83,8 @@ std::vector<Message> MotionCoverage::missing() const {
   ask(en::say("bend it further towards the camera"), -bend_.least, need_.bend_mm, mm);
   ask(en::say("push its tip further to one side"), sway_.most, need_.sway_mm, mm);
   ask(en::say("push its tip further to the other side"), -sway_.least, need_.sway_mm, mm);
-  ask(en::say("twist it further one way"), twist_.most, need_.twist_deg, degrees);
-  ask(en::say("twist it further the other way"), -twist_.least, need_.twist_deg, degrees);
+  ask(en::say("twist it further to one side"), twist_.most, need_.twist_deg, degrees);
+  ask(en::say("twist it further to the other side"), -twist_.least, need_.twist_deg, degrees);
   if (words.empty() && covered() < kEnough)
     words.push_back(
         en::say("bend it while its tip is pushed aside: {:.0f} % of the combinations were seen",

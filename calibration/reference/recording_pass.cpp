@@ -95,12 +95,12 @@ Result<RecordingPass> read_recording(Source& source,
       if (!total && pass.written == 0 && pass.frames.size() > 100) return frame.error();
       continue;
     }
-    const auto grey = oriented_for(finger.camera,
-                                   (*frame)->grey,
-                                   en::say("the picture"),
-                                   (*frame)->origin.empty() ? (*frame)->name : (*frame)->origin,
-                                   en::say("a recording made with this finger's camera, or the "
-                                           "right camera.size and orientation"));
+    const auto grey = oriented_for(
+        finger.camera,
+        (*frame)->grey,
+        en::say("the image"),
+        (*frame)->origin.empty() ? (*frame)->name : (*frame)->origin,
+        en::say("a recording from this finger's camera, or the right camera.size and orientation"));
     if (!grey) return grey.error();
     pass.settings.add(**frame);
     pass.frames.push_back(analyse(*grey, camera, finger));
@@ -139,7 +139,7 @@ Status retain_frames(const fs::path& video, const std::vector<char>& keep, const
       return Error{en::say("stopped before the recording was written"), video.string(), ""};
     if (!keep[i]) continue;
     job.report(static_cast<double>(i) / static_cast<double>(keep.size()),
-               en::say("writing the frames that are kept"));
+               en::say("writing the accepted frames"));
     const auto frame = reader->frame(i);
     if (!frame) return frame.error();
     if (const Status written = writer.add(**frame); !written) return written;
@@ -180,7 +180,7 @@ Result<cv::Mat> oriented_frame(VideoFile& video,
                                const CameraParameters& camera) {
   const auto read = video.frame(number);
   if (!read) return read.error();
-  return oriented_for(camera, (*read)->grey, en::say("the recording's picture"), "", "");
+  return oriented_for(camera, (*read)->grey, en::say("the recording's image"), "", "");
 }
 
 Result<cv::Mat> RecordedVideo::frame(std::size_t number) {

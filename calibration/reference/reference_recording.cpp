@@ -39,13 +39,13 @@ void remark(const MarkerTable& table, ReferenceReport& report) {
                 report.frames_retained));
   if (report.uncompared > 0)
     report.remarks.push_back(
-        en::say("{} frames show poses that no other frame shows at another time; whether something "
-                "pressed on the contact face in them is not known",
+        en::say("{} frames show poses that occur at no other time; it is unknown whether something "
+                "pressed on the contact face in them",
                 report.uncompared));
   if (report.frames_retained + report.repeated < 100)
     report.remarks.push_back(
-        en::say("{} frames are few: a recording of a minute (about 1500 frames) over all "
-                "directions of bending gives closer references",
+        en::say("{} frames are few: one minute (about 1500 frames) over all bending directions "
+                "gives closer references",
                 report.frames_retained));
   for (const Message& missing : report.coverage.missing())
     report.remarks.push_back(en::say("Not yet seen: {}", missing));
@@ -76,7 +76,7 @@ Result<ReferenceReport> install_reference(Source& source,
   if (finger.face.kind != FaceKind::kFinRay)
     return Error{en::say("this finger has no markers to record a reference with"),
                  folder.string(),
-                 en::say("a flat sensor takes one untouched picture")};
+                 en::say("a flat sensor needs one untouched image")};
   const auto camera = Camera::create(finger.camera);
   if (!camera) return camera.error();
   MadeReference made;
@@ -127,17 +127,16 @@ Result<std::vector<Message>> install_flat_reference(const UntouchedImage& image,
                                                     const fs::path& folder,
                                                     Finger& finger) {
   if (finger.face.kind != FaceKind::kFlat)
-    return Error{en::say("only a flat sensor takes one untouched picture as its reference"),
+    return Error{en::say("only a flat sensor uses one untouched image as its reference"),
                  image.origin,
                  en::say("a recording of the bending, untouched finger")};
   const auto camera = Camera::create(finger.camera);
   if (!camera) return camera.error();
-  const auto fitting =
-      oriented_for(finger.camera,
-                   image.grey,
-                   en::say("the picture"),
-                   image.origin,
-                   en::say("an untouched picture taken with this sensor's camera"));
+  const auto fitting = oriented_for(finger.camera,
+                                    image.grey,
+                                    en::say("the image"),
+                                    image.origin,
+                                    en::say("an untouched image taken with this sensor's camera"));
   if (!fitting) return fitting.error();
   constexpr const char* kImage = "reference.png";
   const Status written = write_image(folder / kImage, image.grey, image.controls);
@@ -280,7 +279,7 @@ std::vector<Message> record_settings(const SettingsMonitor& seen,
   std::vector<Message> warnings;
   if (!seen.change().empty())
     warnings.push_back(
-        en::say("The {} was not taken with one setting of camera and light: {}. Lock them, and "
+        en::say("The {} was taken with changing settings of camera or light: {}. Lock them, and "
                 "record it again.",
                 taken,
                 seen.change()));
@@ -288,7 +287,7 @@ std::vector<Message> record_settings(const SettingsMonitor& seen,
       differences(stored(finger, is_reference ? kPressSettings : kReferenceSettings), seen.first());
   if (!other.empty())
     warnings.push_back(
-        en::say("The {} and the {} were taken with other settings: {}. Depth comes from "
+        en::say("The {} and the {} were taken with different settings: {}. Depth comes from "
                 "comparing their brightness: record one of them again.",
                 is_reference ? reference : presses,
                 is_reference ? presses : reference,
@@ -308,8 +307,7 @@ Message other_settings_than_stored(const Frame& frame, const Finger& finger) {
   const Message other = differences(before, *frame.controls);
   if (other.empty()) return {};
   return en::say(
-      "The finger was calibrated with other settings: {}. Set them as they were, or calibrate "
-      "again.",
+      "The finger was calibrated with other settings: {}. Restore them, or calibrate again.",
       other);
 }
 

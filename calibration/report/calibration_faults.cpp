@@ -28,22 +28,22 @@ std::vector<Message> fault_signs(const std::vector<PressSign>& presses) {
         100 * sd));
   } else if (std::abs(mean) > kOtherLight) {
     const Message how = mean > 0 ? en::say("brighter") : en::say("darker");
-    signs.push_back(en::say(
-        "the untouched face is {:.1f} % {} in all presses than in the reference: the light, the "
-        "exposure or the gain has changed between them; depth is corrected for it as far as it is "
-        "smooth, but let the lamps warm up and record the reference again",
-        100 * std::abs(mean),
-        how));
+    signs.push_back(
+        en::say("the untouched face is {:.1f} % {} in all presses than in the reference: light, "
+                "exposure or gain has changed in between; the depth is corrected for smooth "
+                "changes, but let the lamps warm up and record the reference again",
+                100 * std::abs(mean),
+                how));
   }
   const auto unknown = std::count_if(
       presses.begin(), presses.end(), [](const PressSign& press) { return !press.known_pose; });
   if (2 * unknown > static_cast<std::ptrdiff_t>(presses.size()))
-    signs.push_back(en::say(
-        "in {} of {} presses the finger is bent in a way that the reference recording does not "
-        "hold, or it has moved in its mount since: record a reference that bends as far, or press "
-        "with less bending",
-        unknown,
-        presses.size()));
+    signs.push_back(
+        en::say("in {} of {} presses the finger has a bend that the reference recording does not "
+                "contain, or it has moved in its mount since: record a reference that bends as "
+                "far, or press with less bending",
+                unknown,
+                presses.size()));
   return signs;
 }
 

@@ -99,7 +99,7 @@ class RealSplits {
     if (!own) return own.error();
     splits.own_presses_ = std::move(own).value();
     if (splits.own_presses_.size() < RealPresses::kMinPresses)
-      return Error{en::say("the finger keeps too few presses to leave one out: {}",
+      return Error{en::say("the finger has too few stored presses to leave one out: {}",
                            splits.own_presses_.size()),
                    finger->folder.string(),
                    en::say("calibrating it with three presses or more")};
@@ -346,7 +346,7 @@ Status CalibratingBench::analyse_images() {
         {seen->grey, noise_of(seen->grey, seen->reference->image.grey()), *seen->shape});
   }
   if (canvases_.size() < kMinCanvases)
-    return Error{en::say("too few pictures of the reference recording show the face"),
+    return Error{en::say("too few images of the reference recording show the face"),
                  finger().folder.string(),
                  en::say("record the finger bending through all its poses")};
   std::vector<StudyFrame> frames;
@@ -486,8 +486,8 @@ const CalibratingRow* row_of_choice(const CalibratingStudy& study,
 
 Message benefit_of(const Message& what, const CalibratingRow& now, const CalibratingRow& then) {
   return en::say(
-      "{}: depth {:.1f} instead of {:.1f} micrometres off in the median, 95 % within {:.1f} "
-      "instead of {:.1f}, for {:.1f} minutes more",
+      "{}: median depth error {:.1f} instead of {:.1f} micrometres, 95 % within {:.1f} instead of "
+      "{:.1f}, for {:.1f} more minutes",
       what,
       1000 * then.painted->median_mm,
       1000 * now.painted->median_mm,
@@ -522,7 +522,7 @@ std::string line_of_row(const CalibratingRow& row) {
 
 Message words_of(const CalibratingChoice& choice) {
   std::vector<Message> words{en::count("{} presses", "{} press", choice.presses)};
-  if (choice.images > 1) words.push_back(en::say("{} pictures each", choice.images));
+  if (choice.images > 1) words.push_back(en::say("{} images each", choice.images));
   if (choice.method != CalibrationMethod::kJoint)
     words.push_back(en::say("method {}", method_name(choice.method)));
   if (choice.family != FamilyChoice::kAuto)
@@ -579,12 +579,12 @@ std::vector<Message> benefit_of_more_data(const CalibratingStudy& study,
   }
   if (more_presses != nullptr)
     sentences.push_back(benefit_of(
-        en::count("{} presses more", "{} press more", more_presses->choice.presses - from.presses),
+        en::count("{} more presses", "{} press more", more_presses->choice.presses - from.presses),
         *now,
         *more_presses));
   if (more_images != nullptr)
     sentences.push_back(benefit_of(
-        en::say("{} pictures of each press", more_images->choice.images), *now, *more_images));
+        en::say("{} images of each press", more_images->choice.images), *now, *more_images));
   const CalibratingRow* minute = nullptr;  // the best within a minute more
   for (const CalibratingRow& row : study.rows)
     if (row.painted && total_minutes(row) <= total_minutes(*now) + 1 &&
@@ -592,7 +592,7 @@ std::vector<Message> benefit_of_more_data(const CalibratingStudy& study,
       minute = &row;
   if (minute != nullptr)
     sentences.push_back(benefit_of(
-        en::say("The best within a minute more ({})", words_of(minute->choice)), *now, *minute));
+        en::say("The best within one more minute ({})", words_of(minute->choice)), *now, *minute));
   return sentences;
 }
 

@@ -53,7 +53,7 @@ Status add_frame(const Json& entry,
   if (!our_points) return our_points.error();
   if (our_depth->size() != depth->size() || our_points->size() != depth->size() ||
       z->size() != depth->size())
-    return Error{en::say("results and truth are of different size"), (results / name).string(), ""};
+    return Error{en::say("results and ground truth differ in size"), (results / name).string(), ""};
   Truth truth;
   truth.depth_mm = std::move(depth).value();
   truth.untouched_z_mm = std::move(z).value();

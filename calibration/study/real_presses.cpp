@@ -115,7 +115,7 @@ Result<RealPresses> RealPresses::open(const FingerPtr& finger, const Job& job) {
   }
   if (real.frames_.size() < kMinPresses)
     return Error{
-        en::say("the finger keeps too few presses to leave one out: {}", real.frames_.size()),
+        en::say("the finger has too few stored presses to leave one out: {}", real.frames_.size()),
         (finger->folder / kPressFolder).string(),
         en::say("calibrating it with three presses or more")};
   return real;
@@ -178,7 +178,7 @@ Result<RealErrors> RealPresses::held_out(const PipelineSettings& settings, const
   }
   const auto errors = sum.errors();
   if (!errors)
-    return Error{en::say("none of {} presses could be held against a mapping made without it",
+    return Error{en::say("none of {} presses could be compared with a mapping made without it",
                          frames_.size()),
                  finger_->folder.string(),
                  en::say("more presses of different depth")};

@@ -157,8 +157,9 @@ StudyBalance balance_of(const AccuracyStudy& study, const StudyRow& row) {
   if (ratio < 0.98) balance.brings.push_back(en::say("takes {:.2f} times as long", ratio));
   for (const Compared& figure :
        {Compared{[](double now, double before) {
-                   return en::say(
-                       "depth {:.1f} instead of {:.1f} micrometres off", 1000 * now, 1000 * before);
+                   return en::say("depth error {:.1f} instead of {:.1f} micrometres",
+                                  1000 * now,
+                                  1000 * before);
                  },
                  median(row),
                  median(base),
@@ -172,13 +173,13 @@ StudyBalance balance_of(const AccuracyStudy& study, const StudyRow& row) {
                  p95(base),
                  kLeastMm},
         Compared{[](double now, double before) {
-                   return en::say("places told {:.3f} instead of {:.3f} mm off", now, before);
+                   return en::say("position error {:.3f} instead of {:.3f} mm", now, before);
                  },
                  row.position_mm,
                  base.position_mm,
                  kLeastMm},
         Compared{[](double now, double before) {
-                   return en::say("angles told {:.1f} instead of {:.1f} degrees off", now, before);
+                   return en::say("angle error {:.1f} instead of {:.1f} degrees", now, before);
                  },
                  row.angle_deg,
                  base.angle_deg,
@@ -194,8 +195,7 @@ StudyBalance balance_of(const AccuracyStudy& study, const StudyRow& row) {
     add_to_balance(figure, balance);
   const int missing = row.frames_missing - base.frames_missing;
   if (missing > 0)
-    balance.loses.push_back(
-        en::count("no depth in {} pictures", "no depth in {} picture", missing));
+    balance.loses.push_back(en::count("no depth in {} images", "no depth in {} picture", missing));
   return balance;
 }
 

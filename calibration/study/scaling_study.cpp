@@ -128,7 +128,7 @@ Result<RecordedImages> recorded_images(const FingerPtr& snapshot, int count, con
     const auto frame = video->frame(static_cast<std::size_t>(table->frames[row]));
     if (!frame) return frame.error();
     auto grey = oriented_for(
-        finger.camera, (*frame)->grey, en::say("the recording's picture"), file.string(), "");
+        finger.camera, (*frame)->grey, en::say("the recording's image"), file.string(), "");
     if (!grey) return grey.error();
     recorded.table.frames.push_back(static_cast<int>(i));
     recorded.table.seen.push_back(table->seen[row]);
@@ -184,7 +184,7 @@ Result<ScaledFinger> scaled_finger(const FingerSnapshot& original,
     scaled.frames.push_back(std::move(frame));
   }
   if (scaled.frames.empty())
-    return Error{en::say("no picture of the reference recording shows the face"),
+    return Error{en::say("no image of the reference recording shows the face"),
                  original.folder.string(),
                  en::say("record the finger bending through all its poses")};
   return scaled;
@@ -274,7 +274,7 @@ class ScalingRun {
 
   Result<ScalingStudy> run() {
     ScalingStudy study;
-    study.about = en::say("how time and memory grow, of {}", finger_->finger.name);
+    study.about = en::say("how time and memory grow for {}", finger_->finger.name);
     auto recorded = recorded_images(finger_, kLibraryImages, job_);
     if (!recorded) return recorded.error();
     recorded_ = std::move(recorded).value();
@@ -320,14 +320,13 @@ class ScalingRun {
   }
 
   Result<ScalingCurve> pixels() {
-    ScalingCurve curve{
-        "pixels", en::say("one frame"), en::say("pixels of the picture"), {}, {}, {}};
+    ScalingCurve curve{"pixels", en::say("one frame"), en::say("pixels of the image"), {}, {}, {}};
     for (const double by : options_.quick ? std::vector<double>{0.25, 0.5, 1}
                                           : std::vector<double>{0.25, 0.5, 1, 2, 3}) {
       const auto scaled = scaled_finger(*finger_, recorded_, by, options_.seed, job_);
       if (!scaled) return scaled.error();
       const cv::Size size = scaled->finger.camera.size();
-      report_step(en::say("pictures of {} x {}", size.width, size.height));
+      report_step(en::say("images of {} x {}", size.width, size.height));
       const auto time_ms = frame_ms(*scaled);
       if (!time_ms) return time_ms.error();
       curve.points.push_back(
@@ -366,8 +365,8 @@ class ScalingRun {
       curve.points.push_back(
           {static_cast<double>(frames), upper_median(times_ms), search.memory_bytes()});
     }
-    curve.note =
-        en::say("{} of {} searches found what looking at all frames finds", equal, compared);
+    curve.note = en::say(
+        "{} of {} searches gave the same result as a search of all frames", equal, compared);
     return curve;
   }
 
@@ -443,7 +442,7 @@ class ScalingRun {
                               1000 * (thread_cpu_s() - begin_s),
                               after > before ? after - before : 0});
     }
-    curve.note = en::count("{} presses are different ones, the others their copies",
+    curve.note = en::count("{} presses are distinct, the others are their copies",
                            "{} press is a different one, the others its copies",
                            std::ssize(some));
     return curve;
@@ -491,8 +490,7 @@ class ScalingRun {
       most_frames = std::max(most_frames, measured);
     }
     curve.note = en::say(
-        "{} frames of the longest were measured; memory: the most that was held "
-        "beside the reference",
+        "{} frames of the longest were measured; memory: the maximum in addition to the reference",
         most_frames);
     return curve;
   }

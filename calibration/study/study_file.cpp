@@ -167,7 +167,7 @@ Result<std::vector<StudyRow>> rows_of_lines(std::string_view lines, const std::s
       row.reset();
     }
     if (!row)
-      return Error{en::say("is not what a study of this program keeps"),
+      return Error{en::say("is not a study file of this program"),
                    where,
                    en::say("remove it, and the study begins anew")};
     rows.push_back(std::move(*row));
@@ -325,7 +325,7 @@ struct StudyFileContent {
 };
 
 Error no_study(const std::filesystem::path& file) {
-  return {en::say("is not what a study of this program keeps"),
+  return {en::say("is not a study file of this program"),
           file.string(),
           en::say("remove it, and the study begins anew")};
 }
@@ -404,7 +404,7 @@ FingerStudy finger_study(const FingerSnapshot& finger,
                          const StudyFileContent& content,
                          const std::string& of_now) {
   FingerStudy stored;
-  stored.study = {en::say("balls painted into untouched pictures of {}", finger.finger.name),
+  stored.study = {en::say("balls painted into untouched images of {}", finger.finger.name),
                   false,
                   0,
                   content.rows,

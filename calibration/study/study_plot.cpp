@@ -321,7 +321,7 @@ PlotDot dot_of(const AccuracyStudy& study, const StudyRow& row) {
 
 std::string svg_of(const AccuracyStudy& study) {
   StudyPlot plot;
-  plot.title = "What accuracy costs in time";
+  plot.title = "Error versus time per image";
   plot.subtitle =
       study.about.english() + (study.simulated ? " (simulated truth)" : " (painted truth)");
   plot.x_label = "time of a frame on this computer, ms";

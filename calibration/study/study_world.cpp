@@ -332,7 +332,7 @@ Split split_of(std::size_t rows, std::size_t painted) {
 }
 
 Error too_few(const FingerSnapshot& finger) {
-  return {en::say("too few pictures of the reference recording show the face"),
+  return {en::say("too few images of the reference recording show the face"),
           finger.folder.string(),
           en::say("record the finger bending through all its poses")};
 }
@@ -372,7 +372,7 @@ Result<UntouchedImages> untouched_of_recording(const FingerSnapshot& snapshot,
   if (!finger.reference || finger.reference->video.empty() || finger.reference->markers.empty())
     return Error{en::say("the finger has no reference recording"),
                  (snapshot.folder / Finger::kFileName).string(),
-                 en::say("record the bending, untouched finger and make its reference")};
+                 en::say("record the untouched finger bending and create its reference")};
   const auto table =
       MarkerTable::load(snapshot.folder / finger.reference->markers, finger.marker_count());
   if (!table) return table.error();
@@ -388,7 +388,7 @@ Result<UntouchedImages> untouched_of_recording(const FingerSnapshot& snapshot,
     const auto image = [&](std::size_t number) -> Result<cv::Mat> {
       const auto grey = (*frames)(number);
       if (!grey) return grey.error();
-      return image_for(measuring, *grey, en::say("the recording's picture"), "", "");
+      return image_for(measuring, *grey, en::say("the recording's image"), "", "");
     };
     return ReferenceLibrary::from_frames(image,
                                          frames->count(),
@@ -406,7 +406,7 @@ Result<UntouchedImages> untouched_of_recording(const FingerSnapshot& snapshot,
     const auto raw = (*frames)(static_cast<std::size_t>(table->frames[row]));
     if (!raw) return raw.error();
     auto grey =
-        oriented_for(finger.camera, *raw, en::say("the recording's picture"), file.string(), "");
+        oriented_for(finger.camera, *raw, en::say("the recording's image"), file.string(), "");
     if (!grey) return grey.error();
     untouched.images.push_back(grey->clone());
   }
@@ -479,7 +479,7 @@ Result<StudyWorld> painted_world(const FingerPtr& finger,
                                  const Job& job) {
   const auto untouched = untouched_images(finger, options, job);
   if (!untouched) return untouched.error();
-  StudyWorld world{en::say("balls painted into untouched pictures of {}", finger->finger.name),
+  StudyWorld world{en::say("balls painted into untouched images of {}", finger->finger.name),
                    false,
                    untouched->finger,
                    untouched->library,

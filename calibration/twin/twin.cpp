@@ -36,9 +36,9 @@ class FigureWriter {
     TwinFigure figure{key, what, value, sd, ""};
     if (!sd)
       figure.remark =
-          en::say("not observable: at the end of its range, or another number does the same");
+          en::say("not observable: at its limit, or another number has the same effect");
     else if (positive && *sd > kMaxRelativeSd * value)
-      figure.remark = en::say("hardly observable in these pictures");
+      figure.remark = en::say("hardly observable in these images");
     twin_.figures.push_back(std::move(figure));
   }
   void comment(const std::string& effect, const std::string& what, std::size_t figures) {
@@ -65,15 +65,15 @@ void write_layer(const TwinContact& contact, FigureWriter& writer, Twin& twin) {
   std::size_t count = 1;
   if (scene.layer.coat > 0) {
     writer.add(
-        "coat", en::say("what the coat below the layer reflects"), scene.layer.coat, sd.coat);
+        "coat", en::say("reflection of the coat below the layer"), scene.layer.coat, sd.coat);
     ++count;
   } else {
     twin.remarks.push_back(
-        en::say("the coat below the layer is taken to be black: the presses do not say otherwise"));
+        en::say("the coat below the layer is assumed to be black: the presses show nothing else"));
   }
   writer.comment("layer", "told by how the presses darken", count);
   twin.remarks.push_back(en::say(
-      "absorption in the layer is not observable: scattering and coat bend the same curve"));
+      "absorption in the layer is not observable: scattering and coat change the same curve"));
   writer.add("rolloff length_mm", en::say("roll-off length, mm"), scene.rolloff_mm, sd.rolloff_mm);
   writer.comment(
       "rolloff",
@@ -87,11 +87,11 @@ void write_halo(const TwinContact& contact, FigureWriter& writer, Twin& twin) {
   const TwinScene& scene = twin.scene;
   const ContactSpread& sd = contact.spread;
   if (scene.halo == TwinHalo::kNone) {
-    twin.remarks.push_back(en::say("no swelling around the contacts is to be seen"));
+    twin.remarks.push_back(en::say("no swelling is visible around the contacts"));
   } else {
     std::size_t count = 2;
     writer.add("bulge share",
-               en::say("height of the swelling, share of the layer"),
+               en::say("height of the swelling, fraction of the layer"),
                scene.halo_share,
                sd.halo_share);
     writer.add("bulge width_mm",
@@ -100,7 +100,7 @@ void write_halo(const TwinContact& contact, FigureWriter& writer, Twin& twin) {
                sd.halo_width_mm);
     if (scene.halo == TwinHalo::kExponential) {
       writer.add("bulge steepness",
-                 en::say("how steeply it falls off"),
+                 en::say("steepness of its slope"),
                  scene.halo_steepness,
                  sd.halo_steepness);
       ++count;
@@ -111,7 +111,7 @@ void write_halo(const TwinContact& contact, FigureWriter& writer, Twin& twin) {
     writer.add("blur_px", en::say("blur, standard deviation in pixels"), scene.blur_px, sd.blur_px);
     writer.comment("defocus", "told by the steepest edges of the presses", 1);
   } else {
-    twin.remarks.push_back(en::say("no blur is to be seen beside the roll-off"));
+    twin.remarks.push_back(en::say("no blur is visible apart from the roll-off"));
   }
 }
 
@@ -122,19 +122,19 @@ void write_balls(const TwinContact& contact, FigureWriter& writer, const Twin& t
     writer.add(
         ball.press + " depth_mm", en::say("{}: depth, mm", ball.press), ball.depth_mm, sd.depth_mm);
     writer.add(ball.press + " s_mm",
-               en::say("{}: place along the face, mm", ball.press),
+               en::say("{}: position along the face, mm", ball.press),
                ball.s_mm,
                sd.s_mm,
                false);
     writer.add(ball.press + " y_mm",
-               en::say("{}: place across the face, mm", ball.press),
+               en::say("{}: position across the face, mm", ball.press),
                ball.y_mm,
                sd.y_mm,
                false);
     std::size_t count = 3;
     if (ball.light != 1) {
       writer.add(ball.press + " light",
-                 en::say("{}: light, share of that in its untouched picture", ball.press),
+                 en::say("{}: light, relative to its untouched image", ball.press),
                  ball.light,
                  sd.light);
       ++count;
@@ -175,9 +175,8 @@ void write_lamps(const TwinLamps& lamps, FigureWriter& writer, Twin& twin) {
       lamps.rms);
   if (lamps.room_level > 0) twin.scene.comments["ambient"] = "even light that no lamp gives";
   twin.remarks.push_back(
-      en::say("the lamps make the light on the face, and need not be where the real ones are: {} "
-              "of {} places "
-              "are not observable",
+      en::say("the lamps reproduce the light on the face, not the positions of the real ones: {} "
+              "of {} positions are not observable",
               hardly,
               lamps.lamps.size()));
 }
@@ -192,11 +191,12 @@ void write_noise(const TwinNoise& noise, FigureWriter& writer, Twin& twin) {
         "shot gain", en::say("shot noise, grey levels"), noise.shot_gain, noise.shot_gain_sd);
     writer.comment("shot", noise.from.english(), 1);
   } else {
-    twin.remarks.push_back(en::say(
-        "shot noise cannot be told from read noise: the face is too evenly lit, or there is none"));
+    twin.remarks.push_back(
+        en::say("shot noise and read noise cannot be separated: the face is too evenly lit, or "
+                "shot noise is absent"));
   }
   if (noise.prnu > 0) {
-    writer.add("fixed-pattern prnu", en::say("fixed pattern, share"), noise.prnu, noise.prnu_sd);
+    writer.add("fixed-pattern prnu", en::say("fixed pattern, fraction"), noise.prnu, noise.prnu_sd);
     writer.comment("fixed-pattern", noise.from.english(), 1);
   }
   twin.remarks.push_back(noise.from);
@@ -216,7 +216,7 @@ void write_figures(const TwinLamps& lamps,
   write_noise(noise, writer, twin);
   if (twin.scene.face.kind == FaceKind::kFinRay)
     twin.remarks.push_back(
-        en::say("the scene holds the face alone: no side faces, no dots, no twist"));
+        en::say("the scene contains the face only: no side faces, no dots, no twist"));
 }
 
 /// Sums over one ring.
@@ -398,9 +398,8 @@ TwinNoise measure_noise(const std::vector<NoisyImage>& alike,
   if (alike.size() < 2) {
     put_law(spatial, noise);
     noise.from = en::say(
-        "noise is told from single pictures: a fixed pattern of the camera cannot be told from "
-        "noise "
-        "in time");
+        "noise is estimated from single images: fixed pattern and temporal noise of the camera "
+        "cannot be separated");
     return noise;
   }
   std::vector<Wiggle> pairs;
@@ -434,9 +433,9 @@ Error stopped_twin() {
 
 Result<TwinScene> start_scene(const TwinInput& input) {
   if (input.presses.empty())
-    return Error{en::say("there is no pressed picture"),
+    return Error{en::say("there is no image of a press"),
                  "",
-                 en::say("pictures of a ball of known radius pressed into the face")};
+                 en::say("images of a ball of known radius pressed into the face")};
   TwinScene scene;
   scene.name = input.name + " twin";
   scene.why =
@@ -558,11 +557,12 @@ TwinNoise noise_of(const TwinInput& input) {
   if (untouched.size() > 1 || !is_flat)
     return measure_noise(untouched,
                          untouched,
-                         en::say("noise is told from {} untouched pictures", untouched.size()));
+                         en::say("noise is estimated from {} untouched images", untouched.size()));
   const std::vector<NoisyImage> alike{untouched.front(),
                                       {first.grey, outside_contact(first, kTwinReach)}};
-  const Message from = en::say(
-      "noise in time is told from one untouched picture and {} beside its contact", first.name);
+  const Message from =
+      en::say("temporal noise is estimated from one untouched image and {} outside its contact",
+              first.name);
   return measure_noise(alike, untouched, from);
 }
 

@@ -36,18 +36,18 @@ Result<std::vector<cv::Mat>> read_untouched(const FingerSnapshot& finger,
   if (files.empty() && reference && !reference->image.empty())
     files.push_back(finger.folder / reference->image);
   if (files.empty() && (!reference || reference->video.empty()))
-    return Error{en::say("there is no untouched picture of this finger to compare with"),
+    return Error{en::say("there is no untouched image of this finger to compare with"),
                  finger.folder,
-                 en::say("--reference with a picture in which nothing touches it")};
+                 en::say("--reference with an image in which nothing touches it")};
   std::vector<cv::Mat> all;
   for (const std::filesystem::path& file : files) {
     const auto image = read_untouched_image(file);
     if (!image) return image.error();
     const auto grey = oriented_for(finger.finger.camera,
                                    image->grey,
-                                   en::say("the untouched picture"),
+                                   en::say("the untouched image"),
                                    file,
-                                   en::say("a picture of this finger, at the size of its camera"));
+                                   en::say("an image of this finger, at the size of its camera"));
     if (!grey) return grey.error();
     all.push_back(*grey);
   }
@@ -104,9 +104,9 @@ Result<AnalysedPress> see(Measuring& measuring, const FramePtr& frame) {
   if (measuring.is_flat()) {
     const auto grey = oriented_for(measuring.finger.finger.camera,
                                    frame->grey,
-                                   en::say("the picture"),
+                                   en::say("the image"),
                                    frame->origin,
-                                   en::say("a picture of this finger, at the size of its camera"));
+                                   en::say("an image of this finger, at the size of its camera"));
     if (!grey) return grey.error();
     seen.grey = *grey;
     seen.shape = FaceShape::plane(measuring.finger.camera, measuring.finger.finger.face);
@@ -148,7 +148,7 @@ Result<TwinPress> press_from(const Measuring& measuring,
   if (!seen.problem.empty()) return Error{seen.problem, "", ""};
   const PressNote& note = press_set.of(name);
   if (note.excluded) return Error{en::say("excluded"), "", ""};
-  if (note.step_mm) return Error{en::say("a punch with a step is no ball"), "", ""};
+  if (note.step_mm) return Error{en::say("a punch with a step is not a ball"), "", ""};
   const Press press{name,
                     std::move(*seen.difference),
                     *seen.shape,
@@ -187,9 +187,9 @@ Result<PressInput> presses_of(const FingerSnapshot& finger, const TwinFiles& fil
   auto stored = stored_presses(finger.folder);
   if (!stored) return stored.error();
   if (stored->empty())
-    return Error{en::say("no press was given, and the finger keeps none"),
+    return Error{en::say("no press was specified, and the finger has none"),
                  finger.folder,
-                 en::say("pictures of a ball of known radius pressed into its face")};
+                 en::say("images of a ball of known radius pressed into its face")};
   PressInput presses;
   presses.files = std::move(*stored);
   return presses;
@@ -223,7 +223,7 @@ Result<TwinMeasured> measure_for_twin(const FingerSnapshot& finger,
     if (!names.insert(name).second)
       return Error{en::say("two presses are called '{}'", name),
                    (*frame)->origin,
-                   en::say("giving the pictures different names")};
+                   en::say("giving the images different names")};
     auto seen = see(*measuring, *frame);
     if (!seen) return seen.error();
     auto press = press_from(*measuring, name, std::move(*seen), *press_set);
@@ -233,12 +233,12 @@ Result<TwinMeasured> measure_for_twin(const FingerSnapshot& finger,
       measured.left_out.push_back(en::say("{}: {}", name, press.error().what));
   }
   for (const auto& [name, note] : files.press_set.notes)
-    if (!names.contains(name)) return Error{en::say("no press is called '{}'", name), "", ""};
+    if (!names.contains(name)) return Error{en::say("no press is named '{}'", name), "", ""};
   if (measured.input.presses.empty())
     return Error{
         en::say("no press can be used: {}", en::clauses(measured.left_out)),
         "",
-        en::say("pictures of this finger with the ball pressed 0.3 mm or more into its face")};
+        en::say("images of this finger with the ball pressed 0.3 mm or more into its face")};
   return measured;
 }
 

@@ -90,9 +90,9 @@ Result<TwinSolution> solve_twin(const TwinModel& model,
   solution.residuals.resize(residuals);
   if (!summary.IsSolutionUsable() || !solution.x.allFinite() ||
       !model(solution.x, solution.residuals, &solution.jacobian))
-    return Error{en::say("no scene was found whose pictures come near these"),
+    return Error{en::say("no scene was found with images close to these"),
                  "",
-                 en::say("pictures of one ball, pressed in where the whole contact is seen")};
+                 en::say("images of one ball, pressed in where the entire contact is visible")};
   for (Eigen::Index i = 0; i < n; ++i) {
     const double margin = 1e-6 * std::max(1.0, unknowns.high[i] - unknowns.low[i]);
     solution.at_bound.push_back(solution.x[i] <= unknowns.low[i] + margin ||

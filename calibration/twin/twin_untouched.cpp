@@ -150,12 +150,12 @@ Result<TwinPoses> fit_poses(const std::vector<const FaceShape*>& shapes, const J
   for (const FaceShape* shape : shapes) {
     rays.push_back(middle_rays(*shape));
     if (rays.back().size() < 12)
-      return Error{en::say("too little of the finger's length is seen"),
+      return Error{en::say("too little of the finger's length is visible"),
                    "",
-                   en::say("pictures in which the whole face is seen")};
+                   en::say("images in which the entire face is visible")};
     if (!shape->base_at_low_u())
       return Error{
-          en::say("the finger's base is on the right of the picture, and no scene has it there"),
+          en::say("the finger's base is on the right of the image, which no scene supports"),
           "",
           en::say("camera.orientation: flip_u in finger.yaml")};
   }
@@ -230,9 +230,9 @@ class LampStudy {
     for (std::size_t i = 0; i < study.poses_.size(); ++i)
       study.add_pixels(static_cast<int>(i), target);
     if (target.size() < 50)
-      return Error{en::say("too little of the untouched face is seen"),
+      return Error{en::say("too little of the untouched face is visible"),
                    "",
-                   en::say("pictures in which the whole face is seen")};
+                   en::say("images in which the entire face is visible")};
     study.target_ =
         Eigen::Map<Eigen::VectorXd>(target.data(), static_cast<Eigen::Index>(target.size()));
     study.know_face();
@@ -505,7 +505,7 @@ Result<TwinLamps> fit_lamps(const TwinScene& scene,
     if (best->solution.rms() < kGreyTolerance) break;
   }
   if (!best)
-    return Error{en::say("no lamp comes near the untouched picture"),
+    return Error{en::say("no lamp reproduces the untouched image"),
                  "",
                  en::say("checking the finger's face")};
   auto last = refine(*study, best->lamps, best->room, {30, 1e-5}, job);

@@ -67,8 +67,8 @@ Message sentence(const Contradiction& one) {
           range_mm(one));
     case ContradictionKind::kFaceWidthAgainstCamera:
       return en::say(
-          "the face is given {:.2f} mm wide, but camera and presses show {}: check the width and "
-          "the lens",
+          "the specified face width is {:.2f} mm, but camera and presses show {}: check the width "
+          "and the lens",
           one.given_mm,
           range_mm(one));
     case ContradictionKind::kReferenceContact:

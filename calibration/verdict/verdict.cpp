@@ -89,7 +89,8 @@ Message largest_cause(ErrorCause cause) {
     case ErrorCause::kZone:
       return en::say("mostly parts of the face far from any press: press there");
     case ErrorCause::kHalo:
-      return en::say("mostly depth read beside contacts, as light that scatters sideways gives");
+      return en::say(
+          "mostly depth measured next to contacts, as caused by light that scatters sideways");
     case ErrorCause::kBody:
       return en::say("mostly bodies of other shape than the ball: measure one press's depth");
     case ErrorCause::kRadius:
@@ -178,13 +179,13 @@ Message word_of(Grade grade) {
     case Grade::kGood:
       return en::say("good");
     case Grade::kUsable:
-      return en::say("usable for contact and its place");
+      return en::say("usable for contact and its position");
     case Grade::kUnproven:
       return en::say("unproven");
     case Grade::kUnfit:
       break;
   }
-  return en::say("not fit to measure with");
+  return en::say("unfit for measuring");
 }
 
 std::string_view to_string(ErrorCause cause) {
@@ -214,7 +215,7 @@ Message word_of(CheckVerdict verdict) {
     case CheckVerdict::kDrifting:
       return en::say("drifting");
     case CheckVerdict::kTooFew:
-      return en::say("too few to tell");
+      return en::say("too few to judge");
     case CheckVerdict::kRecalibrate:
       break;
   }
@@ -322,7 +323,7 @@ const std::vector<Requirement>& calibration_requirements() {
          return error_mm <= kUsableErrorMm || (is_open && e.residual_mm <= kUsableErrorMm);
        },
        [](const Evidence&, double) {
-         return en::say("press again with a clean ball of the radius given, whole on the face");
+         return en::say("press again with a clean ball of the given radius, entirely on the face");
        }},
       {"numbers_consistent",
        Grade::kUnproven,
@@ -349,10 +350,10 @@ const std::vector<Requirement>& calibration_requirements() {
        Grade::kUnproven,
        [](const Evidence& e, double) { return e.presses > 1 && e.held_out_mm > 0; },
        [](const Evidence& e, double) {
-         return e.presses > 1 ? en::say("no press was left out to show what happens on others")
+         return e.presses > 1 ? en::say("no press was left out to show the error on others")
                               : en::say(
-                                    "one press cannot show what happens on others; add presses "
-                                    "of different depth");
+                                    "one press cannot show the error on others; add presses of "
+                                    "different depth");
        }},
       {"presses",
        Grade::kUnproven,
@@ -389,7 +390,7 @@ const std::vector<Requirement>& calibration_requirements() {
        Grade::kUnproven,
        [](const Evidence& e, double) { return !e.has_basis || e.scale_sd_mm > 0; },
        [](const Evidence&, double) {
-         return en::say("the presses do not tell how certain the scale is; add presses");
+         return en::say("the presses do not show how certain the scale is; add presses");
        }},
       {"few_left_out",
        Grade::kUnproven,
@@ -469,7 +470,7 @@ Verdict verdict(const CalibrationEvidence& evidence) {
                           ? en::say("expected error {:.3f} mm", result.error_mm)
                           : en::say("expected error {:.3f} mm, {}", result.error_mm, result.cause));
   } else {
-    clauses.push_back(en::say("no error can be expected of it"));
+    clauses.push_back(en::say("no expected error can be given"));
   }
   clauses.push_back(result.rests_on);
   result.reason = en::clauses(clauses);

@@ -126,7 +126,7 @@ Status replace(const fs::path& requested,
   if (!fs::exists(folder, ignored) && !ignored)
     return Error{en::at(kWriting, en::say("its folder does not exist")),
                  requested.string(),
-                 en::say("make the folder first, or check the path for typing errors")};
+                 en::say("create the folder first, or check the path for typing errors")};
 
   auto [number, path] = create_temporary(file);
   if (number < 0) return system_error(kWriting, requested, errno);
@@ -159,8 +159,7 @@ Status sync_folder(const fs::path& folder) {
   Descriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   // Some file systems have no fsync of a folder (EINVAL).
   if (descriptor.number() < 0 || (::fsync(descriptor.number()) != 0 && errno != EINVAL))
-    return system_error(
-        en::say("could not make sure that the folder is on the disk"), folder, errno);
+    return system_error(en::say("could not confirm that the folder is on the disk"), folder, errno);
   return {};
 }
 
@@ -168,8 +167,7 @@ Status sync_disk_of(const fs::path& folder) {
   const DiskWait waiting(folder);
   Descriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (descriptor.number() < 0 || ::syncfs(descriptor.number()) != 0)
-    return system_error(
-        en::say("could not make sure that the files are on the disk"), folder, errno);
+    return system_error(en::say("could not confirm that the files are on the disk"), folder, errno);
   return {};
 }
 
@@ -232,7 +230,7 @@ Status make_folder(const fs::path& folder) {
   const int number = error ? error.value() : ENOTDIR;
   // An existing file gives two different errors, depending on its position in the path.
   return system_error(
-      en::say("could not make the folder"), folder, number == EEXIST ? ENOTDIR : number);
+      en::say("could not create the folder"), folder, number == EEXIST ? ENOTDIR : number);
 }
 
 namespace {
@@ -290,7 +288,7 @@ Error leads_elsewhere(const fs::path& folder, const std::string& name) {
 Result<ChangeList> list_in(const fs::path& folder) {
   const auto text = read_file(folder / kList);
   if (!text) return text.error();
-  const Error broken{en::say("this is no list of files to be changed"),
+  const Error broken{en::say("this is not a list of files to be changed"),
                      folder / kList,
                      en::say("removing it; the finger's files are then some old, some new")};
   std::istringstream lines(*text);
@@ -445,7 +443,7 @@ std::string owner_in(int descriptor) {
 
 Error held_by(const std::string& who, const std::filesystem::path& file) {
   const Message other = who.empty() ? en::say("another program") : Message::typed(who);
-  Message what = en::say("somebody else is at work here: {0}", other);
+  Message what = en::say("already in use by {0}", other);
   return {std::move(what), file.parent_path(), en::say("waiting until that is done")};
 }
 
@@ -472,7 +470,7 @@ Result<LockFile> LockFile::hold(const std::filesystem::path& file,
     const int problem = errno;
     held.file_.clear();
     if (problem != EWOULDBLOCK && problem != EINTR)
-      return system_error(en::say("could not be held"), file.string(), problem);
+      return system_error(en::say("could not be locked"), file.string(), problem);
     if (std::chrono::steady_clock::now() >= end) return held_by(owner_in(descriptor), file);
     std::this_thread::sleep_for(kLockPoll);
   }

@@ -26,7 +26,7 @@ Result<std::filesystem::path> find_resource(const std::filesystem::path& name) {
     const fs::path file = (own / up / "share/alltact" / name).lexically_normal();
     if (fs::exists(file, failed)) return file;
   }
-  return Error{en::say("this file that comes with the program is not there"),
+  return Error{en::say("this file of the program is missing"),
                name.string(),
                en::say("installing the program again")};
 }

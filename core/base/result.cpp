@@ -12,7 +12,7 @@ FailureWords words_for(int error_number) {
       return {en::say("the disk is full"),
               en::say("free some space, or choose a folder on another disk")};
     case EDQUOT:
-      return {en::say("your share of the disk is used up"),
+      return {en::say("your disk quota is used up"),
               en::say("free some space, or choose another disk")};
     case EFBIG:
       return {en::say("the file would be larger than this system allows"), en::say("another disk")};
@@ -33,8 +33,7 @@ FailureWords words_for(int error_number) {
     case ENAMETOOLONG:
       return {en::say("the name is too long"), en::say("a shorter name")};
     case EIO:
-      return {en::say("the disk reports a fault"),
-              en::say("another disk, and look after this one")};
+      return {en::say("the disk reports a fault"), en::say("another disk, and check this one")};
     case EMFILE:
     case ENFILE:
       return {en::say("too many files are open"), en::say("close other programs")};

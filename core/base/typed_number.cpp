@@ -147,7 +147,7 @@ Error grouped(std::string_view text, const Parts& parts) {
   const auto meant = value_of(joined_digits(parts, integer_groups));
   if (!meant) return not_a_number(text);
   return {
-      en::say("'{}' holds a mark between thousands: write {}", printable(text), *meant), "", ""};
+      en::say("'{}' contains a thousands separator: write {}", printable(text), *meant), "", ""};
 }
 
 bool may_be_thousands(const Parts& parts, DecimalMark mark) {
@@ -168,8 +168,7 @@ std::optional<Error> unit_problem(std::string_view text,
   if (!is_word) return not_a_number(text);
   if (unit.empty())
     return Error{
-        en::say(
-            "'{}' has '{}' behind the number: leave that out", printable(text), printable(rest)),
+        en::say("'{}' has '{}' after the number: remove it", printable(text), printable(rest)),
         "",
         ""};
   return Error{en::say("'{}' is in '{}': give the number in {}",
@@ -256,14 +255,14 @@ std::optional<Message> Quantity::warning(double value) const {
   const std::string unit_text(unit);
   const Message of = meaning();
   if (value > plausible.high)
-    return en::say("{:g} {} is more than usual for {} ({:g} to {:g} {}): check the decimal mark",
+    return en::say("{:g} {} is more than typical for {} ({:g} to {:g} {}): check the decimal mark",
                    value,
                    unit_text,
                    of,
                    plausible.low,
                    plausible.high,
                    unit_text);
-  return en::say("{:g} {} is less than usual for {} ({:g} to {:g} {}): check the decimal mark",
+  return en::say("{:g} {} is less than typical for {} ({:g} to {:g} {}): check the decimal mark",
                  value,
                  unit_text,
                  of,

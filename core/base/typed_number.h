@@ -86,7 +86,7 @@ inline constexpr Quantity kPlaneDistance{"plane_z_mm", "mm", {0.001, 10000}, {2,
 inline constexpr Quantity kPressDepth{
     "depth_mm", "mm", {1e-4, 50}, {0.02, 5}, [] { return en::say("the depth of a press"); }};
 inline constexpr Quantity kDepthSd{"depth_sd_mm", "mm", {1e-4, 50}, {1e-4, 0.3}, [] {
-                                     return en::say("how well a depth is known");
+                                     return en::say("the uncertainty of a depth");
                                    }};
 inline constexpr Quantity kStepHeight{
     "step_mm", "mm", {1e-4, 50}, {0.02, 5}, [] { return en::say("the step of a punch"); }};

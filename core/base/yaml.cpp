@@ -131,7 +131,7 @@ Status YamlFile::read(const std::string& content, const std::function<void(YamlS
     return error(en::say("this is not YAML: {}", printable(problem.msg)),
                  line_of_mark(problem.mark),
                  "",
-                 en::say("look at the brackets, quotes and the space before each key"));
+                 en::say("check the brackets, quotes and the space before each key"));
   } catch (const std::exception& problem) {  // of a library that the reader called
     return Error{Message::typed(problem.what()), path_, ""};
   }
@@ -152,7 +152,7 @@ void YamlFile::count(std::size_t parts) {
   parts_ += parts;
   if (parts_ > kMaxRead)
     throw RefusedYaml{
-        {en::say("is too large to be read"), path_, en::say("a file of fewer entries")}};
+        {en::say("is too large to be read"), path_, en::say("a file with fewer entries")}};
 }
 
 void YamlFile::check_unread_keys() {
@@ -181,13 +181,13 @@ void YamlFile::check_unread_keys() {
                     : one_of(section->requested, nearest_word(key, section->absent())))};
     auto value = copied_value(entry->value, 0, parts);
     if (!value)
-      throw RefusedYaml{error(en::say("is not known, and too large or too odd to be kept"),
+      throw RefusedYaml{error(en::say("is unknown, and too large or too unusual to be stored"),
                               entry->line,
                               name,
                               en::say("remove it"))};
     unknown_[section->name].emplace_back(key, std::move(*value));
     const std::string meant = nearest_word(key, section->absent());
-    const Error warning = error(en::say("is not known here; it is kept as it is"),
+    const Error warning = error(en::say("is not known here; it stays unchanged"),
                                 entry->line,
                                 name,
                                 meant.empty() ? Message() : en::say("'{}'", meant));
@@ -281,7 +281,7 @@ YamlSection::YamlSection(YamlFile& file, const YAML::Node& node, std::string nam
     // value.
     if (entry.second.IsNull() && !seen.empty() && is_all_digits(key.Scalar()))
       throw RefusedYaml{file.error(
-          en::say("a comma parts the entries here, and '{}' is none", printable(key.Scalar())),
+          en::say("a comma separates entries here, and '{}' is none", printable(key.Scalar())),
           here,
           full_name(section_->entries.back().key),
           number_advice())};
@@ -289,7 +289,7 @@ YamlSection::YamlSection(YamlFile& file, const YAML::Node& node, std::string nam
       throw RefusedYaml{file.error(en::say("is given twice"),
                                    here,
                                    full_name(key.Scalar()),
-                                   en::say("leave one of the two"))};
+                                   en::say("delete one of the two"))};
     section_->entries.push_back({key.Scalar(), entry.second, here});
     file.lines_[full_name(key.Scalar())] = here;
   }
@@ -373,11 +373,11 @@ YamlSection::Entry& YamlSection::required(const std::string& key) {
   const std::string meant = misspelling_of(key, others);
   const Message add = name().empty() ? en::say("add '{}: ...'", key)
                                      : en::say("add '{}: ...' under '{}:'", key, printable(name()));
-  throw RefusedYaml{
-      file_->error(en::say("is missing"),
-                   section_->line,
-                   full_name(key),
-                   meant.empty() ? add : en::say("write '{}' for '{}'", key, printable(meant)))};
+  throw RefusedYaml{file_->error(
+      en::say("is missing"),
+      section_->line,
+      full_name(key),
+      meant.empty() ? add : en::say("write '{}' instead of '{}'", key, printable(meant)))};
 }
 
 YamlSection YamlSection::section(const std::string& key) {
@@ -397,8 +397,7 @@ std::vector<YamlSection> YamlSection::sections(const std::string& key) {
 
 std::string YamlSection::text(const std::string& key) {
   const Entry& entry = required(key);
-  if (!entry.value.IsScalar())
-    refuse(key, en::say("must be a text, not {}", shown(entry.value)), "");
+  if (!entry.value.IsScalar()) refuse(key, en::say("must be text, not {}", shown(entry.value)), "");
   return entry.value.Scalar();
 }
 
@@ -436,8 +435,8 @@ double YamlSection::checked(const std::string& key,
   const Message allowed = in_words(limits);
   if (value == 0.0 && limits.zero_is_absence)
     refuse(key,
-           en::say("0 would mean that this is absent, and what is absent is not named"),
-           en::say("leave it out, or give {}", allowed));
+           en::say("0 means that it is absent; leave out what is absent"),
+           en::say("leave it out, or enter {}", allowed));
   refuse(key,
          is_item ? en::say("holds {}, which is not {}", shown(node), allowed)
                  : en::say("must be {}, not {}", allowed, shown(node)),
@@ -459,7 +458,7 @@ int YamlSection::integer(const std::string& key, int low, int high) {
     if (const auto ambiguity = ambiguity_of(entry.value)) refuse(key, *ambiguity, number_advice());
   if (!value || *value != std::floor(*value) || *value < low || *value > high)
     refuse(key,
-           en::say("must be a whole number from {} to {}, not {}", low, high, shown(entry.value)),
+           en::say("must be an integer from {} to {}, not {}", low, high, shown(entry.value)),
            "");
   return static_cast<int>(*value);
 }
@@ -504,7 +503,7 @@ std::vector<double> YamlSection::numbers(const std::string& key,
 std::vector<std::string> YamlSection::texts(const std::string& key) {
   std::vector<std::string> result;
   for (const YAML::Node& item : list(key)) {
-    if (!item.IsScalar()) refuse(key, en::say("holds {}, which is not a text", shown(item)), "");
+    if (!item.IsScalar()) refuse(key, en::say("holds {}, which is not text", shown(item)), "");
     result.push_back(item.Scalar());
   }
   return result;

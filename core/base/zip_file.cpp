@@ -26,7 +26,7 @@ Error zip_failure(zip_error_t* failure, const fs::path& path) {
     return system_error(packing, path, zip_error_code_system(failure));
   return {en::at(packing, Message::typed(zip_error_strerror(failure))),
           path.string(),
-          en::say("another name for the file that is meant")};
+          en::say("another name for this file")};
 }
 
 bool is_packed_already(const std::string& name) {

@@ -267,7 +267,8 @@ Result<FrameLine> FrameLine::from_json(std::string_view text) {
     frame.contacts = std::move(contacts);
     return frame;
   } catch (const std::exception&) {
-    return Error{en::say("a line of it is damaged"), "", en::say("reconstruct this part again")};
+    return Error{
+        en::say("one of its lines is damaged"), "", en::say("reconstruct this part again")};
   }
 }
 

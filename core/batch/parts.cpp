@@ -112,10 +112,9 @@ Result<std::map<int, FoundPart>> find_parts(const std::vector<fs::path>& folders
       const int number = results->part.number;
       const auto [before, is_new] = parts.emplace(number, FoundPart{file, std::move(*results)});
       if (!is_new)
-        return Error{
-            en::say("part {} is there twice: {} and {}", number, before->second.file, file),
-            file.string(),
-            en::say("remove one of them")};
+        return Error{en::say("part {} exists twice: {} and {}", number, before->second.file, file),
+                     file.string(),
+                     en::say("remove one of them")};
     }
   }
   return parts;
@@ -163,9 +162,9 @@ Result<MergedLines> merge_lines(const std::map<int, FoundPart>& parts) {
       const auto line = FrameLine::from_json(text);
       if (!line) return damaged(part.file);
       if (!names.insert(line->frame).second)
-        return Error{en::say("another picture is called '{}' as well", line->frame),
+        return Error{en::say("another image is called '{}' as well", line->frame),
                      part.file.string(),
-                     en::say("giving the pictures different names")};
+                     en::say("giving the images different names")};
       merged.text += contacts(*line) + "\n";
       ++merged.counts.frames;
       merged.counts.failed += line->is_measured ? 0 : 1;
@@ -252,7 +251,7 @@ Result<Part> part_of(const std::string& text) {
   const bool has_slash = number.ec == std::errc() && number.ptr != end && *number.ptr == '/';
   const auto of = has_slash ? std::from_chars(number.ptr + 1, end, part.of) : number;
   if (!has_slash || of.ec != std::errc() || of.ptr != end || !is_possible(part))
-    return Error{en::say("'{}' is no part of a whole", text),
+    return Error{en::say("'{}' is not a valid part", text),
                  "",
                  en::say("1/8 to 8/8 for eight parts, for example")};
   return part;

@@ -50,11 +50,11 @@ std::size_t coefficient_limit(CameraModel model) {
 std::optional<Error> size_problem(const CameraParameters& p) {
   for (int side : {p.width_px, p.height_px})
     if (side < 16 || side > 16384)
-      return Error{en::say("{} x {} px is no picture size; a side must have 16 to 16384",
+      return Error{en::say("{} x {} px is no image size; each side must be 16 to 16384",
                            p.width_px,
                            p.height_px),
                    std::string("camera.size"),
-                   en::say("the size of the camera's pictures, [width, height]")};
+                   en::say("the size of the camera's images, [width, height]")};
   return std::nullopt;
 }
 
@@ -80,7 +80,7 @@ std::optional<Error> centre_problem(const CameraParameters& p) {
     if (!(value >= -side && value <= 2 * side))
       return Error{en::say("must be a number from {} to {}", -side, 2 * side),
                    std::string(key),
-                   en::say("the picture's centre, or run 'alltact lens'")};
+                   en::say("the image's centre, or run 'alltact lens'")};
   return std::nullopt;
 }
 
@@ -106,10 +106,9 @@ std::optional<Error> distortion_problem(const CameraParameters& p) {
 std::optional<Error> port_problem(const CameraParameters& p) {
   if (!p.port) return std::nullopt;
   if (p.model == CameraModel::kOrthographic)
-    return Error{
-        en::say("belongs to a perspective camera; an orthographic one sees no nearer through it"),
-        std::string("camera.port"),
-        en::say("leave it out")};
+    return Error{en::say("belongs to a perspective camera; an orthographic one does not need it"),
+                 std::string("camera.port"),
+                 en::say("leave it out")};
   const Status status = check_port(*p.port);
   if (status) return std::nullopt;
   Error error = status.error();
@@ -143,8 +142,8 @@ Result<Camera> Camera::create(const CameraParameters& parameters) {
     camera.max_radius_ = FisheyeDistortion(parameters.distortion).valid_angle();
   if (camera.folds_in_image())
     return Error{
-        en::say("the distortion folds over inside the picture: near its border two directions "
-                "would be seen in one pixel"),
+        en::say("the distortion folds over inside the image: near its border, one pixel would see "
+                "two directions"),
         std::string("camera.distortion"),
         en::say("run 'alltact lens' with boards that reach into the corners, or with fewer "
                 "coefficients")};

@@ -234,15 +234,15 @@ Status write_control(const V4l2Device& device, const ControlValue& control) {
   if (error == ERANGE || error == EINVAL)
     return Error{en::at(doing, en::say("the camera refuses this value")),
                  device.node(),
-                 en::say("a value within its range; 'alltact devices --details' lists them")};
+                 en::say("a value within its range; 'alltact devices --details' lists the ranges")};
   if (error == EACCES)
-    return Error{en::at(doing, en::say("an automatic mode has it in hand")),
+    return Error{en::at(doing, en::say("an automatic mode controls it")),
                  device.node(),
                  en::say("switch that mode off first")};
   if (error != 0) return camera_error(doing, device.node(), error);
   if (value != control.value)
     return Error{
-        en::at(doing, en::say("the camera took {} instead", value)),
+        en::at(doing, en::say("the camera uses {} instead", value)),
         device.node(),
         en::say("a value within its range and steps; 'alltact devices --details' lists them")};
   return {};

@@ -86,7 +86,7 @@ std::optional<Error> problem_of(const FoundCamera& camera,
                                 const V4l2Device::Capability& capability) {
   const std::string& node = camera.identity.node;
   if (capability.is_multi_planar)
-    return Error{en::say("it sends its pictures in several planes, which cannot be read here"),
+    return Error{en::say("it sends its images in several planes, which is not supported"),
                  node,
                  en::say("a USB camera")};
   if (!capability.can_stream)
@@ -96,9 +96,8 @@ std::optional<Error> problem_of(const FoundCamera& camera,
         return can_decode(format.fourcc);
       });
   if (!is_readable)
-    return Error{en::say("it has no format that can be read here"),
-                 node,
-                 en::say("a camera with MJPG or YUYV")};
+    return Error{
+        en::say("it has no supported format"), node, en::say("a camera with MJPG or YUYV")};
   return std::nullopt;
 }
 
@@ -153,16 +152,17 @@ std::string name_in(const std::string& requested) {
 
 CameraAccess access_of(V4l2Calls& calls, const CameraIdentity& identity) {
   const std::string stable_name = identity.stable_name();
-  return {&calls,
-          stable_name,
-          [stable_name]() -> Result<std::string> {
-            // Without opening anything: called repeatedly while a camera is away.
-            for (const CameraIdentity& now : video_nodes())
-              if (is_named(now, stable_name)) return now.node;
-            if (stable_name.starts_with("/dev/")) return stable_name;
-            return Error{en::say("the camera is not there"), stable_name, en::say("plug it in")};
-          },
-          identity.serial};
+  return {
+      &calls,
+      stable_name,
+      [stable_name]() -> Result<std::string> {
+        // Without opening anything: called repeatedly while a camera is away.
+        for (const CameraIdentity& now : video_nodes())
+          if (is_named(now, stable_name)) return now.node;
+        if (stable_name.starts_with("/dev/")) return stable_name;
+        return Error{en::say("the camera is not connected"), stable_name, en::say("plug it in")};
+      },
+      identity.serial};
 }
 
 }  // namespace
@@ -200,7 +200,7 @@ Result<CameraIdentity> find_camera(const std::string& requested,
     return identity;
   }
   return Error{all.empty() ? en::say("no camera was found")
-                           : en::say("there is no such camera; there is {}", names_of(all)),
+                           : en::say("there is no such camera; available: {}", names_of(all)),
                requested,
                all.empty() ? en::say("plug one in; 'alltact devices' lists what is found")
                            : en::say("one of these names")};

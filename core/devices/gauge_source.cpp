@@ -31,7 +31,7 @@ std::optional<Eigen::Vector3d> axis_named(std::string_view name) {
 }
 
 Result<GaugeDirections> GaugeDirections::parse(const std::string& text) {
-  const Error wrong{en::say("'{}' is no direction", printable(text)),
+  const Error wrong{en::say("'{}' is not a direction", printable(text)),
                     "",
                     en::say("x, -y, 0.6,0.8,0 or, for several values, x/y/z")};
   GaugeDirections directions;
@@ -341,7 +341,7 @@ void TypedGauge::take(std::string line, double time_s, GaugeUpdate& update) {
   sample.time_s = time_s;
   if (line.empty()) {
     update.samples.push_back(sample);
-    update.remarks.push_back(en::say("what was typed holds no longer"));
+    update.remarks.push_back(en::say("the typed value no longer applies"));
     return;
   }
   if (take_name(line, update)) return;
@@ -358,8 +358,9 @@ void TypedGauge::take(std::string line, double time_s, GaugeUpdate& update) {
   }
   const GaugeLine reading = read_gauge_line(rest, rules_);
   if (reading.kind != GaugeLine::Kind::kValues || (directions.count == 1 && reading.count != 1)) {
-    update.remarks.push_back(en::say(
-        "'{}' is no reading; a number, 'y 1.2 N', 'block NAME', or nothing", printable(line)));
+    update.remarks.push_back(
+        en::say("'{}' is not a reading; type a number, 'y 1.2 N', 'block NAME', or nothing",
+                printable(line)));
     return;
   }
   directions_ = directions;

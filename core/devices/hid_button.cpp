@@ -68,8 +68,9 @@ std::string ButtonPattern::text() const {
 }
 
 Result<ButtonPattern> ButtonPattern::parse(const std::string& text) {
-  const Error wrong{
-      en::say("'{}' describes no button", printable(text)), "", en::say("learn the button again")};
+  const Error wrong{en::say("'{}' does not describe a button", printable(text)),
+                    "",
+                    en::say("learn the button again")};
   std::string_view rest = text;
   ButtonPattern pattern;
   if (!take(rest, pattern.report_bytes, 10, ' ')) return wrong;
@@ -92,9 +93,9 @@ Result<LearntButton> LearntButton::parse(const std::string& text) {
   const std::size_t before =
       last == std::string::npos || last == 0 ? std::string::npos : text.rfind(' ', last - 1);
   if (before == std::string::npos || before == 0)
-    return Error{en::say("'{}' names no device and its button", printable(text)),
+    return Error{en::say("'{}' does not name a device and its button", printable(text)),
                  "",
-                 en::say("'alltact devices --learn-button', which says what to write here")};
+                 en::say("'alltact devices --learn-button', which shows what to write here")};
   const auto pattern = ButtonPattern::parse(text.substr(before + 1));
   if (!pattern) return pattern.error();
   return LearntButton{text.substr(0, before), *pattern};
@@ -166,7 +167,7 @@ Result<std::pair<std::size_t, ButtonPattern>> learn_button(const std::vector<Hid
       if (learners[i].presses() == 1) job.report(0.5, en::say("press it once more"));
     }
   }
-  return Error{en::say("no button was pressed and let go twice"),
+  return Error{en::say("no button was pressed and released twice"),
                "",
                en::say("another device; a pedal that only clicks must be set to send a key")};
 }

@@ -71,7 +71,7 @@ class HidapiPort : public HidPort {
  private:
   [[nodiscard]] Status sent(int size) const {
     if (size >= 0) return {};
-    return Error{en::say("the device took no report"),
+    return Error{en::say("the device refused the report"),
                  name_,
                  en::say("plug it in again, and check its description")};
   }
@@ -139,8 +139,9 @@ Result<std::unique_ptr<HidPort>> open_hid(const std::string& requested) {
     if (device == nullptr) return no_access(identity, errno == 0 ? EIO : errno);
     return std::unique_ptr<HidPort>(std::make_unique<HidapiPort>(device, identity.stable_name()));
   }
-  return Error{names.empty() ? en::say("no HID device was found")
-                             : en::say("there is no such HID device; there is {}", en::list(names)),
+  return Error{names.empty()
+                   ? en::say("no HID device was found")
+                   : en::say("there is no such HID device; available: {}", en::list(names)),
                requested,
                en::say("plug it in; 'alltact devices' lists what is found")};
 }

@@ -17,7 +17,7 @@ constexpr std::size_t kAdcAnswer = 7, kPinsAnswer = 22;          // positions in
 constexpr unsigned kChipSteps = 31;
 
 Error not_understood(const std::string& control) {
-  return {en::say("'{}' describes no dimmer", printable(control)),
+  return {en::say("'{}' does not describe a dimmer", printable(control)),
           "",
           en::say("mcp2221a gp2, mcp2221a gp3, or a report such as 'output id=0 bytes=8 at=1 "
                   "range=0..255'")};
@@ -125,7 +125,7 @@ Result<std::vector<std::uint8_t>> LedDimmer::query_chip(const std::vector<std::u
   const bool is_good =
       answer->size() == kChipReport && (*answer)[0] == command[0] && (*answer)[1] == 0;
   if (!is_good)
-    return Error{en::say("the MCP2221A did not answer as it should"),
+    return Error{en::say("the MCP2221A did not answer as expected"),
                  setting_.device,
                  en::say("plug it in again; close other programs that use it")};
   return answer;

@@ -103,7 +103,7 @@ Result<std::string> unescaped(const std::string& text) {
       bytes += static_cast<char>(16 * high + low);
       i += 2;
     } else {
-      return Error{en::say("'{}' is no text with \\r, \\n, \\xHH", printable(text)), "", ""};
+      return Error{en::say("'{}' is not a text with \\r, \\n, \\xHH", printable(text)), "", ""};
     }
   }
   return bytes;
@@ -120,7 +120,7 @@ Result<GaugeOpener> gauge_opener(const GaugeChoice& choice) {
   if (!choice.unit.empty()) {
     const auto unit = newtons_in(choice.unit);
     if (!unit)
-      return Error{en::say("'{}' is no unit of force", printable(choice.unit)),
+      return Error{en::say("'{}' is not a unit of force", printable(choice.unit)),
                    "",
                    en::say("N, mN, kN, g, kgf, lbf or ozf")};
     rules.unit_N = *unit;
@@ -128,22 +128,23 @@ Result<GaugeOpener> gauge_opener(const GaugeChoice& choice) {
   const bool is_serial = choice.gauge.starts_with("serial:");
   const bool is_hid = choice.gauge.starts_with("hid:");
   if (is_hid && !choice.unit.empty())
-    return Error{en::say("of a HID gauge the unit is told with its report"),
+    return Error{en::say("the unit of a HID gauge belongs in its report's description"),
                  choice.gauge,
                  en::say("unit= in the report's description")};
   if (!is_serial && (!choice.model.empty() || !choice.ask.empty() || choice.baud != 0))
-    return Error{en::say("model, speed and question are of a serial gauge"),
+    return Error{en::say("model, speed and question apply only to a serial gauge"),
                  choice.gauge,
                  en::say("serial:/dev/ttyUSB0")};
   if (is_hid == choice.report.empty())
-    return Error{is_hid ? en::say("it is not told where the force stands in the gauge's reports")
-                        : en::say("a report is told of a gauge that is no HID device"),
+    return Error{is_hid
+                     ? en::say("the position of the force in the gauge's reports is not specified")
+                     : en::say("a report is specified for a gauge that is not a HID device"),
                  choice.gauge,
                  en::say("hid:DEVICE and 'id=3 at=1 type=s16 scale=0.01 unit=N'")};
   if (is_serial) return serial_opener(choice, rules, directions);
   if (is_hid) return hid_opener(choice, directions);
   if (choice.gauge != "typed")
-    return Error{en::say("'{}' is no gauge", printable(choice.gauge)),
+    return Error{en::say("'{}' is not a gauge", printable(choice.gauge)),
                  "",
                  en::say("typed, serial:/dev/ttyUSB0 or hid:DEVICE")};
   return GaugeOpener([=]() -> Result<std::unique_ptr<GaugeSource>> {
@@ -231,7 +232,7 @@ Result<GaugeUpdate> SerialGauge::read(int timeout_ms) {
     while (const auto line = lines_.take()) take_line(*line, update);
   } while (update.samples.empty() && gauge_clock_s() < until_s);
   if (noise_ >= kNoiseLimit) {
-    update.remarks.push_back(en::say("{} lines of the gauge were no readings", noise_));
+    update.remarks.push_back(en::say("{} lines from the gauge were not readings", noise_));
     noise_ = 0;
   }
   return update;
@@ -338,7 +339,7 @@ Status set_up(int descriptor, const std::filesystem::path& node, speed_t speed, 
   const Message doing = en::say("the serial line cannot be set up");
   termios line{};
   if (::tcgetattr(descriptor, &line) != 0)
-    return Error{en::say("this is no serial line"), node, en::say("the gauge's /dev/tty...")};
+    return Error{en::say("this is not a serial line"), node, en::say("the gauge's /dev/tty...")};
   ::cfmakeraw(&line);
   line.c_cflag &= ~static_cast<tcflag_t>(CSTOPB | PARENB | CRTSCTS | HUPCL);
   line.c_cflag |= CS8 | CREAD | CLOCAL;
@@ -352,9 +353,9 @@ Status set_up(int descriptor, const std::filesystem::path& node, speed_t speed, 
   termios now{};
   if (::tcgetattr(descriptor, &now) != 0) return line_error(doing, node, errno);
   if (::cfgetospeed(&now) != speed)
-    return Error{en::say("the serial line does not take {} baud", baud),
+    return Error{en::say("the serial line does not support {} baud", baud),
                  node,
-                 en::say("the speed that the gauge's manual tells")};
+                 en::say("the speed given in the gauge's manual")};
   return {};
 }
 
@@ -386,9 +387,9 @@ std::vector<std::filesystem::path> serial_ports() {
 Result<SerialPort> SerialPort::open(const std::filesystem::path& node, int baud) {
   const auto speed = speed_codes().find(baud);
   if (speed == speed_codes().end())
-    return Error{en::say("{} baud is no speed of a serial line", baud),
+    return Error{en::say("{} baud is not a speed of a serial line", baud),
                  node,
-                 en::say("9600, 19200, 115200 or what the gauge's manual tells")};
+                 en::say("9600, 19200, 115200 or the speed in the gauge's manual")};
   SerialPort port;
   port.node_ = node;
   port.descriptor_ = ::open(node.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
@@ -448,7 +449,7 @@ Status SerialPort::write(std::string_view bytes) {
     pollfd waiting{descriptor_, POLLOUT, 0};
     const int ready = ::poll(&waiting, 1, kWriteTimeout_ms);
     if (ready == 0)
-      return Error{en::say("the serial line takes nothing"), node_, en::say("check its cable")};
+      return Error{en::say("the serial line accepts no data"), node_, en::say("check its cable")};
     if (ready < 0 && errno != EINTR) return line_gone(node_);
     if (ready > 0 && (waiting.revents & (POLLERR | POLLHUP)) != 0) return line_gone(node_);
   }
@@ -561,7 +562,7 @@ std::vector<std::string> table_cells(std::string_view line) {
 
 Result<GaugeReport> GaugeReport::parse(const std::string& text) {
   const Error wrong{
-      en::say("'{}' describes no report of a gauge", printable(text)), "", report_advice()};
+      en::say("'{}' does not describe a gauge's report", printable(text)), "", report_advice()};
   GaugeReport report;
   Value value;
   std::istringstream words(text);
@@ -608,7 +609,7 @@ Result<GaugeReport> GaugeReport::parse_table(std::string_view csv,
       const bool is_taken = names[i] == "id" ? read_all(cells[i], report.id)
                                              : take_setting(names[i], cells[i], value);
       if (!is_taken)
-        return Error{en::say("'{}' is no {}", printable(cells[i]), printable(names[i])),
+        return Error{en::say("'{}' is not a valid {}", printable(cells[i]), printable(names[i])),
                      where,
                      report_advice()};
     }
@@ -618,7 +619,7 @@ Result<GaugeReport> GaugeReport::parse_table(std::string_view csv,
     report.values.push_back(value);
   }
   if (!is_possible(report))
-    return Error{en::say("the table describes no report of a gauge"), origin, report_advice()};
+    return Error{en::say("the table does not describe a gauge's report"), origin, report_advice()};
   return report;
 }
 
@@ -665,9 +666,8 @@ Result<GaugeUpdate> HidGauge::read(int timeout_ms) {
     const GaugeLine reading = report_.read(*report);
     if (reading.kind == GaugeLine::Kind::kNoise) {
       if (++foreign_reports_ == kForeignReportLimit)
-        update.remarks.push_back(
-            en::say("The device tells other reports than the one described. Try: its id and "
-                    "length."));
+        update.remarks.push_back(en::say(
+            "The device sends other reports than described. Try: check the id and length."));
       continue;
     }
     foreign_reports_ = 0;

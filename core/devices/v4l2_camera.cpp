@@ -50,7 +50,7 @@ Result<std::unique_ptr<V4l2Camera>> V4l2Camera::open(const CameraAccess& access,
   const auto capability = device->capability();
   if (!capability) return capability.error();
   if (!capability->is_capture || capability->is_multi_planar || !capability->can_stream)
-    return Error{en::say("this node gives no pictures that can be read"),
+    return Error{en::say("this device node delivers no readable images"),
                  *node,
                  en::say("a camera that 'alltact devices' lists as usable")};
   std::unique_ptr<V4l2Camera> camera(new V4l2Camera(access, criteria));
@@ -142,14 +142,14 @@ void V4l2Camera::capture() {
     // An error state without a buffer behind it would end every later wait at once.
     if (!taken && (ready & (POLLERR | POLLHUP | POLLNVAL)) != 0)
       return restart(
-          camera_error(en::say("the camera stopped sending pictures"), device_->node(), EIO));
+          camera_error(en::say("the camera stopped sending images"), device_->node(), EIO));
   }
   if (is_locked && Clock::now() >= next_check_) check_next_held();
   const auto silence = std::chrono::duration_cast<milliseconds>(Clock::now() - last_frame_).count();
   if (silence >= frame_timeout_ms())
-    restart({en::say("no picture came for {:.1f} seconds", static_cast<double>(silence) / 1e3),
+    restart({en::say("no image arrived for {:.1f} seconds", static_cast<double>(silence) / 1e3),
              access_.identity,
-             en::say("look after the cable and the USB port; the stream is being started again")});
+             en::say("check the cable and the USB port; the stream is being restarted")});
 }
 
 bool V4l2Camera::take_frame() {
@@ -160,7 +160,7 @@ bool V4l2Camera::take_frame() {
   }
   if (taken.error_number != 0) {
     restart(
-        camera_error(en::say("a picture cannot be taken"), device_->node(), taken.error_number));
+        camera_error(en::say("an image cannot be captured"), device_->node(), taken.error_number));
     return false;
   }
   if (!taken.filled) return false;
@@ -195,8 +195,8 @@ std::int64_t V4l2Camera::time_of(const V4l2Stream::Filled& filled) {
   }
   if (!std::exchange(is_mistime_reported_, true))
     remark(
-        en::say("The camera's clock was set by {:+.1f} s: until it is right again, pictures count "
-                "as taken when they come",
+        en::say("The camera's clock was changed by {:+.1f} s: until it is correct again, the time "
+                "of arrival of images is used",
                 -1e-9 * static_cast<double>(taken_at.correction_ns)));
   return taken_at.time_ns;
 }
@@ -209,8 +209,8 @@ void V4l2Camera::check_repeat(const FramePtr& frame) {
   }
   if (!std::exchange(is_repeat_reported_, true))
     remark(
-        en::say("The camera sent a picture twice ({}): a mean over several pictures is less sure "
-                "than it says",
+        en::say("The camera sent an image twice ({}): a mean over several images is less certain "
+                "than reported",
                 frame->name));
 }
 
@@ -251,7 +251,7 @@ void V4l2Camera::publish(const V4l2Stream::Filled& filled) {
       status_.trouble.reset();
     }
   }
-  if (is_back) remark(en::say("Pictures come again"));
+  if (is_back) remark(en::say("Images arrive again"));
   if (!is_good) return;
   check_repeat(frame);
   hub_.publish(std::move(frame));
@@ -305,7 +305,7 @@ void V4l2Camera::reconnect() {
     const std::lock_guard lock(status_mutex_);
     status_.state = CameraState::kStalled;
     status_.trouble =
-        Error{en::say("the camera is back and has not sent a picture yet"), access_.identity, ""};
+        Error{en::say("the camera is back and has not sent an image yet"), access_.identity, ""};
   }
   remark(en::say("The camera was plugged in again at {}", *node));
 }
@@ -327,13 +327,13 @@ void V4l2Camera::renegotiate() {
       CameraState::kStalled,
       {en::say("the camera's signal changed: it sent {}, and sends {} now", before, format_.text()),
        access_.identity,
-       en::say("look after what is plugged into it, if this was not meant")});
+       en::say("check what is plugged into it, if this was not intended")});
 }
 
 Error V4l2Camera::unplugged() const {
   return {en::say("the camera was unplugged"),
           access_.identity,
-          en::say("plug it in again; it goes on by itself with the same settings")};
+          en::say("plug it in again; it continues by itself with the same settings")};
 }
 
 void V4l2Camera::trouble(CameraState state, const Error& error) {
@@ -496,7 +496,7 @@ void V4l2Camera::on_change(const ControlValue& change) {
   const Message changed = en::say(
       "'{}' was changed from {} to {} by something else", held->name, held->value, change.value);
   remark(
-      en::clauses({changed, status.ok() ? en::say("it was put back") : status.error().message()}));
+      en::clauses({changed, status.ok() ? en::say("it was restored") : status.error().message()}));
 }
 
 CameraSource::CameraSource(std::shared_ptr<V4l2Camera> camera, std::size_t capacity)
@@ -511,9 +511,9 @@ Result<FramePtr> CameraSource::next() {
   if (auto item = queue_->next(std::chrono::seconds(1))) return std::move(*item);
   const auto status = camera_->status();
   if (status.trouble) return *status.trouble;
-  return Error{en::say("the camera has sent no picture for a second"),
+  return Error{en::say("the camera has sent no image for a second"),
                camera_->settings().identity,
-               en::say("look after the cable and the USB port")};
+               en::say("check the cable and the USB port")};
 }
 
 }  // namespace alltact

@@ -29,11 +29,11 @@ FailureWords words_for(int error_number) {
     case ENODEV:
     case ENXIO:
     case ENOENT:
-      return {en::say("it is not there"),
+      return {en::say("it is not connected"),
               en::say("plug the camera in; 'alltact devices' lists what is found")};
     case ENOSPC:
       return {en::say("the USB port has no bandwidth left"),
-              en::say("another USB port, MJPG instead of YUYV, or smaller pictures")};
+              en::say("another USB port, MJPG instead of YUYV, or smaller images")};
     case EIO:
     case EPROTO:
     case EPIPE:
@@ -189,10 +189,9 @@ Result<CameraFormat> choose_format(const std::vector<CameraFormat>& offered,
     if (meets(format, criteria) && (best == nullptr || worth(format) > worth(*best)))
       best = &format;
   if (best == nullptr)
-    return Error{
-        en::say("the camera has no such format that can be read; it offers {}", listed(offered)),
-        node,
-        en::say("one of these in GREY, Y16, YUYV or MJPG")};
+    return Error{en::say("the camera has no such readable format; it offers {}", listed(offered)),
+                 node,
+                 en::say("one of these in GREY, Y16, YUYV or MJPG")};
   return *best;
 }
 
@@ -231,7 +230,7 @@ int V4l2Device::ioctl(unsigned long request, void* argument) const {
 Result<V4l2Device::Capability> V4l2Device::capability() const {
   auto answer = cleared<v4l2_capability>();
   if (const int error = ioctl(VIDIOC_QUERYCAP, &answer); error != 0)
-    return camera_error(en::say("this does not answer as a camera"), node_, error);
+    return camera_error(en::say("this does not answer like a camera"), node_, error);
   const std::uint32_t can =
       (answer.capabilities & V4L2_CAP_DEVICE_CAPS) != 0 ? answer.device_caps : answer.capabilities;
   Capability capability{
@@ -277,7 +276,7 @@ Result<std::size_t> V4l2Device::configure(CameraFormat& format) const {
                          format.seconds_numerator,
                          format.seconds_denominator};
   if (got != format)
-    return Error{en::say("the camera was asked for {} and chose {}", format.text(), got.text()),
+    return Error{en::say("{} was requested, but the camera chose {}", format.text(), got.text()),
                  node_,
                  en::say("a format that 'alltact devices --details' lists for it")};
   if (format.seconds_numerator == 0) return image_format.bytesperline;
@@ -370,7 +369,7 @@ Result<std::unique_ptr<V4l2Stream>> V4l2Stream::start(const V4l2Device& device) 
   if (const Status status = stream->map_buffers(); !status) return status.error();
   for (std::uint32_t i = 0; i < stream->buffers_.size(); ++i)
     if (const int error = stream->queue(i); error != 0)
-      return camera_error(en::say("the camera takes no buffer"), device.node(), error);
+      return camera_error(en::say("the camera accepts no buffer"), device.node(), error);
   int type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
   if (const int error = device.ioctl(VIDIOC_STREAMON, &type); error != 0)
     return camera_error(en::say("the camera does not start"), device.node(), error);
@@ -380,9 +379,9 @@ Result<std::unique_ptr<V4l2Stream>> V4l2Stream::start(const V4l2Device& device) 
 Status V4l2Stream::map_buffers() {
   std::uint32_t count = kBuffers;
   if (const int error = request_buffers(*device_, count); error != 0)
-    return camera_error(en::say("the camera gives no buffers"), device_->node(), error);
+    return camera_error(en::say("the camera provides no buffers"), device_->node(), error);
   if (count < 2)
-    return camera_error(en::say("the camera gives no buffers"), device_->node(), ENOMEM);
+    return camera_error(en::say("the camera provides no buffers"), device_->node(), ENOMEM);
   for (std::uint32_t i = 0; i < count; ++i) {
     v4l2_buffer buffer = capture_buffer(i);
     if (const int error = device_->ioctl(VIDIOC_QUERYBUF, &buffer); error != 0)

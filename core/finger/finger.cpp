@@ -26,17 +26,18 @@ std::optional<Error> face_problem(const Face& face, bool is_perspective) {
                    std::string("face.width_mm"),
                    en::say("the distance between the two edges of the view face in mm")};
     if (!is_perspective)
-      return Error{en::say("a fin_ray needs a camera with perspective: its shape comes from it"),
+      return Error{en::say("a fin_ray needs a perspective camera: its shape is computed from it"),
                    std::string("camera.model"),
                    en::say("pinhole, brown or fisheye")};
     return std::nullopt;
   }
   if (!is_in(face.plane_z_mm, is_perspective ? 1e-3 : -1e4, 1e4))
-    return Error{is_perspective
-                     ? en::say("must be above 0 and at most 10000: the face lies before the camera")
-                     : en::say("must be a number from -10000 to 10000"),
-                 std::string("face.plane_z_mm"),
-                 en::say("the distance of the face from the camera in mm")};
+    return Error{
+        is_perspective
+            ? en::say("must be above 0 and at most 10000: the face is in front of the camera")
+            : en::say("must be a number from -10000 to 10000"),
+        std::string("face.plane_z_mm"),
+        en::say("the distance of the face from the camera in mm")};
   return std::nullopt;
 }
 
@@ -48,7 +49,7 @@ std::optional<Error> marker_problem(const MarkerRows& markers, FaceKind kind) {
                  en::say("remove the block 'markers'")};
   }
   if (!(markers.per_row >= 0 && markers.per_row <= 64))
-    return Error{en::say("must be a whole number from 0 to 64"),
+    return Error{en::say("must be an integer from 0 to 64"),
                  std::string("markers.per_row"),
                  en::say("the number of dots on one side face, 0 for a finger without")};
   int lowest = 0;
@@ -122,7 +123,7 @@ std::optional<Error> file_problem(const std::string& name, const std::string& ke
   const bool leads_out = path.is_absolute() || *path.lexically_normal().begin() == "..";
   if (!name.empty() && !leads_out && path.has_filename() && name.find('\0') == std::string::npos)
     return std::nullopt;
-  return Error{en::say("'{}' is no file inside the finger's folder", printable(name)),
+  return Error{en::say("'{}' is not a file in the finger's folder", printable(name)),
                key,
                en::say("copy the file into the folder and give its name only")};
 }
@@ -133,11 +134,11 @@ std::optional<Error> reference_problem(const ReferenceFiles& files) {
   if (const auto& positions = files.positions;
       positions &&
       !(is_in(positions->from_u_px, -1e5, 1e5) && is_in(positions->step_mm, 1e-3, 500)))
-    return Error{en::say("must be a column of the picture and a step of 0.001 to 500 mm"),
+    return Error{en::say("must be a column of the image and a step of 0.001 to 500 mm"),
                  std::string("reference.places"),
                  en::say("record the reference again")};
   if (!files.image.empty())
-    return Error{en::say("there is either a video with its markers or one picture, not both"),
+    return Error{en::say("there is either a video with its markers or one image, not both"),
                  std::string("reference.image"),
                  en::say("remove one of them")};
   if (auto problem = file_problem(files.video, "reference.video")) return problem;
@@ -162,7 +163,7 @@ std::optional<Error> contact_problem(const ContactSettings& contact,
   const double side = std::max(camera.width_px, camera.height_px);
   for (const Eigen::Vector2d& marker : contact.rest_markers)
     if (!is_in(marker.x(), -side, 2 * side) || !is_in(marker.y(), -side, 2 * side))
-      return Error{en::say("holds a position far outside the picture"),
+      return Error{en::say("holds a position far outside the image"),
                    key,
                    en::say("record the reference again")};
   return std::nullopt;
@@ -186,7 +187,7 @@ std::vector<Error> Finger::implausible() const {
 
 Status Finger::validate() const {
   if (name.empty() || name.size() > 200)
-    return Error{en::say("must be a text of 1 to 200 letters"),
+    return Error{en::say("must be a text of 1 to 200 characters"),
                  std::string("name"),
                  en::say("what is written on the finger")};
   if (const Status status = check_camera_range(camera); !status) return status.error();
@@ -197,7 +198,7 @@ Status Finger::validate() const {
     if (auto problem = mapping_problem(*mapping, face.layer_mm)) return *problem;
   if (mapping_record) {
     if (!mapping)
-      return Error{en::say("says how a mapping was made, but there is none"),
+      return Error{en::say("states how a mapping was made, but there is none"),
                    std::string("mapping"),
                    en::say("calibrate")};
     if (auto problem = record_problem(*mapping_record)) return *problem;

@@ -36,7 +36,7 @@ std::optional<Message> about_clock(const Finger& finger) {
   for (const auto& [key, value] : finger.provenance)
     if (key.ends_with("_date") && is_ahead_of_clock(value)) latest = std::max(latest, value);
   if (latest.empty()) return std::nullopt;
-  return en::say("{} was last changed at {}, and this computer's clock says {}: set the clock",
+  return en::say("{} was last changed at {}, and this computer's clock shows {}: set the clock",
                  finger.name,
                  latest,
                  utc_now());

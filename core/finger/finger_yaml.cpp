@@ -76,8 +76,7 @@ void read_size(YamlSection& section, CameraParameters& parameters) {
   const std::vector<double> size = section.numbers("size");
   const auto is_integer = [](double x) { return std::abs(x) < 1e9 && x == std::floor(x); };
   if (size.size() != 2 || !is_integer(size[0]) || !is_integer(size[1]))
-    section.refuse(
-        "size", en::say("must be two whole numbers"), en::say("[width, height] in pixels"));
+    section.refuse("size", en::say("must be two integers"), en::say("[width, height] in pixels"));
   parameters.width_px = static_cast<int>(size[0]);
   parameters.height_px = static_cast<int>(size[1]);
 }
@@ -85,10 +84,10 @@ void read_size(YamlSection& section, CameraParameters& parameters) {
 FlatPort read_port(YamlSection& camera) {
   YamlSection section = camera.section("port");
   FlatPort port;
-  port.gap_mm = section.number("gap_mm", en::say("the air between lens and window in mm"));
+  port.gap_mm = section.number("gap_mm", en::say("the lens-to-window air gap in mm"));
   port.plate_mm = section.number("plate_mm", en::say("the window's thickness in mm"));
   port.plate_index = section.number("plate_index", en::say("the window's index of refraction"));
-  port.medium_index = section.number("medium_index", en::say("the index of what lies behind it"));
+  port.medium_index = section.number("medium_index", en::say("the index of refraction behind it"));
   return port;
 }
 
@@ -249,7 +248,7 @@ MarkerRows read_markers(YamlSection section) {
   if (section.has("missing"))
     for (const double number : section.numbers("missing")) {
       if (number != std::floor(number) || std::abs(number) > 1000)
-        section.refuse("missing", en::say("must be a list of whole numbers"), en::say("[3, 9]"));
+        section.refuse("missing", en::say("must be a list of integers"), en::say("[3, 9]"));
       markers.missing.push_back(static_cast<int>(number));
     }
   return markers;
@@ -288,8 +287,8 @@ void check_powers(YamlSection& section, const MappingParameters& parameters) {
 
 FaceVariation read_variation(YamlSection section) {
   FaceVariation variation;
-  variation.part = {section.number("along", en::say("a part of the depth")),
-                    section.number("across", en::say("a part of the depth"))};
+  variation.part = {section.number("along", en::say("a fraction of the depth")),
+                    section.number("across", en::say("a fraction of the depth"))};
   const auto read_pair = [&](const char* key) {
     const std::vector<double> numbers = section.numbers(key);
     if (numbers.size() != 2)

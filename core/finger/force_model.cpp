@@ -181,7 +181,7 @@ Status ForceModel::belongs_to(const Finger& finger) const {
     far_px = std::max(far_px, (rest_px[m] - finger.contact->rest_markers[m]).norm());
   if (far_px <= kRestTolerancePx) return {};
   return Error{en::say("the force model belongs to another reference: its markers rested up to "
-                       "{:.1f} px from where they rest now",
+                       "{:.1f} px off the present positions",
                        far_px),
                std::string("force.model"),
                advice};
@@ -263,21 +263,21 @@ const ForceJson& at(const ForceJson& json, const std::string& key, const std::st
 }
 
 double number_of(const ForceJson& json, const std::string& path) {
-  if (!json.is_number()) refuse_model(path, en::say("is no number"));
+  if (!json.is_number()) refuse_model(path, en::say("is not a number"));
   const double number = json.get<double>();
-  if (!(std::abs(number) < kLargestNumber)) refuse_model(path, en::say("is no possible number"));
+  if (!(std::abs(number) < kLargestNumber)) refuse_model(path, en::say("is not a valid number"));
   return number;
 }
 
 int integer_of(const ForceJson& json, const std::string& path) {
   const double number = number_of(json, path);
   if (number != std::floor(number) || std::abs(number) > 1e9)
-    refuse_model(path, en::say("is no whole number"));
+    refuse_model(path, en::say("is not an integer"));
   return static_cast<int>(number);
 }
 
 const ForceJson& array_of(const ForceJson& json, const std::string& path) {
-  if (!json.is_array()) refuse_model(path, en::say("is no list"));
+  if (!json.is_array()) refuse_model(path, en::say("is not a list"));
   return json;
 }
 
@@ -322,11 +322,11 @@ ForceRange range_from(const ForceJson& json) {
   range.has_all_positions = bool_at(json, "always_placed", path);
   if (!json.contains("place_mm")) return range;
   const ForceJson& positions = array_of(json.at("place_mm"), "range.place_mm");
-  if (positions.size() != 2) refuse_model("range.place_mm", en::say("must be two places"));
+  if (positions.size() != 2) refuse_model("range.place_mm", en::say("must be two positions"));
   range.position_mm.emplace();
   for (std::size_t i = 0; i < 2; ++i) {
     if (array_of(positions[i], "range.place_mm").size() != 2)
-      refuse_model("range.place_mm", en::say("must be two places"));
+      refuse_model("range.place_mm", en::say("must be two positions"));
     for (std::size_t k = 0; k < 2; ++k)
       (*range.position_mm)[i][static_cast<Eigen::Index>(k)] =
           number_of(positions[i][k], "range.place_mm");
@@ -391,14 +391,14 @@ ForceModel model_from(const ForceJson& json) {
   const ForceJson& record = at(json, "record", "force");
   if (!record.is_object()) refuse_model("record", en::say("is not an object"));
   for (const auto& [key, text] : record.items()) {
-    if (!text.is_string()) refuse_model("record", en::say("holds what is no text"));
+    if (!text.is_string()) refuse_model("record", en::say("contains non-text values"));
     model.record[key] = text.get<std::string>();
   }
   return model;
 }
 
 void check_shape(bool holds, const std::string& key) {
-  if (!holds) refuse_model(key, en::say("has not the shape that the rest of the model needs"));
+  if (!holds) refuse_model(key, en::say("does not have the shape that the model needs"));
 }
 
 void check_range(const ForceModel& model) {
@@ -411,7 +411,7 @@ void check_range(const ForceModel& model) {
     refuse_model("range.noise_px", en::say("must be above 0"));
   if (!(range.max_t2 >= 0) || !(range.max_residual_px >= 0) || range.min_seen < 0 ||
       range.min_seen > model.marker_count)
-    refuse_model("range", en::say("is no possible range"));
+    refuse_model("range", en::say("is not a valid range"));
 }
 
 void check_basis(const ForceBasis& basis, const ForceModel& model, const std::string& path) {
@@ -439,7 +439,7 @@ void check_regressor(const ForceRegressor& regressor,
     check_shape(layer.weights.cols() == inputs && layer.weights.rows() == layer.bias.size(), path);
     inputs = layer.bias.size();
     if (!layer.weights.allFinite() || !layer.bias.allFinite())
-      refuse_model(path, en::say("holds what is no number"));
+      refuse_model(path, en::say("contains non-numeric values"));
   }
   check_shape(inputs == model.axes, path);
 }
@@ -447,7 +447,7 @@ void check_regressor(const ForceRegressor& regressor,
 void check_model(const ForceModel& model) {
   if (model.axes != 2 && model.axes != 3) refuse_model("axes", en::say("must be 2 or 3"));
   if (model.marker_count < 1 || model.marker_count > 1024)
-    refuse_model("marker_count", en::say("must be a whole number from 1 to 1024"));
+    refuse_model("marker_count", en::say("must be an integer from 1 to 1024"));
   check_shape(model.rest_px.size() == static_cast<std::size_t>(model.marker_count), "rest_px");
   for (const int number : model.missing)
     check_shape(number >= 0 && number < model.marker_count, "missing");
@@ -512,7 +512,7 @@ Result<ForceModel> ForceModel::parse(std::string_view text, const std::filesyste
   };
   const ForceJson json = ForceJson::parse(text, nullptr, /*allow_exceptions=*/false);
   if (json.is_discarded())
-    return Error{en::say("is no force model: it is broken or cut off"),
+    return Error{en::say("is not a force model: damaged or truncated"),
                  origin,
                  en::say("train the force model again")};
   try {

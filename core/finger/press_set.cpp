@@ -29,7 +29,7 @@ void read_pairs(YamlSection& top,
   if (values.size() != names.size())
     top.refuse(values_key,
                en::say("has {} entries for {} presses", values.size(), names.size()),
-               en::say("one for each press, \"\" where there is nothing to say"));
+               en::say("one for each press, \"\" for none"));
   for (std::size_t i = 0; i < names.size(); ++i) take(names[i], values[i]);
 }
 
@@ -46,7 +46,7 @@ GivenDepth depth_of(YamlSection& top, const Rows& row) {
 Eigen::Vector3d centre_of(YamlSection& top, const Rows& row) {
   if (row.size() != 3 || !(row[2] > 0))
     top.refuse("balls_mm",
-               en::say("is not the centre of a ball before the camera"),
+               en::say("is not a ball centre in front of the camera"),
                en::say("x, y, z in mm"));
   return {row[0], row[1], row[2]};
 }

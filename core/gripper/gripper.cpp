@@ -28,7 +28,7 @@ std::optional<Error> motor_problem(const GripperMotor& motor) {
   if (!(motor.sd_turns >= 0 && motor.sd_turns <= 1000))
     return Error{en::say("must be from 0 to 1000"),
                  std::string("motor.sd_turns"),
-                 en::say("how far a motor position may be off, with the screw's play")};
+                 en::say("the error of a motor position, with the screw's play")};
   return std::nullopt;
 }
 
@@ -47,7 +47,7 @@ std::optional<Error> Gripper::finger_problem(std::size_t number) const {
   const GripperFinger& finger = fingers[number];
   const std::string key = fmt::format("fingers[{}]", number);
   if (!is_name(finger.name))
-    return Error{en::say("must be a text of 1 to 200 letters"),
+    return Error{en::say("must be a text of 1 to 200 characters"),
                  key + ".name",
                  en::say("what is written on the finger")};
   if (finger.folder.empty() || finger.folder.find('\0') != std::string::npos)
@@ -75,7 +75,7 @@ std::optional<Error> Gripper::finger_problem(std::size_t number) const {
           en::say(
               "a range within {:.6g} to {:.6g}", reach.first.motor_turns, reach.last.motor_turns)};
   if (finger.link_from_camera.has_value() == finger.known_at_turns.has_value())
-    return Error{en::say("must say where the camera sits in one way"),
+    return Error{en::say("must specify the camera's pose exactly once"),
                  key + ".link_from_camera",
                  en::say("this, or known_at_turns: the motor position at which gripper_from_camera "
                          "in the finger's own file holds")};
@@ -91,14 +91,14 @@ std::optional<Error> Gripper::finger_problem(std::size_t number) const {
 
 Status Gripper::validate() const {
   if (!is_name(name))
-    return Error{en::say("must be a text of 1 to 200 letters"),
+    return Error{en::say("must be a text of 1 to 200 characters"),
                  std::string("name"),
-                 en::say("what is written on the gripper")};
+                 en::say("the name on the gripper")};
   if (auto problem = motor_problem(motor)) return *problem;
   for (std::size_t i = 0; i < fingers.size(); ++i)
     if (auto problem = finger_problem(i)) return *problem;
   if (fingers[0].name == fingers[1].name)
-    return Error{en::say("is the name of the other finger too"),
+    return Error{en::say("is also the name of the other finger"),
                  std::string("fingers[1].name"),
                  en::say("two names, for example left and right")};
   return {};
@@ -111,7 +111,7 @@ Status Gripper::resolve_camera_poses(const std::filesystem::path& folder) {
     const auto known = Finger::load(at);
     if (!known) return known.error();
     if (!known->gripper_from_camera)
-      return Error{en::say("does not say where the camera sits in the gripper"),
+      return Error{en::say("does not specify the camera's pose in the gripper"),
                    at / Finger::kFileName,
                    en::say("add gripper_from_camera there, as it is at {:g} turns of the motor",
                            *finger.known_at_turns)};
@@ -145,9 +145,7 @@ Result<GripperPose> Gripper::pose_at(double motor_turns, std::optional<double> s
     const GripperFinger& finger = fingers[i];
     if (!finger.link_from_camera)
       return Error{
-          en::say("it is not known where the camera of finger {} sits", printable(finger.name)),
-          name,
-          ""};
+          en::say("the camera pose of finger {} is unknown", printable(finger.name)), name, ""};
     const auto linkage = Linkage::create(finger.linkage, motor.lead_mm);
     if (!linkage) return linkage.error();
     const auto angle = linkage->angle_at(motor_turns);
@@ -258,7 +256,7 @@ double Linkage::turns_at_height(double above_pivot_mm) const {
 Result<LinkageAngle> Linkage::angle_at(double motor_turns) const {
   const LinkageParameters& p = parameters_;
   if (!std::isfinite(motor_turns))
-    return Error{en::say("the motor's position is no number"), "", en::say("a number of turns")};
+    return Error{en::say("the motor position is not a number"), "", en::say("a number of turns")};
   const double x = p.nut_mm.x() - p.pivot_mm.x();
   const double z = std::fma(lead_mm_, motor_turns, p.nut_mm.y() - p.pivot_mm.y());
   const double d = std::hypot(x, z), c = p.crank_mm, r = p.rod_mm;

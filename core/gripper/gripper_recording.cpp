@@ -64,7 +64,7 @@ Eigen::Matrix3d covariance_of(const ReadJson& object, const char* key) {
   const double min_value = covariance.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff();
   // Values are written to nine decimals.
   if (!(min_value > -1e-7 - 1e-6 * covariance.trace()))
-    throw RefusedLine{en::say("'{}' is no covariance", std::string(key))};
+    throw RefusedLine{en::say("'{}' is not a covariance", std::string(key))};
   return covariance;
 }
 
@@ -83,22 +83,23 @@ ObservedContact contact_of(const ReadJson& region) {
 }
 
 RecordedContacts contacts_of(const ReadJson& line) {
-  if (!line.is_object()) throw RefusedLine{en::say("is no JSON object")};
+  if (!line.is_object()) throw RefusedLine{en::say("is not a JSON object")};
   RecordedContacts contacts;
   const ReadJson* frame = find_key(line, "frame");
   if (frame == nullptr || !frame->is_string())
-    throw RefusedLine{en::say("'{}' must be a text", std::string("frame"))};
+    throw RefusedLine{en::say("'{}' must be text", std::string("frame"))};
   contacts.frame = frame->get<std::string>();
   if (const ReadJson* time = find_key(line, "time_ns")) {
     if (!time->is_number_integer())
-      throw RefusedLine{en::say("'{}' must be a whole number", std::string("time_ns"))};
+      throw RefusedLine{en::say("'{}' must be an integer", std::string("time_ns"))};
     contacts.time_ns = time->get<std::int64_t>();
   }
   if (const ReadJson* regions = find_key(line, "regions")) {
     if (!regions->is_array())
       throw RefusedLine{en::say("'{}' must be a list", std::string("regions"))};
     if (!regions->empty()) {
-      if (!regions->front().is_object()) throw RefusedLine{en::say("a region is no JSON object")};
+      if (!regions->front().is_object())
+        throw RefusedLine{en::say("a region is not a JSON object")};
       contacts.contact = contact_of(regions->front());
     }
   }
@@ -178,7 +179,7 @@ Result<std::vector<RecordedContacts>> parse_recorded_contacts(const std::string&
     if (line.empty()) continue;
     const ReadJson json = ReadJson::parse(line, nullptr, false);
     try {
-      if (json.is_discarded()) throw RefusedLine{en::say("is no JSON: {}", printable(line))};
+      if (json.is_discarded()) throw RefusedLine{en::say("is not JSON: {}", printable(line))};
       all.push_back(contacts_of(json));
     } catch (const RefusedLine& refused) {
       return Error{refused.what,

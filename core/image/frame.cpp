@@ -49,7 +49,7 @@ Message differences(std::string_view before, std::string_view now) {
     const auto old = earlier.find(name);
     if (old == earlier.end() || old->second == value) continue;
     changes.push_back(en::say(
-        "{} was {} and is {}", name_of(name), std::string(old->second), std::string(value)));
+        "{} changed from {} to {}", name_of(name), std::string(old->second), std::string(value)));
   }
   return en::list(changes);
 }

@@ -55,7 +55,8 @@ Error damaged_packet(Message what) {
   return {
       std::move(what),
       "",
-      en::say("a shorter USB cable or another port; if it stays, another format or a lower rate")};
+      en::say(
+          "a shorter USB cable or another port; if it persists, another format or a lower rate")};
 }
 
 }  // namespace
@@ -71,7 +72,7 @@ Result<cv::Mat> GreyDecoder::operator()(PixelFormat format,
   const std::size_t stride = std::max(stride_bytes, row_bytes);
   const std::size_t needed = stride * (static_cast<std::size_t>(height_px) - 1) + row_bytes;
   if (bytes.size() < needed)
-    return damaged_packet(en::say("a picture came with {} of {} bytes", bytes.size(), needed));
+    return damaged_packet(en::say("a frame arrived with {} of {} bytes", bytes.size(), needed));
   cv::Mat grey(height_px, width_px, CV_8UC1);
   for (int v = 0; v < height_px; ++v) {
     const std::uint8_t* from = bytes.data() + stride * static_cast<std::size_t>(v);
@@ -104,10 +105,10 @@ Result<cv::Mat> GreyDecoder::complete_jpeg(int width_px,
   if (jpeg_->handle == nullptr ||
       tjDecompressHeader3(
           jpeg_->handle, bytes.data(), size, &width, &height, &sampling, &colours) != 0)
-    return damaged_packet(en::say("a picture came that is no JPEG"));
+    return damaged_packet(en::say("a frame arrived that is no JPEG"));
   if (width != width_px || height != height_px)
-    return damaged_packet(en::say(
-        "a picture of {}x{} came where {}x{} was agreed", width, height, width_px, height_px));
+    return damaged_packet(
+        en::say("a {}x{} frame arrived instead of {}x{}", width, height, width_px, height_px));
   cv::Mat grey(height, width, CV_8UC1);
   const int status = tjDecompress2(jpeg_->handle,
                                    bytes.data(),
@@ -124,7 +125,7 @@ Result<cv::Mat> GreyDecoder::complete_jpeg(int width_px,
     const std::string_view complaint = tjGetErrorStr2(jpeg_->handle);
     const bool is_complete =
         complaint.find("extraneous bytes before marker 0xd9") != std::string_view::npos;
-    if (!is_complete) return damaged_packet(en::say("a JPEG came that is truncated or damaged"));
+    if (!is_complete) return damaged_packet(en::say("a JPEG arrived truncated or damaged"));
     jpeg_ = std::make_unique<Jpeg>();
   }
   return grey;

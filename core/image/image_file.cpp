@@ -37,12 +37,12 @@ Result<Encoded> read_encoded(const std::filesystem::path& file) {
   if (!header) return at(file, header.error());
   const auto [width, height] = std::pair(header->width_px, header->height_px);
   if (width < 1 || height < 1 || width > kMaxSidePx || height > kMaxSidePx)
-    return Error{en::say("the picture says it is {} x {} px; a side must have 1 to {}",
+    return Error{en::say("the image header gives {} x {} px; a side must have 1 to {}",
                          width,
                          height,
                          kMaxSidePx),
                  file.string(),
-                 en::say("a smaller picture, or copy it again if that size is wrong")};
+                 en::say("a smaller image, or copy it again if that size is wrong")};
   return Encoded{std::move(*content), *header};
 }
 
@@ -61,7 +61,7 @@ cv::Mat decode(const Encoded& encoded) {
 }
 
 Error not_decodable(const std::filesystem::path& file) {
-  return {en::say("the picture is damaged or cut short"),
+  return {en::say("the image is damaged or truncated"),
           file.string(),
           en::say("copy or record it again")};
 }
@@ -69,19 +69,19 @@ Error not_decodable(const std::filesystem::path& file) {
 std::optional<Error> unfit_for_grey(const ImageHeader& header) {
   if (header.is_float || header.bits > 8)
     return Error{header.is_float
-                     ? en::say("the picture has {} bits per channel (floating point); 8 are needed",
+                     ? en::say("the image has {} bits per channel (floating point); 8 are needed",
                                header.bits)
-                     : en::say("the picture has {} bits per channel; 8 are needed", header.bits),
+                     : en::say("the image has {} bits per channel; 8 are needed", header.bits),
                  "",
-                 en::say("the camera's 8-bit pictures")};
+                 en::say("the camera's 8-bit images")};
   if (header.has_transparency)
-    return Error{en::say("the picture has transparent parts; a camera takes none"),
+    return Error{en::say("the image has transparent parts; a camera image has none"),
                  "",
-                 en::say("the picture as the camera took it, without an alpha channel")};
+                 en::say("the image as the camera took it, without an alpha channel")};
   if (header.channels != 1 && header.channels != 3)
-    return Error{en::say("the picture has {} channels; 1 or 3 are needed", header.channels),
+    return Error{en::say("the image has {} channels; 1 or 3 are needed", header.channels),
                  "",
-                 en::say("the picture as the camera took it")};
+                 en::say("the image as the camera took it")};
   return std::nullopt;
 }
 
@@ -106,9 +106,9 @@ Result<std::vector<unsigned char>> encode(const std::filesystem::path& file, con
       (ending == ".tif" || ending == ".tiff") && (type == CV_32FC1 || type == CV_32FC3);
   if (image.empty() || !(is_png || is_tiff)) {
     const Message kind = image.empty() ? en::say("empty") : Message::typed(cv::typeToString(type));
-    return Error{en::say("cannot write this kind of picture ({}) under that name", kind),
+    return Error{en::say("cannot write this kind of image ({}) under that name", kind),
                  file.string(),
-                 en::say("'.png' for 8-bit pictures, '.tiff' for floating point")};
+                 en::say("'.png' for 8-bit images, '.tiff' for floating point")};
   }
   const std::vector<int> options = is_png ? std::vector<int>{cv::IMWRITE_PNG_COMPRESSION, 3}
                                           : std::vector<int>{cv::IMWRITE_TIFF_COMPRESSION, 1};
@@ -118,8 +118,7 @@ Result<std::vector<unsigned char>> encode(const std::filesystem::path& file, con
   } catch (const cv::Exception&) {
     // Like a returned false: neither gives a reason.
   }
-  return Error{
-      en::say("could not encode the picture"), file.string(), en::say("a smaller picture")};
+  return Error{en::say("could not encode the image"), file.string(), en::say("a smaller image")};
 }
 
 }  // namespace
@@ -132,24 +131,24 @@ Result<cv::Mat> read_grey_image(const std::filesystem::path& file, std::string* 
   if (image.empty()) return not_decodable(file);
   // The decoded type counts, not the header's.
   if (image.type() != CV_8UC1 && image.type() != CV_8UC3)
-    return Error{en::say("the picture is of a kind that cannot be used ({})",
+    return Error{en::say("this kind of image cannot be used ({})",
                          std::string(cv::typeToString(image.type()))),
                  file.string(),
-                 en::say("8-bit grey pictures")};
+                 en::say("8-bit grey images")};
   if (image.channels() == 3) {
     cv::Mat grey;
     cv::cvtColor(image, grey, cv::COLOR_BGR2GRAY);
     if (const double colour = colourfulness(image, grey); colour > kMaxColour)
-      return Error{en::say("the picture is in colour: its channels differ from grey by {:.0f} %",
+      return Error{en::say("the image is in colour: its channels differ from grey by {:.0f} %",
                            100 * colour),
                    file.string(),
-                   en::say("a picture of the finger under white light")};
+                   en::say("an image of the finger under white light")};
     image = grey;
   }
   double brightest = 0;
   cv::minMaxLoc(image, nullptr, &brightest);
   if (brightest <= kBlack)
-    return Error{en::say("the picture is all black"),
+    return Error{en::say("the image is all black"),
                  file.string(),
                  en::say("switch on the light, or take off the lens cap")};
   if (note != nullptr) *note = note_of(encoded->content);
@@ -171,9 +170,9 @@ Result<cv::Mat> read_float_image(const std::filesystem::path& file) {
   const ImageHeader& header = encoded->header;
   if (header.format != ImageFormat::kTiff || !header.is_float || header.bits != 32 ||
       (header.channels != 1 && header.channels != 3))
-    return Error{en::say("the picture is no TIFF of 32-bit floating point with 1 or 3 channels"),
+    return Error{en::say("the image is no 32-bit floating-point TIFF with 1 or 3 channels"),
                  file.string(),
-                 en::say("a depth or points picture written by this program")};
+                 en::say("a depth or points image written by this program")};
   cv::Mat image = decode(*encoded);
   if (image.empty()) return not_decodable(file);
   if (image.type() != CV_32FC1 && image.type() != CV_32FC3) return not_decodable(file);
@@ -185,10 +184,10 @@ namespace {
 using std::string_view_literals::operator""sv;
 
 Error truncated() {
-  return {en::say("the picture is cut short"), "", en::say("copy or record it again")};
+  return {en::say("the image is truncated"), "", en::say("copy or record it again")};
 }
 Error damaged_image(const Message& what) {
-  return {en::at(en::say("the picture is damaged"), what), "", en::say("copy or record it again")};
+  return {en::at(en::say("the image is damaged"), what), "", en::say("copy or record it again")};
 }
 
 /// Numbers at offsets of a file; reading past the end returns 0 and sets is_past_end().
@@ -266,7 +265,7 @@ Result<ImageHeader> jpeg_header(std::string_view content) {
   for (std::size_t at = 2;;) {
     const std::uint32_t start = bytes.u8(at), code = bytes.u8(at + 1);
     if (bytes.is_past_end()) return truncated();
-    if (start != 0xFF) return damaged_image(en::say("its parts do not join"));
+    if (start != 0xFF) return damaged_image(en::say("its parts do not match"));
     if (code == 0xFF) {  // fill byte
       ++at;
       continue;
@@ -277,7 +276,7 @@ Result<ImageHeader> jpeg_header(std::string_view content) {
     }
     const std::size_t length = bytes.u16(at + 2);
     if (bytes.is_past_end() || at + 2 + length > content.size()) return truncated();
-    if (length < 2) return damaged_image(en::say("its parts do not join"));
+    if (length < 2) return damaged_image(en::say("its parts do not match"));
     const bool is_frame =
         code >= 0xC0 && code <= 0xCF && code != 0xC4 && code != 0xC8 && code != 0xCC;
     if (is_frame) {
@@ -299,7 +298,7 @@ Result<ImageHeader> bmp_header(std::string_view content) {
   const int bits_per_pixel = static_cast<int>(bytes.u16(28));
   const std::uint32_t compression = bytes.u32(30);
   if (bytes.is_past_end()) return truncated();
-  if (bytes.u32(14) < 40) return damaged_image(en::say("its header is of a kind no longer in use"));
+  if (bytes.u32(14) < 40) return damaged_image(en::say("its header is of an obsolete kind"));
   header.width_px = static_cast<std::int32_t>(bytes.u32(18));
   header.height_px = std::abs(static_cast<std::int64_t>(height));
   header.bits = 8;
@@ -328,7 +327,8 @@ Result<ImageHeader> pgm_header(std::string_view content) {
     const std::size_t begin = at;
     for (; at < content.size() && content[at] >= '0' && content[at] <= '9'; ++at)
       number = std::min<std::int64_t>(10 * number + (content[at] - '0'), 1 << 30);
-    if (at == begin) return damaged_image(en::say("its header holds something that is no number"));
+    if (at == begin)
+      return damaged_image(en::say("its header contains something that is no number"));
   }
   header.width_px = numbers[0];
   header.height_px = numbers[1];
@@ -405,7 +405,7 @@ Result<ImageHeader> image_header(std::string_view content) {
   if (content.starts_with("BM")) return bmp_header(content);
   if (content.starts_with("P5") || content.starts_with("P6")) return pgm_header(content);
   if (content.starts_with("II*\0"sv) || content.starts_with("MM\0*"sv)) return tiff_header(content);
-  return Error{en::say("the file is no picture of a kind that is known here"),
+  return Error{en::say("the file is not an image of a known kind"),
                "",
                en::say("PNG, JPEG, BMP, binary PGM or TIFF")};
 }
@@ -660,9 +660,9 @@ Result<cv::Mat> read_depth_png(const std::filesystem::path& file) {
       header->has_transparency || header->width_px < 1 || header->height_px < 1 ||
       header->width_px > kMaxSide_px || header->height_px > kMaxSide_px ||
       text_of_png(*content, kDepthKeyword) != kDepthSentence)
-    return Error{en::say("the picture does not say that it holds depth in 16 bits"),
+    return Error{en::say("the image is not marked as depth in 16 bits"),
                  file.string(),
-                 en::say("a picture of alltact reconstruct --format depth16")};
+                 en::say("an image from alltact reconstruct --format depth16")};
   cv::Mat steps;
   try {
     steps = cv::imdecode(
@@ -672,7 +672,7 @@ Result<cv::Mat> read_depth_png(const std::filesystem::path& file) {
     // Handled like an empty result.
   }
   if (steps.empty() || steps.type() != CV_16UC1)
-    return Error{en::say("the picture is damaged or cut short"),
+    return Error{en::say("the image is damaged or truncated"),
                  file.string(),
                  en::say("copy or record it again")};
   return depth_of_steps(steps);

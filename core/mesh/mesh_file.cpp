@@ -43,7 +43,7 @@ Status take(const aiMesh& part, TriangleMesh& mesh, UniquePoints& points) {
   for (unsigned i = 0; i < part.mNumVertices; ++i) {
     const aiVector3D& at = part.mVertices[i];
     if (!std::isfinite(at.x) || !std::isfinite(at.y) || !std::isfinite(at.z))
-      return Error{en::say("a point of the mesh is no number"), "", en::say("export it again")};
+      return Error{en::say("a point of the mesh is not a number"), "", en::say("export it again")};
   }
   for (unsigned i = 0; i < part.mNumFaces; ++i) {
     const aiFace& face = part.mFaces[i];
@@ -65,13 +65,14 @@ Result<TriangleMesh> read_mesh(const std::filesystem::path& file) {
   };
   std::error_code failed;
   const std::uintmax_t size = std::filesystem::file_size(file, failed);
-  if (failed) return refuse(en::say("there is no such mesh"), en::say("an STL or OBJ file"));
+  if (failed) return refuse(en::say("the mesh does not exist"), en::say("an STL or OBJ file"));
   const std::string kind = lower_extension(file);
   if (kind != ".stl" && kind != ".obj")
-    return refuse(en::say("this is not known as a mesh"),
+    return refuse(en::say("this mesh format is unknown"),
                   en::say("a file that ends in .stl or .obj"));
   if (size > kLargestFile)
-    return refuse(en::say("the mesh's file is larger than 512 MB"), en::say("export it coarser"));
+    return refuse(en::say("the mesh's file is larger than 512 MB"),
+                  en::say("export a coarser mesh"));
   Assimp::Importer importer;
   importer.ReadFile(file.string(), aiProcess_ValidateDataStructure);
   const aiScene* scene = scene_triangles(importer);
@@ -85,7 +86,7 @@ Result<TriangleMesh> read_mesh(const std::filesystem::path& file) {
       return refuse(status.error().what, status.error().advice);
     if (mesh.triangles.size() > kMaxTriangles)
       return refuse(en::say("the mesh has more than {} triangles", kMaxTriangles),
-                    en::say("export it coarser"));
+                    en::say("export a coarser mesh"));
   }
   if (mesh.triangles.empty())
     return refuse(en::say("the mesh has no triangles"), en::say("export it again as STL or OBJ"));

@@ -15,9 +15,9 @@ bool is_scene(const fs::path& file) {
 }
 
 Error not_an_input(const fs::path& path) {
-  return {en::say("this is neither a picture, nor a folder of pictures, nor a video, nor a scene"),
+  return {en::say("this is neither an image, nor a folder of images, nor a video, nor a scene"),
           path.string(),
-          en::say("png, jpg, bmp, tif or pgm pictures, a mkv, avi or mp4 video, or a yaml scene")};
+          en::say("png, jpg, bmp, tif or pgm images, an mkv, avi or mp4 video, or a yaml scene")};
 }
 
 Result<std::unique_ptr<Source>> open_video(const fs::path& file, const SourceOptions& options) {
@@ -62,7 +62,7 @@ Result<std::unique_ptr<Source>> open_images(const std::vector<fs::path>& inputs)
       const Message kind = is_video(input) ? en::say("video") : en::say("scene");
       return Error{en::say("a {} cannot be mixed with other inputs", kind),
                    input.string(),
-                   en::say("it alone, or pictures only")};
+                   en::say("it alone, or images only")};
     } else {
       return not_an_input(input);
     }
@@ -84,7 +84,7 @@ Result<std::unique_ptr<Source>> open_source(const std::vector<fs::path>& inputs,
   if (inputs.empty())
     return Error{en::say("no input was given"),
                  "",
-                 en::say("name a picture, a folder of pictures, a video, a scene or a camera")};
+                 en::say("specify an image, a folder of images, a video, a scene or a camera")};
   for (const fs::path& input : inputs) {
     std::error_code ignored;
     if (!fs::exists(input, ignored))

@@ -18,9 +18,9 @@ Message compressing_depth() {
 }
 
 Error not_depth(const std::filesystem::path& file) {
-  return {en::say("the video does not say that it holds depth"),
+  return {en::say("the video is not marked as depth"),
           file.string(),
-          en::say("a video of alltact reconstruct --format depth-video")};
+          en::say("a video from alltact reconstruct --format depth-video")};
 }
 
 Error damaged_depth(const std::filesystem::path& file) {
@@ -64,7 +64,7 @@ Result<DepthPackets> DepthPackets::create(cv::Size size) {
   if (found == nullptr)
     return Error{en::say("this system's libavcodec cannot write FFV1"),
                  "",
-                 en::say("Debian's libavcodec, or depth as single pictures")};
+                 en::say("Debian's libavcodec, or depth as single images")};
   auto state = std::make_unique<State>();
   state->context.reset(avcodec_alloc_context3(found));
   AVCodecContext& context = *state->context;

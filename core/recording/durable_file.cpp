@@ -19,7 +19,7 @@ namespace {
 constexpr off_t kRestoreUnit = 1000000;  // MB
 
 Message restoring() {
-  return en::say("could not put the recording back");
+  return en::say("could not restore the recording");
 }
 
 off_t size_of(int descriptor) {
@@ -35,7 +35,7 @@ Status copy_all(int from, int to, const std::filesystem::path& file, const Job& 
   const off_t size = size_of(from);
   for (off_t at = 0;;) {
     if (can_stop && job.stop_requested())
-      return Error{en::say("stopped when {} of {} MB of the recording were put back",
+      return Error{en::say("stopped when {} of {} MB of the recording were restored",
                            at / kRestoreUnit,
                            size / kRestoreUnit),
                    file.string(),
@@ -45,7 +45,7 @@ Status copy_all(int from, int to, const std::filesystem::path& file, const Job& 
     if (copied < 0 && errno == EINTR) continue;
     if (copied < 0 || ::fdatasync(to) != 0) return system_error(restoring(), file, errno);
     job.report(static_cast<double>(at) / static_cast<double>(std::max(at, size)),
-               en::say("putting the removed recording back: {} of {} MB",
+               en::say("restoring the removed recording: {} of {} MB",
                        at / kRestoreUnit,
                        size / kRestoreUnit));
   }

@@ -160,7 +160,7 @@ Result<std::vector<JournalEntry>> read_journal(const std::filesystem::path& file
     if (!entries.empty() && entry.time_ns < entries.back().time_ns)
       return Error{en::say("frame {} is older than frame {}", number, number - 1),
                    file.string(),
-                   en::say("move this file away: the video's own times count then")};
+                   en::say("move this file away to use the video's own times")};
     if (!line->empty()) {
       // Usually equal from frame to frame: stored once.
       std::string controls = text_of(*line);

@@ -112,7 +112,7 @@ Result<cv::Mat> grey_of(const AVFrame& frame) {
   if (format == nullptr ||
       (format->flags & (AV_PIX_FMT_FLAG_PAL | AV_PIX_FMT_FLAG_HWACCEL | AV_PIX_FMT_FLAG_FLOAT)))
     return Error{
-        en::say("its kind of picture has no brightness"), "", en::say("a grey or colour video")};
+        en::say("its pixel format has no brightness"), "", en::say("a grey or colour video")};
   cv::Mat grey(frame.height, frame.width, CV_8UC1);
   if (has_byte_plane(*format)) {
     for (int v = 0; v < grey.rows; ++v)
@@ -222,7 +222,7 @@ Status MatroskaFile::State::open(const AVCodecParameters& parameters,
   descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
   if (descriptor < 0) return error(AVERROR(errno));
   if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0)
-    return Error{en::say("it is being recorded or mended right now"),
+    return Error{en::say("it is being recorded or repaired right now"),
                  file.string(),
                  en::say("another name")};
   if (::ftruncate(descriptor, 0) != 0) return error(AVERROR(errno));

@@ -42,7 +42,7 @@ std::uint64_t free_bytes_at(int descriptor) {
 }
 
 Error nearly_full(const fs::path& file, std::uint64_t free_bytes, int reserve_mb) {
-  return {en::say("the disk is nearly full: {} MB are left, {} MB are kept free",
+  return {en::say("the disk is nearly full: {} MB are left, {} MB must stay free",
                   free_bytes / kMegabyte,
                   reserve_mb),
           file.string(),
@@ -54,15 +54,15 @@ Result<int> make_new(const fs::path& file) {
   const int number = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (number >= 0) return number;
   if (errno == EEXIST)
-    return Error{en::say("there is a file already"),
+    return Error{en::say("the file exists already"),
                  file.string(),
                  en::say("another name, or remove the old one")};
   std::error_code failed;
   if (errno == ENOENT && !fs::exists(folder_of(file), failed))
-    return Error{en::say("could not begin the recording: its folder does not exist"),
+    return Error{en::say("could not start the recording: its folder does not exist"),
                  file.string(),
-                 en::say("make the folder first, or check the path for typing errors")};
-  return system_error(en::say("could not begin the recording"), file, errno);
+                 en::say("create the folder first, or check the path for typing errors")};
+  return system_error(en::say("could not start the recording"), file, errno);
 }
 
 }  // namespace
@@ -72,9 +72,9 @@ const std::vector<Setting<RecorderSettings>>& recorder_settings() {
   static const std::vector<Setting<S>> settings{
       choice_setting<S, VideoCodec>(
           "codec",
-          en::say("how pictures are stored, all without loss: auto takes the camera's own packets "
-                  "(mjpeg) where it sends such, else magicyuv; ffv1 is about a tenth smaller and "
-                  "four times slower to read"),
+          en::say("how images are stored, always without loss: auto stores the camera's own "
+                  "packets (mjpeg) where available, else magicyuv; ffv1 is about a tenth smaller "
+                  "and four times slower to read"),
           &S::codec,
           {{"auto", VideoCodec::kAuto},
            {"magicyuv", VideoCodec::kMagicYuv},
@@ -256,7 +256,7 @@ Status Recorder::State::close(std::string_view why, const Job& job) {
     const std::lock_guard lock(mutex);
     counts.bytes = video->bytes();
   } else if (first) {
-    first = Error{en::say("no frame came, so nothing was recorded"),
+    first = Error{en::say("no frame arrived, so nothing was recorded"),
                   file.string(),
                   en::say("check the source")};
   }
@@ -281,10 +281,10 @@ Status Recorder::State::save_removed(const Error& removed, const Job& job) {
     saved = restore_file(journal.descriptor(), journal_of(file), job);
   if (saved) saved = restore_file(video->descriptor(), file, job);
   if (!saved)
-    return Error{en::say("{}, and it could not be put back ({})", removed.what, saved.error().what),
+    return Error{en::say("{}, and it could not be restored ({})", removed.what, saved.error().what),
                  removed.where,
                  en::say("record again, and leave the folder alone meanwhile")};
-  return Error{en::clauses({removed.what, en::say("what was recorded until then was put back")}),
+  return Error{en::clauses({removed.what, en::say("what was recorded until then was restored")}),
                removed.where,
                en::say("leave the folder alone while it records")};
 }

@@ -291,7 +291,7 @@ constexpr int kSlices = 4;
 constexpr int kSmallestSliced = 32;  // px; smaller frames cannot be cut into slices
 
 Message encoding() {
-  return en::say("could not encode the picture");
+  return en::say("could not encode the image");
 }
 
 /// Encodes grey frames to packets, one each, without delay.
@@ -378,11 +378,10 @@ AvPtr<AVCodecParameters> mjpeg_parameters(cv::Size size) {
 
 Status check(const Frame& frame, cv::Size size, VideoCodec codec) {
   if (frame.grey.type() != CV_8UC1 || frame.grey.empty())
-    return Error{en::say("only 8-bit grey pictures can be recorded"),
-                 frame.origin,
-                 en::say("a grey source")};
+    return Error{
+        en::say("only 8-bit grey images can be recorded"), frame.origin, en::say("a grey source")};
   if (frame.grey.size() != size)
-    return Error{en::say("the picture is {} x {}, those before were {} x {}",
+    return Error{en::say("the image is {} x {}, those before were {} x {}",
                          frame.grey.cols,
                          frame.grey.rows,
                          size.width,
@@ -390,7 +389,7 @@ Status check(const Frame& frame, cv::Size size, VideoCodec codec) {
                  frame.origin,
                  en::say("one recording for each size")};
   if (codec == VideoCodec::kMjpeg && !frame.jpeg)
-    return Error{en::say("the source gives no JPEG packets that could be stored untouched"),
+    return Error{en::say("the source delivers no JPEG packets to store unchanged"),
                  frame.origin,
                  en::say("the codec magicyuv or ffv1")};
   return {};
@@ -532,10 +531,10 @@ Status copy_packets(const fs::path& from,
   while (copied < blocks.size() && input->read(*packet) &&
          packet->pos == blocks[copied].data_bytes_at) {
     if (job.stop_requested())
-      return Error{en::say("stopped before it was mended"), from.string(), ""};
+      return Error{en::say("stopped before it was repaired"), from.string(), ""};
     if (copied % 64 == 0)
       job.report(static_cast<double>(copied) / static_cast<double>(blocks.size()),
-                 en::say("mending an interrupted recording"));
+                 en::say("repairing an interrupted recording"));
     av_packet_rescale_ts(packet.get(), video.time_base, {1, 1000});
     if (Status status = output->write(*packet); !status) return status;
     ++copied;
@@ -553,7 +552,7 @@ Status check_space(const fs::path& file) {
   const auto space = fs::space(fs::absolute(file).parent_path(), failed);
   constexpr std::uintmax_t kSpareBytes = 64 << 20;  // for other writers meanwhile
   if (!failed && space.available < bytes + bytes / 64 + kSpareBytes)
-    return system_error(en::say("the interrupted recording cannot be mended"), file, ENOSPC);
+    return system_error(en::say("the interrupted recording cannot be repaired"), file, ENOSPC);
   return {};
 }
 
@@ -578,7 +577,7 @@ Result<bool> repair_recording(const fs::path& file, const Job& job) {
   if (!input->is_matroska() || !is_own_recording(*input->context)) return false;
   const Lock lock(file);
   if (!lock.is_held())
-    return Error{en::say("it is being recorded or mended right now"),
+    return Error{en::say("it is being recorded or repaired right now"),
                  file.string(),
                  en::say("wait for its end")};
   // Only under the lock: the writer may have finished the file just before.

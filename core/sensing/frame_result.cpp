@@ -36,18 +36,18 @@ std::optional<Message> image_fault(const cv::Mat& grey) {
     below += histogram[static_cast<std::size_t>(++darkest)];
   if (level < kBlackBelow)
     return en::say(
-        "the picture is black: its brightest parts reach {} of 255 grey levels; take the cap off "
-        "the lens, switch the lamps on, or expose longer",
+        "the image is black: its brightest parts reach {} of 255 grey levels; take the cap off the "
+        "lens, switch the lamps on, or expose longer",
         level);
   int saturated = 0;
   for (std::size_t i = kClippedFrom; i < histogram.size(); ++i) saturated += histogram[i];
   if (saturated > kSaturatedFraction * all)
     return en::say(
-        "the picture is too bright: {:.0f} % of it is saturated; expose shorter, or dim the lamps",
+        "the image is too bright: {:.0f} % of it is saturated; expose shorter, or dim the lamps",
         100.0 * saturated / all);
   if (level - darkest <= kBlankLevels)
     return en::say(
-        "the picture is blank: all of it has {} of 255 grey levels, without even a camera's noise; "
+        "the image is blank: every pixel has {} of 255 grey levels, without even camera noise; "
         "plug the camera in again",
         level);
   return std::nullopt;
@@ -81,8 +81,8 @@ std::vector<Message> face_faults(const FlagFractions& shares, const LightGain& l
         100.0 * shares.of[kNoReference]));
   if (shares.of[kHiddenEnd] > 0)
     faults.push_back(
-        en::say("{:.1f} % of the face, at its end, is hidden in this frame: nothing is told of "
-                "it, neither that it is touched nor that it is not",
+        en::say("{:.1f} % of the face, at its end, is hidden in this frame; whether it is in "
+                "contact there is unknown",
                 100.0 * shares.of[kHiddenEnd]));
   if (light.change() < -kMuchDarker)
     faults.push_back(en::say(
@@ -95,10 +95,10 @@ std::vector<Message> face_faults(const FlagFractions& shares, const LightGain& l
         "and lamps as they were then",
         100.0 * light.change()));
   if (light.brighter() > kForeignFraction)
-    faults.push_back(en::say(
-        "{:.0f} % of the face is brighter than its reference: this is another finger, or its skin "
-        "has changed; choose the finger that it is, or record the reference again",
-        100.0 * light.brighter()));
+    faults.push_back(
+        en::say("{:.0f} % of the face is brighter than its reference: this is another finger, or "
+                "its skin has changed; choose the right finger, or record the reference again",
+                100.0 * light.brighter()));
   return faults;
 }
 

@@ -55,11 +55,10 @@ Result<PaperMethod> PaperMethod::create(const FingerSnapshot& finger, const Job&
                 "has none"),
         finger);
   if (!finger.finger.markers.missing.empty())
-    return unsuitable_finger(
-        en::say("the source paper's method sorts two whole rows, and {} of this finger's dots are "
-                "missing",
-                finger.finger.markers.missing.size()),
-        finger);
+    return unsuitable_finger(en::say("the source paper's method sorts two full rows, and {} of "
+                                     "this finger's dots are missing",
+                                     finger.finger.markers.missing.size()),
+                             finger);
   auto read = PaperReference::read(finger.folder / files->video, finger.finger, finger.camera, job);
   if (!read) return read.error();
   PaperMethod method(finger);
@@ -87,9 +86,9 @@ Result<FrameResult> PaperMethod::operator()(const FramePtr& frame) {
   result.frame = frame;
   auto grey = oriented_for(finger_.camera,
                            frame->grey,
-                           en::say("the picture"),
+                           en::say("the image"),
                            frame->origin,
-                           en::say("a picture at the size that the finger was calibrated with"));
+                           en::say("an image of the size that the finger was calibrated with"));
   if (!grey) return grey.error();
   result.grey = std::move(grey).value();
   watch.lap(result.times_ms.prepare);
@@ -131,8 +130,8 @@ bool PaperMethod::find_reference(FrameResult& result) {
       result.grey, *result.shape, finger_.markers, last_ ? &*last_ : &reference_->frame(0).markers);
   if (!result.markers) {
     result.problems.push_back(
-        en::say("fewer than two dots of a row are seen, from which the source paper's method could "
-                "tell the others: uncover and light the dots on the side faces"));
+        en::say("fewer than two dots of a row are visible; the source paper's method cannot infer "
+                "the others: uncover and light the dots on the side faces"));
     return false;
   }
   last_ = result.markers;
@@ -234,10 +233,11 @@ double intersect_profile(const PaperCurve& profile, double across, double z_mm) 
 }
 
 Error paper_face_error(Message what) {
-  return {std::move(what),
-          en::say("the source paper's method"),
-          en::say("a picture in which the whole face is bright against its side faces, or our own "
-                  "method")};
+  return {
+      std::move(what),
+      en::say("the source paper's method"),
+      en::say(
+          "an image in which the entire face is brighter than its side faces, or our own method")};
 }
 
 }  // namespace
@@ -279,11 +279,11 @@ Result<PaperFace> PaperFace::fit(const PaperEdges& edges, const Camera& camera, 
         en::say("the shape of a Fin Ray needs a perspective camera, not an orthographic one"));
   const std::size_t width = edges.upper_v.size();
   if (5 * edges.seen < static_cast<int>(width))
-    return paper_face_error(en::say(
-        "the binarised picture shows both edges of the face in {} of {} columns, and a fifth of "
-        "them is needed",
-        edges.seen,
-        width));
+    return paper_face_error(
+        en::say("the binarised image shows both edges of the face in {} of {} columns; at least a "
+                "fifth is needed",
+                edges.seen,
+                width));
   std::vector<double> x_mm, z_mm, middle;
   std::vector<std::size_t> columns;
   for (std::size_t u = 0; u < width; ++u) {
@@ -301,7 +301,7 @@ Result<PaperFace> PaperFace::fit(const PaperEdges& edges, const Camera& camera, 
     middle.push_back(0.5 * (a.y() + b.y()));
   }
   if (columns.size() < 4 * (kProfileDegree + 1))
-    return paper_face_error(en::say("no distance of the face follows from its edges"));
+    return paper_face_error(en::say("the edges of the face give no distance"));
   const PaperCurve profile(x_mm, z_mm, kProfileDegree);
   const std::vector<double> column_u(columns.begin(), columns.end());
   const PaperCurve line(column_u, middle, kProfileDegree);
@@ -315,7 +315,7 @@ Result<PaperFace> PaperFace::fit(const PaperEdges& edges, const Camera& camera, 
     fitted.middle_y_[columns[i]] = line.value(column_u[i]);
     any = any || std::isfinite(z);
   }
-  if (!any) return paper_face_error(en::say("no distance of the face follows from its edges"));
+  if (!any) return paper_face_error(en::say("the edges of the face give no distance"));
   return fitted;
 }
 

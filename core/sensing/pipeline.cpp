@@ -29,28 +29,28 @@ Message pose_not_recorded(double distance_px) {
 
 Message camera_frozen() {
   return en::say(
-      "the picture is the same as the one before to the last grey level: the camera stands "
-      "still; plug it in again");
+      "the image equals the previous one to the last grey level: the camera is frozen; plug it in "
+      "again");
 }
 
 Message sparse_pose(double error_factor) {
   return en::say(
-      "few recorded frames are near this pose: its reference is {:.0f} times less "
-      "sure than usual; record the finger bending slowly through it",
+      "few recorded frames are near this pose: its reference is {:.0f} times less certain than "
+      "typical; record the finger bending slowly through it",
       error_factor);
 }
 
 Message pose_from_shape() {
   return en::say(
-      "the markers were not found: the face's shape alone tells this pose, so that depth is less "
-      "sure and neither twist nor what touches the finger is told; uncover and light the dots on "
-      "the side faces");
+      "the markers were not found: this pose is estimated from the face's shape alone, so depth is "
+      "less certain, and neither twist nor contact is estimated; uncover and light the dots on the "
+      "side faces");
 }
 
 Message force_out_of_range() {
   return en::say(
-      "the force model was trained with nothing like this frame: its force cannot be "
-      "relied on; add rows with such forces to the table and train it again");
+      "the force model was not trained with frames like this one: its force is unreliable; add "
+      "rows with such forces to the table and train it again");
 }
 
 /// `by`: full-size pixels a side of one reduced pixel.
@@ -184,9 +184,9 @@ Result<cv::Mat> Pipeline::State::oriented(const Frame& frame) const {
   if (!snapshot) return reduced_image(frame.grey, binning_factor(settings.resolution));
   return image_for(*snapshot,
                    frame.grey,
-                   en::say("the picture"),
+                   en::say("the image"),
                    frame.origin,
-                   library ? en::say("a picture at the size that the finger was calibrated with")
+                   library ? en::say("an image of the size that the finger was calibrated with")
                            : en::say("the finger that belongs to this camera, or this finger's "
                                      "camera"));
 }
@@ -241,7 +241,7 @@ bool Pipeline::State::find_markers(FrameResult& result) {
   } else if (const MarkerModel* model = library->marker_model()) {
     result.markers =
         model->complete(markers_at(*finger->reference->positions, edge_curves(*result.shape)));
-    problem = en::say("too little of the face is seen to tell the pose by its shape");
+    problem = en::say("too little face is visible to estimate the pose from its shape");
   } else {
     return true;
   }
@@ -368,7 +368,7 @@ void Pipeline::State::find_force(FrameResult& result, StopWatch& watch) {
   result.force =
       (*force)(full_size_markers(*result.markers, result.reduced_by), position_mm, time_s);
   if (!result.force)
-    result.problems.push_back(en::say("no marker is seen that could tell the force"));
+    result.problems.push_back(en::say("no marker is visible to estimate the force"));
   else if (!result.force->in_range)
     result.problems.push_back(force_out_of_range());
   watch.lap(result.times_ms.force);

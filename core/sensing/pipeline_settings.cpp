@@ -64,7 +64,7 @@ std::optional<FaceRegion> region_from(std::string_view text) {
 
 Setting<S> region_setting() {
   Setting<S> setting{"region",
-                     en::say("the part of the face that depth is told of, in millimetres along it "
+                     en::say("the part of the face to measure depth on, in millimetres along it "
                              "from its base; all else counts as off the face"),
                      {},
                      {},
@@ -89,84 +89,84 @@ std::vector<Setting<S>> image_settings() {
       with_trade_off(
           choice_setting<S, Resolution>(
               "resolution",
-              en::say("pixels that a picture is measured with: all of them, or means of 2 by "
-                      "2 or 4 by 4 of them; results in pixels are then of that picture"),
+              en::say("pixels used to measure an image: all of them, or means of 2 by 2 or 4 by 4 "
+                      "of them; results in pixels then refer to that image"),
               &S::resolution,
               {{"whole", Resolution::kFull},
                {"half", Resolution::kHalf},
                {"quarter", Resolution::kQuarter}}),
-          {en::say("'whole' tells small contacts and steep edges, and numbers small dots"),
-           en::say("'half' is a quarter of the pixels and of the recording's memory, "
-                   "'quarter' a sixteenth"),
+          {en::say("'whole' detects small contacts and steep edges, and numbers small dots"),
+           en::say("'half' uses a quarter of the pixels and of the recording's memory, 'quarter' a "
+                   "sixteenth"),
            {"quarter", "half", "whole"}}),
       with_trade_off(
-          number_setting<S>("average-frames",
-                            en::say("pictures of one source whose running mean is measured; 1: "
-                                    "each by itself. A finger that moves is then seen where it "
-                                    "was on average, and blurred"),
-                            &S::average_frames,
-                            1,
-                            64),
-          {en::say("more quiet the noise of a finger that holds still, by their square root"),
-           en::say("more tell of the finger later, by half of them; adding them up takes a "
-                   "little"),
+          number_setting<S>(
+              "average-frames",
+              en::say("images of one source whose running mean is measured; 1: each by itself. A "
+                      "moving finger then appears at its average position, and blurred"),
+              &S::average_frames,
+              1,
+              64),
+          {en::say("more reduce the noise of a finger that holds still, by their square root"),
+           en::say(
+               "more delay the results, by half their number; adding them up takes a little time"),
            {"1"}}),
       with_trade_off(region_setting(),
                      {en::say("'all' misses no contact"),
-                      en::say("depth takes as much less time as the part is shorter than the face"),
+                      en::say("depth takes less time, in proportion to the part's length"),
                       {kFullFace}})};
 }
 
 std::vector<Setting<S>> edge_settings() {
-  return {with_trade_off(
-              choice_setting<S, EdgeMethod>(
-                  "edge-method",
-                  en::say("how the face's edges are placed: half-way crossing to a fiftieth of "
-                          "a pixel, or the steepest whole pixel"),
-                  &S::edge_method,
-                  {{"crossing", EdgeMethod::kCrossing}, {"integer", EdgeMethod::kInteger}}),
-              {en::say("'crossing' tells the finger's bend, and with it where a press lies, "
-                       "several times closer"),
-               en::say("'crossing' takes a little longer"),
-               {"integer", "crossing"},
-               {},
-               has_edges}),
-          with_trade_off(
-              number_setting<S>("edge-columns",
-                                en::say("pixel columns averaged into one place on each edge"),
-                                &S::edge_columns,
-                                1,
-                                32),
-              {en::say("more hide the noise of dark pictures; beyond 16 a bent finger's edge "
-                       "is no longer straight within them"),
-               en::say("fewer make more places, each of which the curve has to be fitted to"),
-               {"32", "16", "8", "4", "2"},
-               {},
-               has_edges}),
-          with_trade_off(
-              number_setting<S>("profile-degree",
-                                en::say("degree of the smooth curve through each edge of the face"),
-                                &S::profile_degree,
-                                2,
-                                12),
-              {en::say("higher follows sharper bends; too high follows noise where the edge is "
-                       "hidden"),
-               en::say("higher makes the fit longer"),
-               {"3", "5", "7", "9"},
-               {},
-               has_edges}),
-          with_trade_off(
-              choice_setting<S, Undistortion>(
-                  "undistortion",
-                  en::say("whether what the lens bends is taken out of every point, or the lens is "
-                          "taken as one that bends nothing"),
-                  &S::undistortion,
-                  {{"exact", Undistortion::kExact}, {"none", Undistortion::kNone}}),
-              {en::say("'exact' tells shape and places right up to the picture's corners"),
-               en::say("'exact' looks each ray up by itself"),
-               {"none", "exact"},
-               {},
-               has_distortion})};
+  return {
+      with_trade_off(choice_setting<S, EdgeMethod>(
+                         "edge-method",
+                         en::say("how the face's edges are located: half-height crossing to a "
+                                 "fiftieth of a pixel, or the steepest pixel"),
+                         &S::edge_method,
+                         {{"crossing", EdgeMethod::kCrossing}, {"integer", EdgeMethod::kInteger}}),
+                     {en::say("'crossing' measures the finger's bend, and so press positions, "
+                              "several times more accurately"),
+                      en::say("'crossing' takes a little longer"),
+                      {"integer", "crossing"},
+                      {},
+                      has_edges}),
+      with_trade_off(
+          number_setting<S>("edge-columns",
+                            en::say("pixel columns averaged into one position on each edge"),
+                            &S::edge_columns,
+                            1,
+                            32),
+          {en::say("more reduce the noise of dark images; beyond 16 a bent finger's edge is no "
+                   "longer straight within them"),
+           en::say("fewer make more positions, to each of which the curve must be fitted"),
+           {"32", "16", "8", "4", "2"},
+           {},
+           has_edges}),
+      with_trade_off(
+          number_setting<S>("profile-degree",
+                            en::say("degree of the smooth curve through each edge of the face"),
+                            &S::profile_degree,
+                            2,
+                            12),
+          {en::say("higher follows sharper bends; too high follows noise where the edge is "
+                   "hidden"),
+           en::say("higher makes the fit slower"),
+           {"3", "5", "7", "9"},
+           {},
+           has_edges}),
+      with_trade_off(
+          choice_setting<S, Undistortion>(
+              "undistortion",
+              en::say("whether the lens distortion is removed from every point, or the lens is "
+                      "assumed to have none"),
+              &S::undistortion,
+              {{"exact", Undistortion::kExact}, {"none", Undistortion::kNone}}),
+          {en::say("'exact' measures shape and positions correctly up to the image's corners"),
+           en::say("'exact' looks up each ray separately"),
+           {"none", "exact"},
+           {},
+           has_distortion})};
 }
 
 std::vector<Setting<S>> marker_settings() {
@@ -174,10 +174,9 @@ std::vector<Setting<S>> marker_settings() {
       with_trade_off(
           choice_setting<S, MarkerMethod>(
               "marker-method",
-              en::say(
-                  "how the engraved dots are found and numbered: spots followed by how the "
-                  "finger moves, the source paper's two sorted rows, or a convolutional network "
-                  "in every frame"),
+              en::say("how the engraved dots are found and numbered: spots tracked by the finger's "
+                      "motion, the source paper's two sorted rows, or a convolutional network in "
+                      "every frame"),
               &S::marker_method,
               {{"blobs", MarkerMethod::kBlobs},
                {"paper", MarkerMethod::kPaper},
@@ -188,12 +187,11 @@ std::vector<Setting<S>> marker_settings() {
            {"paper", "blobs", "network"},
            {"network"},
            has_markers}),
-      text_setting<S>(
-          "marker-network",
-          en::say("the network that marker-method network uses, and paper too where one is named: "
-                  "an ONNX file, a detector such as YOLO11 among them"),
-          &S::marker_network,
-          fmt::format("a file, or {}", kBuiltInNetwork))};
+      text_setting<S>("marker-network",
+                      en::say("the network for marker-method network, and for paper where one is "
+                              "named: an ONNX file, also a detector such as YOLO11"),
+                      &S::marker_network,
+                      fmt::format("a file, or {}", kBuiltInNetwork))};
 }
 
 std::vector<Setting<S>> depth_settings() {
@@ -201,26 +199,25 @@ std::vector<Setting<S>> depth_settings() {
       with_trade_off(
           choice_setting<S, ReferenceMethod>(
               "reference-method",
-              en::say("which untouched picture a frame is compared with: the one of the "
-                      "finger at rest, the "
-                      "nearest recorded one, or one computed from the nearest several"),
+              en::say("which untouched image a frame is compared with: the one of the finger at "
+                      "rest, the nearest recorded one, or one computed from several near ones"),
               &S::reference,
               {{"single", ReferenceMethod::kSingle},
                {"nearest", ReferenceMethod::kNearest},
                {"local", ReferenceMethod::kLocal}}),
-          {en::say("'local' keeps depth of a bent finger right between the recorded poses; "
-                   "'single' is right at rest alone"),
-           en::say("'local' adds up several pictures instead of one"),
+          {en::say("'local' measures depth of a bent finger correctly between the recorded poses; "
+                   "'single' only at rest"),
+           en::say("'local' adds up several images instead of one"),
            {"single", "nearest", "local"},
            {},
            has_edges}),
       with_trade_off(
-          number_setting<S>("reference-neighbours",
-                            en::say("recorded pictures that reference-method local computes the "
-                                    "reference from"),
-                            &S::reference_neighbours,
-                            2,
-                            32),
+          number_setting<S>(
+              "reference-neighbours",
+              en::say("recorded images from which reference-method local computes the reference"),
+              &S::reference_neighbours,
+              2,
+              32),
           {en::say("more leave less noise in the reference; too many reach too far from "
                    "the pose"),
            en::say("each is added up in every frame"),
@@ -230,41 +227,38 @@ std::vector<Setting<S>> depth_settings() {
       with_trade_off(
           choice_setting<S, LightChange>(
               "light-change",
-              en::say("whether a change of the light since the reference is read from the "
-                      "untouched skin and "
-                      "taken out"),
+              en::say("whether a change of light since the reference is measured on the untouched "
+                      "skin and removed"),
               &S::light,
               {{"corrected", LightChange::kCorrected}, {"ignored", LightChange::kIgnored}}),
-          {en::say("'corrected' keeps depth right when the room or the lamp changes"),
-           en::say("'corrected' looks once over the untouched skin"),
+          {en::say("'corrected' corrects depth when the room or the lamp changes"),
+           en::say("'corrected' analyses the untouched skin once"),
            {"ignored", "corrected"}}),
       with_trade_off(
           number_setting<S>("smoothing-px",
-                            en::say("standard deviation of the smoothing before depth is read, in "
-                                    "pixels; 0: none"),
+                            en::say("standard deviation of the smoothing before depth is computed, "
+                                    "in pixels; 0: none"),
                             &S::smoothing_px,
                             0.0,
                             8.0),
-          {en::say("more quiets the depth of a smooth contact and rounds off edges and "
-                   "threads"),
-           en::say("more takes longer, none the least"),
+          {en::say("more reduces the noise of a smooth contact and rounds off edges and threads"),
+           en::say("more takes longer, none is fastest"),
            {"0", "1", "2", "4"}}),
       with_trade_off(
           choice_setting<S, LayerRays>(
               "rays",
-              en::say("how a layer pressed in along its normal is told along z: looked up "
-                      "where the normal leads, or at the same pixel as if all rays were "
-                      "parallel"),
+              en::say("how a layer pressed in along its normal is converted to z: looked up where "
+                      "the normal leads, or at the same pixel as if all rays were parallel"),
               &S::rays,
               {{"exact", LayerRays::kExact}, {"parallel", LayerRays::kParallel}}),
-          {en::say("'exact' tells a contact on a sloping face where it is and as deep as "
-                   "it is; 'parallel' up to a layer's thickness beside"),
-           en::say("'exact' looks every pixel of a contact up once more"),
+          {en::say("'exact' measures a contact on a sloping face at its true position and depth; "
+                   "'parallel' up to a layer's thickness off"),
+           en::say("'exact' looks up every pixel of a contact once more"),
            {"parallel", "exact"},
            {},
            maps_along_normal}),
       number_setting<S>("contact-threshold-mm",
-                        en::say("depth that counts as touched, in millimetres"),
+                        en::say("depth that counts as contact, in millimetres"),
                         &S::contact_threshold_mm,
                         0.01,
                         5.0)};
@@ -279,7 +273,7 @@ Setting<S> mesh_setting() {
                         &S::mesh_step_px,
                         1,
                         16),
-      {en::say("1 keeps every edge that was measured"),
+      {en::say("1 preserves every measured edge"),
        en::say("time and size fall with its square"),
        {}});
 }

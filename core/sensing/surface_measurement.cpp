@@ -25,9 +25,9 @@ Error too_few(std::size_t have, std::size_t need) {
 }
 
 Error at_a_limit() {
-  return {en::say("a part of this piece is at a limit of what is measured"),
+  return {en::say("part of this piece is at a limit of the measuring range"),
           "",
-          en::say("a piece that is pressed in less deep")};
+          en::say("a piece that is pressed in less deeply")};
 }
 
 /// The patch with all depths shifted by their common standard deviation.
@@ -199,7 +199,7 @@ std::optional<Error> no_planes(const SurfacePatch& line,
     const double max_mm = std::max(kMaxNoiseRatio * side->noise_mm * std::sqrt(spread),
                                    kMaxOfStep * std::abs(height_mm));
     if (side->misfit_mm > max_mm)
-      return Error{en::say("one side of the step is not plane"),
+      return Error{en::say("one side of the step is not flat"),
                    "",
                    en::say("a line over two planes, with the step between them")};
   }
@@ -207,7 +207,7 @@ std::optional<Error> no_planes(const SurfacePatch& line,
   const double max_tilt = std::max(kSlopeSds * std::hypot(before.slope_sd, after.slope_sd),
                                    kTiltOfStep * std::abs(height_mm) / (0.5 * length_mm));
   if (tilt > max_tilt)
-    return Error{en::say("both sides of the step are not parallel"),
+    return Error{en::say("the two sides of the step are not parallel"),
                  "",
                  en::say("a line over two parallel planes, with the step between them")};
   return std::nullopt;
@@ -226,7 +226,7 @@ double noise_pixels_of_row(double smoothing_px) {
 Result<FittedBall> fit_ball(const SurfacePatch& patch) {
   const Error none{en::say("no ball lies in this piece"),
                    "",
-                   en::say("a piece that is round, seen up to where it is half as deep")};
+                   en::say("a round piece, visible down to half its depth")};
   std::vector<std::size_t> cap = deep_half(patch);
   std::optional<Sphere> ball;
   constexpr int kChoices = 4;
@@ -304,8 +304,7 @@ Result<Roughness> roughness(const SurfacePatch& patch) {
   }
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver(form);
   if (solver.rank() < 6)
-    return Error{
-        en::say("the piece is too narrow to take its form out"), "", en::say("a wider one")};
+    return Error{en::say("the piece is too narrow to remove its form"), "", en::say("a wider one")};
   const Eigen::VectorXd rest = height - form * solver.solve(height);
   const double pixels = static_cast<double>(n);
   const double squares =
@@ -374,7 +373,7 @@ Result<StepHeight> step_height(const SurfacePatch& line, const std::vector<doubl
   if (best) best = fit_at(best_at, gap_mm, false);
   const auto if_moved = best ? fit_at(best_at, gap_mm, true) : std::nullopt;
   if (!if_moved || !(std::abs(best->height) > 3 * best->sd))
-    return Error{en::say("no step along this line stands out of the noise"),
+    return Error{en::say("no step along this line exceeds the noise"),
                  "",
                  en::say("a line that crosses the step at a right angle")};
   if (auto problem = no_planes(line, along_mm, best_at, gap_mm, best->height)) return *problem;
@@ -499,7 +498,7 @@ Result<MeasuredValue> straight_distance(const FrameResult& result,
   const Eigen::Vector3d apart_mm = second->point_mm() - first->point_mm();
   const double distance_mm = apart_mm.norm();
   if (!(distance_mm > 0))
-    return Error{en::say("both points are one"), "", en::say("two points that are apart")};
+    return Error{en::say("both points are the same"), "", en::say("two different points")};
   const Eigen::Vector3d direction = apart_mm / distance_mm;
   const FaceShape& shape = *result.shape;
   // Change of the distance when the face's z is off by one standard deviation.
@@ -639,16 +638,16 @@ Eigen::Vector3d normal_of(const Eigen::Vector2d& slope) {
 }  // namespace
 
 Result<FittedPlane> fit_plane(const SurfacePatch& patch) {
-  const Error none{en::say("no plane goes through so few measured pixels, or through one line"),
+  const Error none{en::say("so few measured pixels, or pixels on one line, define no plane"),
                    "",
                    en::say("a larger piece, or one that is measured")};
   if (patch.points.size() < kMinPoints) return none;
   if (std::any_of(patch.points.begin(), patch.points.end(), [](const SurfacePoint& point) {
         return point.is_limit;
       }))
-    return Error{en::say("a part of this piece is at a limit of what is measured"),
+    return Error{en::say("part of this piece is at a limit of the measuring range"),
                  "",
-                 en::say("a piece that is pressed in less deep")};
+                 en::say("a piece that is pressed in less deeply")};
   const auto slopes = slopes_of(patch, false), if_moved = slopes_of(patch, true);
   if (!slopes || !if_moved) return none;
   FittedPlane plane;

@@ -17,7 +17,7 @@ Status check_position(const SceneFacts& scene, const Varying& s_mm, const Varyin
     return Error{
         en::say("s_mm is beyond the ends of the face"), "", en::say("0 to {:g}", scene.length_mm)};
   if (y_mm.min_value() < -face.width_mm / 2 || y_mm.max_value() > face.width_mm / 2)
-    return Error{en::say("y_mm is beside the face"),
+    return Error{en::say("y_mm is outside the face"),
                  "",
                  en::say("{:g} to {:g}", -face.width_mm / 2, face.width_mm / 2)};
   return {};
@@ -29,7 +29,7 @@ Status check_press(const SceneFacts& scene,
                    const Varying& y_mm) {
   const Face& face = scene.finger.face;
   if (depth_mm.max_value() >= face.layer_mm)
-    return Error{en::say("depth_mm = {:g} goes through the layer of {:g} mm",
+    return Error{en::say("depth_mm = {:g} reaches through the layer of {:g} mm",
                          depth_mm.max_value(),
                          face.layer_mm),
                  "",
@@ -48,7 +48,7 @@ std::vector<std::size_t> read_marker_numbers(YamlSection& section) {
   for (const double given : section.numbers("markers", 1, kMaxMarkers, {-1e6, 1e6})) {
     if (given < 0 || given != std::floor(given))
       section.refuse(
-          "markers", en::say("{:g} is not a marker's number", given), en::say("0, 1, 2, ..."));
+          "markers", en::say("{:g} is not a marker number", given), en::say("0, 1, 2, ..."));
     const auto number = static_cast<std::size_t>(given);
     if (std::find(numbers.begin(), numbers.end(), number) != numbers.end())
       section.refuse(

@@ -244,7 +244,7 @@ Result<FinRayBody> FinRayBody::create(const FinRayGeometry& g, double modulus_MP
                              g.tip_depth_mm,
                              modulus_MPa})
     if (!(given > 0 && std::isfinite(given)))
-      return Error{en::say("a modulus or a length of {:g} is not one of a body", given),
+      return Error{en::say("a body cannot have a modulus or a length of {:g}", given),
                    "",
                    en::say("numbers above 0")};
   const double min_mm = std::min(g.base_depth_mm, g.tip_depth_mm);
@@ -254,7 +254,8 @@ Result<FinRayBody> FinRayBody::create(const FinRayGeometry& g, double modulus_MP
         "",
         en::say("walls of up to {:g} mm", min_mm / 2)};
   if (!(g.coupling >= 0 && g.coupling <= 1))
-    return Error{en::say("a coupling of {:g} is not a share", g.coupling), "", en::say("0 to 1")};
+    return Error{
+        en::say("a coupling of {:g} is not a fraction", g.coupling), "", en::say("0 to 1")};
   return FinRayBody(g, modulus_MPa);
 }
 

@@ -500,13 +500,13 @@ Status Plan::check_grey_levels(const std::string& scene_file) const {
   if (!state_->without_bytes) return {};
   const auto [first, last] = *state_->without_bytes;
   if (first == 0 && last == frame_count() - 1)
-    return Error{en::say("its camera does not give whole grey levels"),
+    return Error{en::say("its camera does not deliver integer grey levels"),
                  scene_file,
-                 en::say("name the effect quantisation too")};
+                 en::say("add the effect quantisation")};
   return Error{
-      en::say("its camera does not give whole grey levels in frames {} to {}", first, last),
+      en::say("its camera does not deliver integer grey levels in frames {} to {}", first, last),
       scene_file,
-      en::say("name the effect quantisation for all frames")};
+      en::say("add the effect quantisation for all frames")};
 }
 
 cv::Mat Plan::render(int frame, int threads) const {

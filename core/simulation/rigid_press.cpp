@@ -65,7 +65,7 @@ TipDeflection::TipDeflection(YamlSection& section) {
 
 Status TipDeflection::validate(const SceneFacts& scene) const {
   if (deflection_mm_ && scene.finger.face.kind == FaceKind::kFlat)
-    return Error{en::say("a flat sensor does not give way"), "", en::say("leave give_mm out")};
+    return Error{en::say("a flat sensor does not yield"), "", en::say("leave give_mm out")};
   return {};
 }
 

@@ -21,9 +21,8 @@ CameraParameters read_camera(YamlSection section) {
   const auto size = section.numbers("size", 2, 2, {16, 16384});
   for (const double length : size)
     if (length != std::floor(length))
-      section.refuse("size",
-                     en::say("this is not [width, height]"),
-                     en::say("whole numbers from 16 to 16384"));
+      section.refuse(
+          "size", en::say("this is not [width, height]"), en::say("integers from 16 to 16384"));
   camera.width_px = static_cast<int>(size[0]);
   camera.height_px = static_cast<int>(size[1]);
   camera.cx_px = section.number("cx", {-1e5, 1e5});
@@ -91,11 +90,11 @@ void check_single(const YamlSection& section,
     const int end = std::min(named.presence.end, other.presence.end);
     if (first == 0 && end == content.time.frames)
       section.refuse(
-          "use", en::say("the effect '{}' is named twice", use), en::say("remove one of them"));
+          "use", en::say("the effect '{}' is listed twice", use), en::say("remove one of them"));
     section.refuse(
         "use",
-        en::say("the effect '{}' is named twice for frames {} to {}", use, first, end - 1),
-        en::say("let one end with 'until' before the other begins with 'from'"));
+        en::say("the effect '{}' is listed twice for frames {} to {}", use, first, end - 1),
+        en::say("end one with 'until' before the other begins with 'from'"));
   }
 }
 
@@ -123,7 +122,7 @@ void read_effects(YamlSection& scene, Scene::Content& content) {
     if (named.effect->changes_lens()) {
       if (named.presence.first > 0 || named.presence.end < content.time.frames)
         section.refuse("use",
-                       en::say("a lens does not change while it looks"),
+                       en::say("a lens does not change over time"),
                        en::say("leave 'from' and 'until' out"));
       named.effect->change_lens(content.finger.camera);
       if (const auto made = Camera::create(content.finger.camera); !made)
@@ -140,7 +139,7 @@ void read_effects(YamlSection& scene, Scene::Content& content) {
 std::string read_sentence(YamlSection& scene, const char* key) {
   std::string sentence = scene.text(key);
   if (sentence.empty())
-    scene.refuse(key, en::say("this is not a text"), en::say("a word or a sentence"));
+    scene.refuse(key, en::say("this is not text"), en::say("a word or a sentence"));
   return sentence;
 }
 

@@ -56,9 +56,10 @@ Presence Presence::read(YamlSection& effect, const SceneTime& time) {
   if (effect.has("until")) {
     presence.end = frame_from(time.point(effect, "until"), time);
     if (presence.end <= presence.first)
-      effect.refuse("until",
-                    en::say("it would never be there, for it begins with frame {}", presence.first),
-                    en::say("a later frame, or leave the effect out"));
+      effect.refuse(
+          "until",
+          en::say("it would never be active, for it begins with frame {}", presence.first),
+          en::say("a later frame, or leave the effect out"));
   }
   return presence;
 }
@@ -70,7 +71,7 @@ Varying Varying::read(YamlSection& section, const std::string& key, Limits limit
   } else if (section.has_list(key)) {
     varying.values_ = section.numbers(key, limits);
     if (varying.values_.empty())
-      section.refuse(key, en::say("the list is empty"), en::say("one number a frame"));
+      section.refuse(key, en::say("the list is empty"), en::say("one number per frame"));
   } else if (section.has_section(key)) {
     const DegreeOfFreedom range = DegreeOfFreedom::read(section, key, limits);
     varying.values_ = {range.low, range.high};
@@ -93,12 +94,12 @@ void Varying::read_key_frames(YamlSection& section, const std::string& key, Limi
     const bool is_smooth = given.has("by") && given.choice("by", {"straight", "smooth"}) == 1;
     if (!key_frames_.empty() && at == key_frames_.back().at)
       given.refuse("at",
-                   en::say("the key frame before it stands there too"),
+                   en::say("the key frame before it has the same time"),
                    en::say("a later time, or leave one of the two out"));
     if (!key_frames_.empty() && at < key_frames_.back().at)
       given.refuse("at",
-                   en::say("the key frame before it is a later one"),
-                   en::say("key frames in the order of their times"));
+                   en::say("the key frame before it has a later time"),
+                   en::say("key frames in order of time"));
     key_frames_.push_back({at, is_smooth});
   }
 }
@@ -143,7 +144,7 @@ DegreeOfFreedom DegreeOfFreedom::read(YamlSection& section,
   YamlSection ends = section.section(name);
   const double from = ends.number("from", limits), to = ends.number("to", limits);
   if (!(from < to))
-    ends.refuse("from", en::say("'from' is not below 'to'"), en::say("a range that grows"));
+    ends.refuse("from", en::say("'from' is not below 'to'"), en::say("an increasing range"));
   return {name, from, to};
 }
 
@@ -193,7 +194,7 @@ Motion Motion::read(YamlSection& section) {
     for (const YamlSection& given : section.sections("poses"))
       motion.poses_.push_back(read_pose(given));
     if (motion.poses_.empty())
-      section.refuse("poses", en::say("the list is empty"), en::say("one pose a frame"));
+      section.refuse("poses", en::say("the list is empty"), en::say("one pose per frame"));
   }
   if (kind == "random") motion.kind_ = Kind::kRandom;
   if (kind == "wander") {
@@ -243,9 +244,9 @@ Status Motion::validate(const std::vector<DegreeOfFreedom>& dofs,
     std::vector<std::string> names;
     for (const auto& one : dofs) names.push_back(one.name);
     return Error{
-        en::say("the motion moves '{}', but no effect of the scene does", name),
+        en::say("the motion moves '{}', but the scene has no such effect", name),
         where_,
-        names.empty() ? en::say("name `bend` or `sway` among the effects") : one_of(names, name)};
+        names.empty() ? en::say("add `bend` or `sway` to the effects") : one_of(names, name)};
   }
   for (const double value : {min_value, max_value})
     if (value < dof->low || value > dof->high)
@@ -266,7 +267,7 @@ Status Motion::validate(const std::vector<DegreeOfFreedom>& dofs) const {
   if (moves_all && dofs.empty())
     return Error{en::say("the motion has nothing to move"),
                  where_,
-                 en::say("name `bend` or `sway` among the effects, or leave the motion out")};
+                 en::say("add `bend` or `sway` to the effects, or leave the motion out")};
   return {};
 }
 

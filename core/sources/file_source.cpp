@@ -78,7 +78,7 @@ Result<std::vector<fs::path>> images_in(const fs::path& folder) {
                  folder.string(),
                  en::say("ask its owner for access")};
   if (files.empty())
-    return Error{en::say("the folder holds no pictures"),
+    return Error{en::say("the folder contains no images"),
                  folder.string(),
                  en::say("a folder with png, jpg, bmp, tif or pgm files")};
   std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {

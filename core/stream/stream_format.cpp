@@ -134,7 +134,7 @@ Result<StreamPartSet> stream_request(std::string_view line) {
   if (!line.starts_with(kStreamFormat) ||
       (line.size() > kStreamFormat.size() && line[kStreamFormat.size()] != ' '))
     return bad_request(en::say(
-        "'{}' does not ask for {}", printable(line.substr(0, 60)), std::string(kStreamFormat)));
+        "'{}' does not request {}", printable(line.substr(0, 60)), std::string(kStreamFormat)));
   line.remove_prefix(kStreamFormat.size());
   StreamPartSet requested;
   while (!line.empty()) {
@@ -146,7 +146,7 @@ Result<StreamPartSet> stream_request(std::string_view line) {
           return part.name == word;
         });
     if (kind == kStreamParts.end())
-      return bad_request(en::say("there is no part '{}', but {}",
+      return bad_request(en::say("there is no part '{}', only {}",
                                  printable(word.substr(0, 60)),
                                  one_of(part_names(), word)));
     requested.set(static_cast<std::size_t>(kind - kStreamParts.begin()));

@@ -155,14 +155,14 @@ void StreamClient::read(Clock::time_point now) {
   if (is_leaving_) return;  // reads on, so that the client receives the reason
   if (count == 0) {
     if (!requested_)
-      refuse({en::say("the connection's line was not whole"),
+      refuse({en::say("the connection's line was incomplete"),
               "",
               en::say("ending it with a line break")},
              now);
     return;
   }
   if (requested_)
-    return refuse({en::say("something came after the line"), "", en::say("connecting again")}, now);
+    return refuse({en::say("more data followed the line"), "", en::say("connecting again")}, now);
   line_.append(bytes.data(), static_cast<std::size_t>(count));
   take_line(now);
 }
@@ -174,7 +174,7 @@ void StreamClient::take_line(Clock::time_point now) {
     return refuse({en::say("the line is longer than {} bytes", kLongestStreamRequest), "", ""},
                   now);
   if (end + 1 != line_.size())
-    return refuse({en::say("something came after the line"), "", en::say("connecting again")}, now);
+    return refuse({en::say("more data followed the line"), "", en::say("connecting again")}, now);
   const auto requested = stream_request(std::string_view(line_).substr(0, end));
   if (!requested) return refuse(requested.error(), now);
   requested_ = *requested;
@@ -325,9 +325,9 @@ struct StreamServer::State {
       }
       StreamClient& client = clients.emplace_back(std::move(connection), now);
       if (!is_own_peer(client.descriptor()))
-        client.refuse({en::say("another user's programs are not let in"), "", ""}, now);
+        client.refuse({en::say("programs of other users are not accepted"), "", ""}, now);
       else if (clients.size() > kMaxClients)
-        client.refuse({en::say("{} programs are served already", kMaxClients),
+        client.refuse({en::say("{} programs are already served", kMaxClients),
                        "",
                        en::say("ending one of them")},
                       now);
@@ -398,7 +398,7 @@ Result<std::unique_ptr<StreamServer>> StreamServer::start(const std::filesystem:
   if (!listening) return listening.error();
   Descriptor woken(eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC));
   if (!woken.is_open())
-    return system_error(en::say("programs could not be let in here"), socket, errno);
+    return system_error(en::say("programs could not connect here"), socket, errno);
   auto state = std::make_unique<State>(std::move(*listening), std::move(woken));
   state->thread = std::jthread([s = state.get()] { s->run(); });
   return std::unique_ptr<StreamServer>(new StreamServer(std::move(state)));
@@ -456,7 +456,7 @@ fs::path lock_of(const fs::path& socket) {
 }
 
 Error cannot_listen(const fs::path& path, int error_number) {
-  return system_error(en::say("programs could not be let in here"), path, error_number);
+  return system_error(en::say("programs could not connect here"), path, error_number);
 }
 
 Result<sockaddr_un> address_of(const fs::path& path) {
@@ -464,7 +464,7 @@ Result<sockaddr_un> address_of(const fs::path& path) {
   address.sun_family = AF_UNIX;
   const std::string& name = path.native();
   if (name.size() >= sizeof address.sun_path)
-    return Error{en::say("the path is longer than the {} bytes that a socket's may have",
+    return Error{en::say("the path is longer than the {} bytes a socket's path may have",
                          sizeof address.sun_path - 1),
                  path,
                  en::say("a shorter one with --socket")};
@@ -485,7 +485,7 @@ Status make_private_folder(const fs::path& folder) {
   if (stat(folder.c_str(), &of) != 0) return cannot_listen(folder, errno);
   if (!S_ISDIR(of.st_mode)) return cannot_listen(folder, ENOTDIR);
   if (of.st_uid != geteuid())
-    return Error{en::say("this folder belongs to somebody else, who could read along"),
+    return Error{en::say("this folder belongs to another user, who could read the data"),
                  folder,
                  en::say("a folder of your own with --socket")};
   if ((of.st_mode & (S_IWGRP | S_IWOTH)) != 0)
@@ -499,7 +499,7 @@ Status check_free(const fs::path& path, const sockaddr_un& address) {
   struct stat of {};
   if (lstat(path.c_str(), &of) != 0) return errno == ENOENT ? Status() : cannot_listen(path, errno);
   if (!S_ISSOCK(of.st_mode))
-    return Error{en::say("there is something here that is no socket, and it is left alone"),
+    return Error{en::say("something here is not a socket, and it remains unchanged"),
                  path,
                  en::say("another path with --socket")};
   const Descriptor probe = new_socket();
@@ -508,7 +508,7 @@ Status check_free(const fs::path& path, const sockaddr_un& address) {
     return {};
   const auto who = read_file(lock_of(path));
   return Error{
-      en::say("another program serves here already ({})", who ? printable(*who) : std::string("?")),
+      en::say("another program already serves here ({})", who ? printable(*who) : std::string("?")),
       path,
       en::say("connecting to that one, ending it, or another path with --socket")};
 }

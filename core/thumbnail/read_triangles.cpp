@@ -175,7 +175,7 @@ Result<Triangles> read_triangles(const std::filesystem::path& file) {
   std::transform(
       kind.begin(), kind.end(), kind.begin(), [](unsigned char c) { return std::tolower(c); });
   if (kind != ".ply" && kind != ".vtp" && kind != ".glb" && kind != ".stl" && kind != ".obj")
-    return Error{en::say("this is not known as a mesh"),
+    return Error{en::say("this mesh format is unknown"),
                  file.string(),
                  en::say("a file that ends in .ply, .vtp, .glb, .stl or .obj")};
   const auto bytes = read_file(file, kLargestFile);
@@ -190,7 +190,7 @@ Result<Triangles> read_triangles(const std::filesystem::path& file) {
   if (triangles->corners.empty()) return refuse(en::say("the mesh has no triangles"));
   if (triangles->corners.size() > kMaxTriangles)
     return refuse(en::say("the mesh has more than {} triangles", kMaxTriangles));
-  if (!is_sound(*triangles)) return refuse(en::say("a point of the mesh is no number"));
+  if (!is_sound(*triangles)) return refuse(en::say("a point of the mesh is not a number"));
   return std::move(*triangles);
 }
 

@@ -234,7 +234,7 @@ TEST(BadInput, ASceneCutBeforeItsCameraCountsGreyLevelsIsToldBeforeAnythingIsWri
   const ProgramRun run =
       run_alltact({"simulate", (folder / "cut.yaml").string(), "-o", (folder / "out").string()});
   EXPECT_EQ(run.status, 1);
-  EXPECT_THAT(run.errors, HasSubstr("whole grey levels"));
+  EXPECT_THAT(run.errors, HasSubstr("integer grey levels"));
   EXPECT_THAT(run.errors, HasSubstr("quantisation"));
   EXPECT_FALSE(fs::exists(folder / "out"));
 }

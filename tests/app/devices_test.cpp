@@ -89,7 +89,7 @@ TEST(Devices, ListsWhatThereIsAndWhatIsWrongWithIt) {
   EXPECT_THAT(run_among_devices(program + " --details", camera).output,
               AllOf(HasSubstr("    640x480 MJPG at 30 frames per second\n"),
                     HasSubstr("    Exposure Time, Absolute: 250 (3 to 2047 in steps of 1, default "
-                              "250), set by an automatic mode now\n")));
+                              "250), now set by an automatic mode\n")));
 
   const ProgramRun run = run_among_devices(program + " --json", camera);
   const auto json = nlohmann::json::parse(run.output);

@@ -127,7 +127,7 @@ TEST_F(DiskFaults, TheClockOfTheComputerWasSetBack) {
   const ProgramRun second = check("ALLTACT_CLOCK=-400000000");
   EXPECT_EQ(second.status, first.status) << second.errors;
   EXPECT_THAT(first.errors, Not(HasSubstr("set the clock")));
-  EXPECT_THAT(second.errors, HasSubstr("and this computer's clock says 201"));
+  EXPECT_THAT(second.errors, HasSubstr("and this computer's clock shows 201"));
   EXPECT_THAT(second.errors, HasSubstr("set the clock"));
   const std::string both = text_of(history);
   EXPECT_TRUE(both.starts_with(one)) << "what was there remains";
@@ -143,7 +143,7 @@ TEST_F(DiskFaults, ADiskThatStallsIsToldOfAndCanBeLeft) {
       finger(),
       ALLTACT_FAULTY_DISK,
       ALLTACT_PROGRAM));
-  const std::string alarm = "its disk takes long to answer";
+  const std::string alarm = "its disk responds slowly";
   EXPECT_THAT(run.errors, HasSubstr("finger.yaml: " + alarm));
   EXPECT_EQ(run.errors.find(alarm), run.errors.rfind(alarm)) << run.errors;
   EXPECT_EQ(run.status, 128 + SIGINT);
@@ -208,7 +208,7 @@ TEST_F(DiskFaults, LittleMemoryForPagesOfTheReportIsToldAndLosesNoCalibration) {
       EXPECT_THAT(run.errors, HasSubstr("Try: ")) << megabytes;
     }
     EXPECT_TRUE(open_finger(finger())) << megabytes;
-    without_pages += run.errors.find("no pages of the report") != std::string::npos ? 1 : 0;
+    without_pages += run.errors.find("report pages cannot be written") != std::string::npos ? 1 : 0;
   }
   EXPECT_GT(without_pages, 0);
 }

@@ -66,15 +66,16 @@ TEST(Files, WhatPressesWereTakenWithIsKeptAndHeldAgainstTheReference) {
   EXPECT_EQ(other.status, 0);
   EXPECT_THAT(other.errors,
               HasSubstr("Warning: The presses and the reference were taken with "
-                        "other settings: Gain was 3 and is 5. "));
+                        "different settings: Gain changed from 3 to 5. "));
   EXPECT_THAT(text_of(yaml), HasSubstr("reference_settings: \"Camera=usb-1; Gain=3\"\n"));
   EXPECT_THAT(text_of(yaml), HasSubstr("press_settings: \"Camera=usb-1; Gain=5\"\n"));
   // The same presses as they are kept with the finger, against a reference like them.
   take_with(flat.file("ref.png"), "Camera=usb-1; Gain=5");
   EXPECT_EQ(flat.calibrate({flat.finger() + "/presses"}).errors, "");
   take_with(flat.presses[1], "Camera=usb-1; Gain=6");
-  EXPECT_THAT(flat.calibrate().errors,
-              HasSubstr("not taken with one setting of camera and light: Gain was 5 and is 6."));
+  EXPECT_THAT(
+      flat.calibrate().errors,
+      HasSubstr("taken with changing settings of camera or light: Gain changed from 5 to 6."));
 }
 
 TEST(Files, AReconstructionMeasuresWhatWasPressed) {

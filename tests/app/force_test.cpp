@@ -64,8 +64,8 @@ TEST(ForceCommand, TrainsKeepsRepeatsAndTakesBack) {
   EXPECT_THAT(first, HasSubstr("force: {model: force/model-"));
   const ProgramRun mean = bench.run({"--again", "--model", "mean"});
   ASSERT_EQ(mean.status, 0) << mean.errors;
-  EXPECT_THAT(mean.output, HasSubstr("frames: too kind"));
-  EXPECT_THAT(mean.output, HasSubstr("Kept: mean."));
+  EXPECT_THAT(mean.output, HasSubstr("frames: biased"));
+  EXPECT_THAT(mean.output, HasSubstr("Selected model: mean."));
   const auto model_line = [](const std::string& yaml) {
     const std::size_t at = yaml.find("force: {");
     return at == std::string::npos ? std::string() : yaml.substr(at, yaml.find('\n', at) - at);
@@ -152,12 +152,12 @@ TEST(ForceCommand, BadTablesAndModelsLeaveTheFingerAsItWas) {
                    })},
           "the table has 10 markers, the finger has 12");
   refused({changed("other.csv", [](ForceTable& t) { t.layouts.array() += 200; })},
-          "another finger's");
+          "belong to another finger");
   refused({bench.file("none.csv")}, "none.csv");
   refused({bench.file("table.csv"), "--creep-s", "2"}, "has times");
   refused({bench.file("table.csv"), bench.file("fewer.csv")}, "has 10 markers");
   bench.write("nan.csv", "u0,v0,fx_n,fy_n\n1,2,nan,4\n");
-  refused({bench.file("nan.csv")}, "'nan' is no number");
+  refused({bench.file("nan.csv")}, "'nan' is not a number");
   bench.write("half.csv", read_file(bench.folder / "table.csv").value().substr(0, 2000));
   refused({bench.file("half.csv")}, "half.csv, line");
 }
@@ -177,16 +177,16 @@ TEST(ForceCommand, ABrokenModelIsNamedAndATableMakesAnother) {
     EXPECT_THAT(run.errors, HasSubstr(words));
     EXPECT_TRUE(contents_of(bench.folder / "finger") == before);
   };
-  again_says(whole.dump().substr(0, 3000), "broken or cut off");
+  again_says(whole.dump().substr(0, 3000), "damaged or truncated");
   ForceAnswer wrong = whole;
   wrong["members"][0]["regressors"][0].erase(1);
-  again_says(wrong.dump(), "has not the shape");
+  again_says(wrong.dump(), "does not have the shape");
   wrong = whole;
   wrong["members"][0]["regressors"][0][2]["bias"].push_back(1.0);
-  again_says(wrong.dump(), "has not the shape");
+  again_says(wrong.dump(), "does not have the shape");
   wrong = whole;
   wrong["members"][0]["regressors"][0][1]["weights"]["numbers"][0] = 1e30;
-  again_says(wrong.dump(), "no possible number");
+  again_says(wrong.dump(), "not a valid number");
   const ProgramRun run = bench.run({bench.file("table.csv"), "--model", "ridge"});
   EXPECT_EQ(run.status, 0) << run.errors;
   EXPECT_EQ(kept_model(bench).at("kind"), "ridge");
@@ -210,7 +210,7 @@ TEST(ForceCommand, BadInputIsASentenceAndNothingIsLost) {
   refused(renamed, "'fy_n' is missing");
   std::string nan = csv;
   nan.replace(nan.find('\n') + 1 + std::string("press 0,").size(), 3, "nan");
-  refused(nan, "is no number");
+  refused(nan, "is not a number");
   EXPECT_THAT(bench.run({bench.file("table.csv"), "--split", "day"}).errors,
               HasSubstr("no column 'day'"));
   EXPECT_EQ(bench.run({}).status, 2);
@@ -250,7 +250,7 @@ TEST(ForceCommand, CollectsATableFromResultsAndAGauge) {
                                     bench.file("new.csv")});
   ASSERT_EQ(run.status, 0) << run.errors;
   EXPECT_THAT(run.output, HasSubstr("90 rows in"));
-  EXPECT_THAT(run.output, HasSubstr("10 of 100 frames have no reading"));
+  EXPECT_THAT(run.output, HasSubstr("10 of 100 frames have no gauge reading"));
   const ForceTable made = ForceTable::load(bench.folder / "new.csv").value();
   EXPECT_EQ(made.layouts.row(3), table.layouts.row(4));
   EXPECT_EQ(made.force_N.row(3), table.force_N.row(4));

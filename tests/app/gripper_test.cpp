@@ -104,7 +104,7 @@ TEST_F(GripperCommand, TellsWidthAndTurnOfWhatIsHeldAndWhatHasNoPartner) {
   EXPECT_EQ(pair.at("agree"), true);
   EXPECT_FALSE(pair.contains("gap_mm")) << "no points were kept";
   EXPECT_EQ(json.at("unpaired").at("left"), Json({"left_2"}));
-  EXPECT_THAT(run.errors, HasSubstr("Without a partner in time: 1 frames of left: left_2"));
+  EXPECT_THAT(run.errors, HasSubstr("Without a frame of the same time: 1 frames of left: left_2"));
   const ProgramRun sideways = run_alltact(recorded({"--json", "--up", "0", "1", "0"}));
   EXPECT_NEAR(Json::parse(sideways.output).at("pairs")[0].at("turn_deg"), -60, 1e-6);
 }
@@ -145,7 +145,7 @@ TEST_F(GripperCommand, WhatCannotBeIsASentence) {
               HasSubstr("the motor cannot stand at 11 turns: its range is from 0 to 10"));
   EXPECT_THAT(errors(recorded({"--up", "1", "0", "0"})), HasSubstr("lies along x"));
   write_text(folder_.path() / "left" / "results.jsonl", "{\"frame\": 3}\n");
-  EXPECT_THAT(errors(recorded({})), HasSubstr("results.jsonl:1: 'frame' must be a text"));
+  EXPECT_THAT(errors(recorded({})), HasSubstr("results.jsonl:1: 'frame' must be text"));
   EXPECT_EQ(run_alltact({"gripper", file("gripper.yaml"), "--motor-sd", "1"}).status, 2);
   EXPECT_EQ(run_alltact({"gripper"}).status, 2);
 }

@@ -85,7 +85,7 @@ TEST(Lens, ChessboardsGiveTheCameraOfAFinger) {
   in_words.insert(in_words.end(), arguments.begin(), arguments.end());
   const ProgramRun run = run_alltact(in_words);
   EXPECT_EQ(run.status, 0);
-  EXPECT_THAT(run.output, HasSubstr("found in 10 of 11 pictures"));
+  EXPECT_THAT(run.output, HasSubstr("found in 10 of 11 images"));
   EXPECT_THAT(run.output, HasSubstr("Verdict: "));
   EXPECT_THAT(run.errors, HasSubstr("No board: wall"));
   EXPECT_THAT(run.errors, HasSubstr("23 to 31 %"));
@@ -258,7 +258,7 @@ TEST(Lens, WhatCannotBeCalibratedSaysWhyAndWritesNothing) {
   std::filesystem::copy(folder / "two/view_100.png", folder / "two/view_200.png");
   std::filesystem::copy(folder / "two/view_100.png", folder / "two/view_201.png");
   std::filesystem::remove(folder / "two/view_101.png");
-  EXPECT_THAT(failing((folder / "two").string(), "8x6"), HasSubstr("in the same place"));
+  EXPECT_THAT(failing((folder / "two").string(), "8x6"), HasSubstr("in the same position"));
 }
 
 }  // namespace

@@ -148,7 +148,7 @@ TEST(NumberFlags, WarnOfWhatIsNotPlausible) {
                                       "16"});
   EXPECT_EQ(run.status, 0);
   EXPECT_THAT(run.errors,
-              HasSubstr("16 mm is more than usual for the thickness of a layer (0.3 to 5 mm)"));
+              HasSubstr("16 mm is more than typical for the thickness of a layer (0.3 to 5 mm)"));
 }
 
 }  // namespace

@@ -89,7 +89,7 @@ TEST_F(PressCheck, ReadsThePunchOfAKnownStep) {
   EXPECT_NE(wrong.at("verdict"), "pass");
   EXPECT_NEAR(wrong.at("error_mm").get<double>(), 0.1, 0.012);
   EXPECT_THAT(check({file}, {"--step", "other=0.3"}).errors,
-              HasSubstr("no press is called 'other'"));
+              HasSubstr("no press is named 'other'"));
   EXPECT_EQ(check({file}, {"--step", "punch"}).status, 2);
 }
 
@@ -107,7 +107,7 @@ TEST_F(PressCheck, LightThatDriftedIsTold) {
   const ProgramRun brighter = check(presses(1, 1.03));
   EXPECT_EQ(brighter.status, 0) << brighter.errors;
   EXPECT_THAT(brighter.output, HasSubstr("Verdict: drifting"));
-  EXPECT_THAT(brighter.output, HasSubstr("% brighter than it was"));
+  EXPECT_THAT(brighter.output, HasSubstr("% brighter than before"));
   const json darker = verdict(presses(1, 0.97));
   EXPECT_EQ(darker.at("verdict"), "drifting");
   EXPECT_NEAR(darker.at("light_percent").get<double>(), -3, 0.4);
@@ -167,7 +167,7 @@ TEST_F(PressCheck, IsKeptAndShown) {
   write_text(file, two + "2026-01-01T00:00:00Z,fine,1\n");
   const ProgramRun spoilt = run_alltact({"check", flat_.finger(), "--json"});
   EXPECT_EQ(json::parse(spoilt.output).at("checks").size(), 2U);
-  EXPECT_THAT(spoilt.errors, HasSubstr("checks.csv:4: this is no check"));
+  EXPECT_THAT(spoilt.errors, HasSubstr("checks.csv:4: this line is not a check"));
 }
 
 TEST_F(PressCheck, WhatCannotBeCheckedIsToldAndNotKept) {

@@ -191,10 +191,10 @@ TEST_F(RecordByButton, APedalThatIsUnpluggedIsWarnedOfAndWaitedFor) {
   pedal->hang_up();
   pedal.reset();
   bed_.remove_hid(0, "0C45", "7403");
-  ASSERT_TRUE(run.tells("The button is not heard now. "));
+  ASSERT_TRUE(run.tells("The button is disconnected. "));
   bed_.add(pedal_entry(1));  // another node, the same device
   pedal = std::make_unique<HidDevice>(bed_, 1);
-  ASSERT_TRUE(run.tells("The button is heard again."));
+  ASSERT_TRUE(run.tells("The button is connected again."));
   press(*pedal);
   ASSERT_TRUE(run.tells("in " + file("v-001.mkv")));
   run.interrupt();

@@ -123,21 +123,21 @@ TEST(Record, SaysWhyItCannot) {
   write_text(folder / "old.mkv", "precious");
   const ProgramRun exists = record(folder / "s.yaml", folder / "old.mkv");
   EXPECT_EQ(exists.status, 1);
-  EXPECT_THAT(exists.errors, HasSubstr("old.mkv: there is a file already"));
+  EXPECT_THAT(exists.errors, HasSubstr("old.mkv: the file exists already"));
   EXPECT_EQ(text_of(folder / "old.mkv"), "precious");
   EXPECT_EQ(record(folder / "s.yaml", folder / "none/v.mkv").status, 1);
   EXPECT_EQ(record(folder / "none.yaml", folder / "v.mkv").status, 1);
   EXPECT_EQ(record(folder / "s.yaml", folder / "v.mkv", {"--codec", "h264"}).status, 2);
   const ProgramRun no_button = record(folder / "s.yaml", folder / "p.png");
   EXPECT_EQ(no_button.status, 2);
-  EXPECT_THAT(no_button.errors, HasSubstr("pictures are taken with a --button"));
+  EXPECT_THAT(no_button.errors, HasSubstr("images need a --button"));
   const ProgramRun nonsense = record(folder / "s.yaml", folder / "v.mkv", {"--button", "pedal"});
   EXPECT_EQ(nonsense.status, 2);
   EXPECT_THAT(nonsense.errors, HasSubstr("alltact devices --learn-button"));
   EXPECT_EQ(record(folder / "s.yaml", folder / "v.mkv", {"--brightness", "1"}).status, 2);
   const ProgramRun packets = record(folder / "s.yaml", folder / "v.mkv", {"--codec", "mjpeg"});
   EXPECT_EQ(packets.status, 1);
-  EXPECT_THAT(packets.errors, HasSubstr("the source gives no JPEG packets"));
+  EXPECT_THAT(packets.errors, HasSubstr("the source delivers no JPEG packets"));
   EXPECT_FALSE(fs::exists(folder / "v.mkv"));
 }
 
@@ -211,8 +211,8 @@ TEST(RecordGauge, WhatIsTypedLiesBesideTheVideo) {
       (folder / "s.yaml").string() + "' -o '" + (folder / "press.mkv").string() +
       "' --seconds 5 --gauge typed");
   ASSERT_EQ(run.status, 0) << run.errors;
-  EXPECT_THAT(run.output, HasSubstr("2 readings of the gauge in"));
-  EXPECT_THAT(run.errors, HasSubstr("'nonsense' is no reading"));
+  EXPECT_THAT(run.output, HasSubstr("2 gauge readings in"));
+  EXPECT_THAT(run.errors, HasSubstr("'nonsense' is not a reading"));
   const auto gauge = ForceGauge::load(log);
   ASSERT_TRUE(gauge) << gauge.error().sentence();
   ASSERT_EQ(gauge->readings.size(), 3U) << text_of(log);
@@ -280,7 +280,7 @@ TEST(RecordGauge, WhatCannotBeReadIsSaidBeforeAnythingIsRecorded) {
   };
   refused({"--gauge", "serial:/dev/ttyNone"}, 1, "no such serial line");
   refused({"--gauge", "hid:ffff:ffff", "--gauge-report", "at=1"}, 1, "HID device");
-  refused({"--gauge", "scale"}, 1, "'scale' is no gauge");
+  refused({"--gauge", "scale"}, 1, "'scale' is not a gauge");
   refused({"--gauge", "typed", "--gauge-model", "mark10"}, 1, "of a serial gauge");
   refused({"--gauge-unit", "g"}, 2, "--gauge");
   refused({"--gauge", "serial:/dev/ttyS0", "--gauge-baud", "123"}, 2, "123");

@@ -81,7 +81,7 @@ TEST_F(Repetition, KnowsWhichPressWasMadeWithAnotherBall) {
   ASSERT_EQ(again().status, 0);
   EXPECT_EQ(kept("finger.yaml"), yaml) << "the other ball was not kept";
   EXPECT_THAT(again({"--other-ball", "press_9=3"}).errors,
-              HasSubstr("no press is called 'press_9'"));
+              HasSubstr("no press is named 'press_9'"));
   EXPECT_EQ(again({"--other-ball", "press_2"}).status, 2);
   EXPECT_EQ(again({"--other-ball", "press_2=-1"}).status, 2);
 }
@@ -113,7 +113,7 @@ TEST_F(Repetition, KnowsAMeasuredDepthAndTakesItBack) {
   EXPECT_EQ(indentation_mm(), by_pictures_mm);
   for (const char* impossible : {"press_2", "press_2=-1", "press_2=1+-0", "press_2=deep"})
     EXPECT_EQ(again({"--depth", impossible}).status, 2) << impossible;
-  EXPECT_THAT(again({"--depth", "press_9=1"}).errors, HasSubstr("no press is called 'press_9'"));
+  EXPECT_THAT(again({"--depth", "press_9=1"}).errors, HasSubstr("no press is named 'press_9'"));
   EXPECT_THAT(again({"--depth", "press_2=1", "--method", "cone"}).errors,
               HasSubstr("only the joint method uses measured depths"));
 }
@@ -143,7 +143,7 @@ TEST_F(Repetition, BurstsOfFramesHeldStillAreOnePressEach) {
   }
   const ProgramRun run = flat_.calibrate(folders);
   ASSERT_EQ(run.status, 0) << run.errors;
-  EXPECT_THAT(run.output, HasSubstr("burst_press_1: the mean of 12 frames held still, of 12 read"));
+  EXPECT_THAT(run.output, HasSubstr("burst_press_1: the mean of 12 still frames, of 12 read"));
   // What is kept are the means: again needs no burst.
   const std::string yaml = kept("finger.yaml");
   EXPECT_TRUE(fs::exists(fs::path(flat_.finger()) / "presses" / "burst_press_1.png"));
@@ -192,7 +192,7 @@ TEST_F(Repetition, BeginsWhereAHandPutABallAndForgetsItAgain) {
   ASSERT_EQ(again({"--ball", "press_1=find"}).status, 0);
   EXPECT_THAT(kept("calibration_inputs.yaml"), Not(HasSubstr("balls")));
   EXPECT_EQ(nlohmann::json::parse(kept("calibration_report.json")), report);
-  EXPECT_THAT(again({"--ball", "press_9=1,2,3"}).errors, HasSubstr("no press is called 'press_9'"));
+  EXPECT_THAT(again({"--ball", "press_9=1,2,3"}).errors, HasSubstr("no press is named 'press_9'"));
   EXPECT_THAT(again({"--ball", "press_1=1,2"}).errors, HasSubstr("NAME=X,Y,Z"));
 }
 
@@ -235,7 +235,7 @@ TEST_F(Repetition, RefusesPicturesThatAreNotTheSame) {
   const auto before = contents_of(flat_.finger());
   const ProgramRun changed = again();
   EXPECT_EQ(changed.status, 1);
-  EXPECT_THAT(changed.errors, HasSubstr("press_1.png: this is not the picture that"));
+  EXPECT_THAT(changed.errors, HasSubstr("press_1.png: this is not the image that"));
   fs::remove(press);
   EXPECT_THAT(again().errors, HasSubstr("press_1.png"));
   fs::copy_file(flat_.presses[1], press);
@@ -250,7 +250,7 @@ TEST_F(Repetition, SaysThatAnotherReferenceMakesANewCalibration) {
   ASSERT_EQ(run_alltact({"reference", flat_.finger(), flat_.file("ref.png")}).status, 0);
   const ProgramRun run = again();
   ASSERT_EQ(run.status, 0) << run.errors;
-  EXPECT_THAT(run.errors, HasSubstr("another reference than it was calibrated with"));
+  EXPECT_THAT(run.errors, HasSubstr("reference has changed since its calibration"));
   EXPECT_EQ(again().errors, "");
 }
 

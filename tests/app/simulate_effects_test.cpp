@@ -30,9 +30,9 @@ TEST(SimulateEffects, TellsWhatOneTakesWithAnExampleToCopy) {
   const ProgramRun run = run_alltact({"simulate", "--effects", "ball"});
   ASSERT_EQ(run.status, 0) << run.errors;
   EXPECT_THAT(run.output, HasSubstr("ball (geometry): A ball is pressed into the face.\n"));
-  EXPECT_THAT(run.output, HasSubstr("May be named several times"));
+  EXPECT_THAT(run.output, HasSubstr("Can be used several times"));
   EXPECT_THAT(run.output, testing::ContainsRegex("  radius_mm +a number above 0 and up to 100\n"));
-  EXPECT_THAT(run.output, testing::ContainsRegex("  give_mm .*; may be left out\n"));
+  EXPECT_THAT(run.output, testing::ContainsRegex("  give_mm .*; optional\n"));
   EXPECT_THAT(run.output, HasSubstr("  - {use: ball, radius_mm: 4,"));
 }
 

@@ -183,7 +183,7 @@ TEST(Usage, ChecksTheComputersOwnNumbers) {
   if (is_slow_run()) {  // the same once more, in words
     const ProgramRun run = run_alltact({"check", "--numerics"});
     EXPECT_EQ(run.status, 0) << run.errors;
-    EXPECT_THAT(run.output, HasSubstr("as exact on this computer as they must be"));
+    EXPECT_THAT(run.output, HasSubstr("are within their error bounds on this computer"));
     EXPECT_THAT(run.output, testing::Not(HasSubstr("  NO ")));
   }
   const ProgramRun json = run_alltact({"check", "--numerics", "--json"});

@@ -21,7 +21,7 @@ void BM_FrameToReader(benchmark::State& state) {
   std::vector<double> ages_ms;
   for ([[maybe_unused]] const auto _ : state) {
     const FramePtr frame = reader.next(std::chrono::seconds(1));
-    if (frame == nullptr) return state.SkipWithError("no frame came");
+    if (frame == nullptr) return state.SkipWithError("no frame arrived");
     const double age_ms = test::age_ms(*frame);
     ages_ms.push_back(age_ms);
     state.SetIterationTime(age_ms / 1000);

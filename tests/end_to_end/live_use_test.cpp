@@ -200,14 +200,14 @@ TEST(LiveUse, NothingGrowsAndNoFrameIsLostInSilence) {
   std::filesystem::create_directory(flat.finger());
   ASSERT_TRUE(test::flat_sensor_finger(false).save(flat.finger()).ok());
   test::FakeCamera fake(bench.camera);
-  auto opened =
-      V4l2Camera::open({&fake,
-                        "soak",
-                        [&]() -> Result<std::string> {
-                          if (fake.is_plugged()) return std::string("/dev/video0");
-                          return Error{en::say("the camera is not there"), std::string("soak"), ""};
-                        }},
-                       {});
+  auto opened = V4l2Camera::open(
+      {&fake,
+       "soak",
+       [&]() -> Result<std::string> {
+         if (fake.is_plugged()) return std::string("/dev/video0");
+         return Error{en::say("the camera is not connected"), std::string("soak"), ""};
+       }},
+      {});
   ASSERT_TRUE(opened.ok());
   const std::shared_ptr<V4l2Camera> camera = std::move(*opened);
   ASSERT_TRUE(camera->lock().ok());

@@ -119,8 +119,8 @@ TEST_F(RealTwin, RefusalsSayWhatIsMissing) {
   };
   refused({press(), "--reference", untouched()},
           "the radius of the ball that was pressed is not known");
-  refused({press(), "--ball-radius-mm", "4"}, "no untouched picture");
-  refused({"--ball-radius-mm", "4", "--reference", untouched()}, "the finger keeps none");
+  refused({press(), "--ball-radius-mm", "4"}, "no untouched image");
+  refused({"--ball-radius-mm", "4", "--reference", untouched()}, "the finger has none");
   refused({untouched(), "--ball-radius-mm", "4", "--reference", untouched()},
           "no press can be used");
   refused({(kRealSensor / "press_sample.png").string(),

@@ -230,7 +230,7 @@ void expect_python_agrees(const Day& day) {
 TEST(SimulatedFinger, IsMadeWithoutAnAlarm) {
   const Morning& morning = Morning::get();
   EXPECT_EQ(morning.trouble(), "");
-  EXPECT_THAT(morning.errors(), testing::Not(testing::HasSubstr("takes long to answer")));
+  EXPECT_THAT(morning.errors(), testing::Not(testing::HasSubstr("responds slowly")));
 }
 
 TEST(SimulatedFinger, IsMeasuredAsWellAsPromised) {

@@ -137,7 +137,7 @@ TEST_F(HardPictures, OneThatIsReadAgainIsNotTakenForFrozen) {
   EXPECT_EQ(problems(*pipeline_(std::make_shared<Frame>(again))), "");
   again.grey = again.grey.clone();
   again.name = "frame_00008", again.sequence = 8;
-  EXPECT_THAT(problems(*pipeline_(std::make_shared<Frame>(again))), HasSubstr("same"));
+  EXPECT_THAT(problems(*pipeline_(std::make_shared<Frame>(again))), HasSubstr("frozen"));
 }
 
 TEST_F(HardPictures, AContactOverFourFifthsOfTheFaceIsMeasured) {

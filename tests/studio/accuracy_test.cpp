@@ -52,8 +52,7 @@ class Accuracy : public testing::Test {
 
 TEST_F(Accuracy, OffersToMeasureWhereNothingIsMeasured) {
   open(false, {});
-  auto* button =
-      studio_->find<QPushButton>("Measure what settings cost on this finger (about 12 s)");
+  auto* button = studio_->find<QPushButton>("Measure settings on this finger (about 12 s)");
   ASSERT_NE(button, nullptr);
   EXPECT_TRUE(button->isEnabled());
   EXPECT_FALSE(place().plot().isVisible());
@@ -65,7 +64,7 @@ TEST_F(Accuracy, OffersToMeasureWhereNothingIsMeasured) {
   EXPECT_EQ(studio_->problems(), "");
   const bool has_some = place().run().study() != nullptr;
   const QString on =
-      has_some ? QStringLiteral("Measure what is missing") : button->text().remove('&');
+      has_some ? QStringLiteral("Measure missing settings") : button->text().remove('&');
   EXPECT_NE(studio_->find<QPushButton>(on), nullptr);
   if (is_thorough()) {
     studio_->click(on);
@@ -88,15 +87,15 @@ TEST_F(Accuracy, SaysWhatIsMissingFirst) {
   EXPECT_TRUE(says(studio, "Open a finger first."));
   studio.window().open_finger(MadeFingers::get().described());
   EXPECT_TRUE(wait_until([&] { return says(studio, "Calibrate this finger first."); }));
-  EXPECT_FALSE(studio.find<QPushButton>("Measure what settings cost on this finger (about 12 s)")
-                   ->isEnabled());
+  EXPECT_FALSE(
+      studio.find<QPushButton>("Measure settings on this finger (about 12 s)")->isEnabled());
 }
 
 TEST_F(Accuracy, AnswersTwoQuestionsWithOneSetting) {
   open(true, {});
   ASSERT_TRUE(wait_for_study());
   const AccuracyStudy& study = place().run().study()->study;
-  auto* rate = studio_->find<QComboBox>("How many pictures per second?");
+  auto* rate = studio_->find<QComboBox>("Images per second");
   for (const int wanted : {10, 100, 1000}) {
     rate->setEditText(QString::number(wanted));
     StudyQuestion question;
@@ -104,7 +103,7 @@ TEST_F(Accuracy, AnswersTwoQuestionsWithOneSetting) {
     EXPECT_EQ(place().answer_row(), answer_to(question, study)->row) << wanted;
   }
   EXPECT_TRUE(says(*studio_, "95 % within"));
-  auto* error = studio_->find<QDoubleSpinBox>("What error may it have?");
+  auto* error = studio_->find<QDoubleSpinBox>("Maximum error");
   error->setValue(0.001);
   EXPECT_TRUE(says(*studio_, "No setting"));
   studio_->click("Copy command");
@@ -188,7 +187,7 @@ TEST_F(Accuracy, UseItChangesWhatTheLivePictureIsMeasuredWithAndUndoTakesItBack)
   EXPECT_EQ(place().run().row_in_use(), 0U);
   QTest::keyClick(&studio_->window(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
   ASSERT_TRUE(wait_until([&] { return measuring_settings(finger()).smoothing_px == 0; }));
-  studio_->click("As calibrated again");
+  studio_->click("Restore as calibrated");
   ASSERT_TRUE(wait_until([&] { return measuring_settings(finger()).smoothing_px > 0; }));
   EXPECT_EQ(presets_of_finger(finger())->used, "");
 }

@@ -31,7 +31,7 @@ TEST(CalibrateFlat, TakesItsUntouchedPictureFromTheLiveOne) {
   auto* place = studio.window().findChild<CalibratePage*>();
   studio.click("Next: Finger");
   EXPECT_FALSE(studio.find<QPushButton>("Next: Presses")->isEnabled());
-  studio.click("Take the untouched picture now");
+  studio.click("Take the untouched image now");
   ASSERT_TRUE(wait_until([&] { return studio.session().status().finger.has_reference; }, 20000))
       << studio.problems();
   studio.click("Next: Presses");

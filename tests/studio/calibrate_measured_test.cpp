@@ -60,7 +60,7 @@ TEST(CalibrateHeld, APressOfAFingerHeldStillHasLessNoiseThanAFrame) {
   take_button(studio)->click();
   const FramePtr newest = frames->back();
   const FramePtr press = rig.collection().find("press_01")->frame;
-  EXPECT_TRUE(says(studio, "press_01 is taken: the mean of 16 pictures held still."));
+  EXPECT_TRUE(says(studio, "press_01 is taken: the mean of 16 still images."));
   const cv::Mat truth = noiseless(scene);
   const double one = noise_of(newest->grey, truth), mean = noise_of(press->grey, truth);
   std::printf("[ figures  ] noise of a frame %.3f levels, of the press %.3f\n", one, mean);
@@ -85,7 +85,7 @@ TEST(CalibrateHeld, APressOfAFingerThatMovesIsWaitedFor) {
   const auto frames = watched_frames(studio);
   ASSERT_TRUE(wait_until([&] { return frames->size() >= 5; }, 30000));
   take_button(studio)->click();
-  EXPECT_TRUE(says(studio, "It is taken as soon as ball and finger are held still."));
+  EXPECT_TRUE(says(studio, "The press is taken once ball and finger are held still."));
   QTest::qWait(300);
   EXPECT_TRUE(rig.collection().presses().empty());
   studio.window().open_source({scene});
@@ -107,7 +107,7 @@ class CalibrateMeasured : public testing::Test {
     list->setCurrentIndex(list->model()->index(row, 0));
   }
   /// Most presses need nothing but their ball: what is measured of one waits folded away.
-  void unfold() { rig_.studio().click("Measured, or another ball"); }
+  void unfold() { rig_.studio().click("Depth, ball or punch"); }
   QDoubleSpinBox* field(const char* name) { return rig_.studio().find<QDoubleSpinBox>(name); }
   void type(const char* name, const QString& text) {
     auto* box = field(name);
@@ -151,8 +151,8 @@ TEST_F(CalibrateMeasured, DepthAndStepAreSaidUndoneAndKept) {
   ASSERT_TRUE(rig_.wait_until_looked_at(kPresses));
   EXPECT_EQ(state_of("press_07"), "a punch with a step of 0.500 mm");
   EXPECT_FALSE(field(kDepth)->isEnabled());
-  EXPECT_FALSE(field("Radius of this press' ball")->isEnabled());
-  EXPECT_FALSE(rig_.studio().find<OutlineEditor>("Picture with the ball's outline")->ball());
+  EXPECT_FALSE(field("Radius of this press's ball")->isEnabled());
+  EXPECT_FALSE(rig_.studio().find<OutlineEditor>("Image with the ball's outline")->ball());
   EXPECT_FALSE(rig_.collection().find("press_07")->analysis.found_mm);
   EXPECT_EQ(rig_.collection().usable_count(), kPresses);
   undo().undo();
@@ -208,8 +208,8 @@ TEST_F(CalibrateMeasured, TheSolutionIsSaidBesideWhatWasTold) {
   EXPECT_NEAR(solved.steps[0].estimated_mm, 0.5, 0.03);
   EXPECT_THAT(
       state_of("press_07"),
-      HasSubstr(fmt::format("a step of 0.500 mm reads {:.3f} mm", solved.steps[0].estimated_mm)));
-  EXPECT_THAT(state_of("press_01"), HasSubstr("measured 0.670 mm deep, the solution has 0."));
+      HasSubstr(fmt::format("0.500 mm step measured as {:.3f} mm", solved.steps[0].estimated_mm)));
+  EXPECT_THAT(state_of("press_01"), HasSubstr("depth measured 0.670 mm, fitted 0."));
   rig_.collection().set_step_of("press_07", 0.6);
   EXPECT_EQ(state_of("press_07"), "a punch with a step of 0.600 mm");
   EXPECT_EQ(rig_.run().state(), CalibrationState::kStale);

@@ -24,7 +24,7 @@ TEST(Calibrate, EveryStepSaysWhatItNeedsFirst) {
   Studio studio;
   studio.window().go_to("calibrate");
   QTest::qWait(50);
-  EXPECT_TRUE(says(studio, "The lens has to be known first"));
+  EXPECT_TRUE(says(studio, "The lens is not known yet"));
   EXPECT_FALSE(studio.find<QPushButton>("Next: Finger")->isEnabled());
   for (auto* button : studio.window().findChild<CalibratePage*>()->findChildren<QToolButton*>())
     if (button->text().startsWith("3 Presses")) {
@@ -62,8 +62,8 @@ TEST(Calibrate, TakesPressesFromTheLivePictureAndKeepsThemAtOnce) {
   rig.studio().click("Take a press (Space)");
   EXPECT_TRUE(wait_until([&] { return fs::exists(rig.finger() / "presses/press_01.png"); }, 1000));
   ASSERT_TRUE(rig.wait_for_press());
-  rig.studio().find<ImageView>("Picture")->setFocus();
-  QTest::keyClick(rig.studio().find<ImageView>("Picture"), Qt::Key_Space);
+  rig.studio().find<ImageView>("Image")->setFocus();
+  QTest::keyClick(rig.studio().find<ImageView>("Image"), Qt::Key_Space);
   ASSERT_TRUE(rig.wait_until_looked_at(2));
   EXPECT_EQ(rig.collection().usable_count(), 2);
   const CollectedPress& first = rig.collection().presses()[0];
@@ -93,7 +93,7 @@ TEST(Calibrate, TakesPressesByItselfWhenTheyHoldStill) {
   rig.open();
   rig.go_to_step("Presses");
   rig.type_radius("4");
-  auto* box = rig.studio().find<QCheckBox>("By itself when it holds still");
+  auto* box = rig.studio().find<QCheckBox>("Automatically when still");
   box->setFocus();
   QTest::keyClick(box, Qt::Key_Space);
   ASSERT_TRUE(wait_until([&] { return rig.collection().presses().size() >= 4; }, 20000));
@@ -112,7 +112,7 @@ TEST(Calibrate, TheOutlineIsTheBallsAndAHandMovesIt) {
   auto* list = rig.studio().find<QListView>("Presses");
   QTest::mouseClick(
       list->viewport(), Qt::LeftButton, {}, list->visualRect(list->model()->index(0, 0)).center());
-  auto* editor = rig.studio().find<OutlineEditor>("Picture with the ball's outline");
+  auto* editor = rig.studio().find<OutlineEditor>("Image with the ball's outline");
   ASSERT_NE(editor, nullptr);
   ASSERT_TRUE(editor->ball());
   EXPECT_FALSE(editor->ball()->is_by_hand);
@@ -171,8 +171,8 @@ TEST(Calibrate, OnePressMayHaveABallOfItsOwn) {
   ASSERT_TRUE(rig.wait_until_looked_at(2));
   auto* list = rig.studio().find<QListView>("Presses");
   list->setCurrentIndex(list->model()->index(1, 0));
-  rig.studio().click("Measured, or another ball");
-  auto* own = rig.studio().find<QDoubleSpinBox>("Radius of this press' ball");
+  rig.studio().click("Depth, ball or punch");
+  auto* own = rig.studio().find<QDoubleSpinBox>("Radius of this press's ball");
   ASSERT_NE(own, nullptr);
   own->setFocus();
   own->selectAll();
@@ -193,7 +193,7 @@ TEST(Calibrate, PressesAddedFromFilesKeepTheirNames) {
   fs::copy(rig.finger() / "presses/press_01.png", rig.folder() / "mine/press_02.png");
   rig.open();
   rig.go_to_step("Presses");
-  rig.studio().click("Add pictures…");
+  rig.studio().click("Add images…");
   auto* dialog = rig.place().findChild<QFileDialog*>();
   ASSERT_NE(dialog, nullptr);
   auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
@@ -219,14 +219,14 @@ TEST(Calibrate, GivesTheSameBytesAsTheCommandThatItCopies) {
   QTest::keyClicks(person, "Ada Lovelace");
   QTest::keyClick(person, Qt::Key_Return);
   ASSERT_TRUE(rig.wait_until_looked_at(6));
-  // A ball moved by hand and a press taken out travel with the command, too.
+  // A ball moved by hand and a press left out travel with the command, too.
   auto* list = rig.studio().find<QListView>("Presses");
   list->setCurrentIndex(list->model()->index(1, 0));
-  auto* editor = rig.studio().find<OutlineEditor>("Picture with the ball's outline");
+  auto* editor = rig.studio().find<OutlineEditor>("Image with the ball's outline");
   editor->setFocus();
   for (int i = 0; i < 3; ++i) QTest::keyClick(editor, Qt::Key_Right);
   list->setCurrentIndex(list->model()->index(3, 0));
-  rig.studio().click("Take out");
+  rig.studio().click("Leave out");
   const std::string command = rig.calibrate_and_compare_with_the_command();
   EXPECT_THAT(command, HasSubstr("--exclude press_04"));
   EXPECT_THAT(command, HasSubstr("--ball 'press_02="));
@@ -253,7 +253,7 @@ TEST(Calibrate, TakingOutAPressShowsAsAChangeAndEverythingCanBeUndone) {
   rig.go_to_step("Presses");
   auto* list = rig.studio().find<QListView>("Presses");
   list->setCurrentIndex(list->model()->index(0, 0));  // the worst
-  rig.studio().click("Take out");
+  rig.studio().click("Leave out");
   EXPECT_EQ(rig.run().state(), CalibrationState::kStale);
   rig.go_to_step("Mapping");
   EXPECT_TRUE(says(rig.studio(), "The presses have changed since this calibration"));
@@ -265,7 +265,7 @@ TEST(Calibrate, TakingOutAPressShowsAsAChangeAndEverythingCanBeUndone) {
   QUndoStack& undo = rig.studio().window().undo_stack();
   EXPECT_EQ(undo.undoText(), "calibrate");
   undo.undo();
-  EXPECT_EQ(rig.run().state(), CalibrationState::kStale) << "the press is still taken out";
+  EXPECT_EQ(rig.run().state(), CalibrationState::kStale) << "the press is still left out";
   undo.undo();
   EXPECT_EQ(rig.run().state(), CalibrationState::kCurrent);
   rig.collection().disk()->wait();
@@ -315,7 +315,7 @@ TEST(Calibrate, ShowsHowTheSolutionSettlesWhileItRuns) {
   ASSERT_TRUE(rig.wait_until_looked_at(6));
   rig.go_to_step("Mapping");
   rig.studio().click("Calibrate now");
-  auto* plot = rig.studio().find<ConvergencePlot>("How the solution settles");
+  auto* plot = rig.studio().find<ConvergencePlot>("Convergence of the solution");
   ASSERT_NE(plot, nullptr);
   std::size_t most_seen = 0;
   ASSERT_TRUE(wait_until(
@@ -325,7 +325,7 @@ TEST(Calibrate, ShowsHowTheSolutionSettlesWhileItRuns) {
       },
       120000));
   EXPECT_GT(most_seen, 0U);
-  EXPECT_TRUE(plot->accessibleDescription().contains(QStringLiteral("mm are left")));
+  EXPECT_TRUE(plot->accessibleDescription().contains(QStringLiteral("Residual after")));
   EXPECT_FALSE(plot->isVisible());
   const auto rounds = rig.run().rounds();
   // The result's residual is of balls fitted anew to the part that surely touches.
@@ -350,7 +350,7 @@ TEST(Calibrate, TheListIsAProperModel) {
   rig.studio().window().undo_stack().undo();
   EXPECT_EQ(list->model()->rowCount(), 3);
   EXPECT_THAT(list->model()->index(1, 0).data().toString().toStdString(),
-              HasSubstr("taken out: glove"));
+              HasSubstr("left out: glove"));
 }
 
 TEST(Calibrate, ThreePressesTellWhetherItStillHolds) {

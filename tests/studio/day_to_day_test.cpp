@@ -38,7 +38,7 @@ TEST(SpaceBar, TakesAPressWhereverTheFocusIsAndTypesIntoNoNumber) {
   EXPECT_EQ(who->text().toStdString(), "Ada L");
   EXPECT_EQ(rig.collection().presses().size(), 3U);
   // And a box is ticked with it.
-  auto* box = rig.studio().find<QCheckBox>("By itself when it holds still");
+  auto* box = rig.studio().find<QCheckBox>("Automatically when still");
   QTest::keyClick(box, Qt::Key_Space);
   EXPECT_TRUE(box->isChecked());
   EXPECT_EQ(rig.collection().presses().size(), 3U);
@@ -71,7 +71,9 @@ TEST(Notices, OfRecordStandInTheOneBar) {
   ASSERT_TRUE(studio.wait_for_picture());
   studio.window().go_to("record");
   ASSERT_TRUE(wait_until(
-      [&] { return studio.problems().find("The contact face is touched") != std::string::npos; },
+      [&] {
+        return studio.problems().find("Something touches the contact face") != std::string::npos;
+      },
       60000));
   QTest::qWait(50);  // rows are shown when the window is idle
   int lists = 0, rows = 0;
@@ -128,7 +130,7 @@ TEST(InspectUncalibrated, ShowsTheWholeFaceAndNoPoints) {
   }
   // The scene's finger is 116 mm long and goes away from the camera at 34 degrees.
   EXPECT_NEAR(longest - shortest, 116 * std::sin(34 * 3.14159265 / 180), 2);
-  EXPECT_TRUE(says(studio, "the shape of the whole finger"));
+  EXPECT_TRUE(says(studio, "the shape of the entire finger"));
 }
 
 TEST(Start, OffersTheFingersOfBeforeAndAWholeDay) {

@@ -89,11 +89,11 @@ TEST_F(ExportTest, TellsInPlaceWhatIsMissingOrWrong) {
   choose(dialog, {});
   EXPECT_FALSE(button(dialog, "Copy as command line").isEnabled());
   button(dialog, "Export").click();
-  EXPECT_THAT(told(dialog), HasSubstr("Nothing is chosen."));
+  EXPECT_THAT(told(dialog), HasSubstr("Nothing is selected."));
   choose(dialog, {"json"});
   field(dialog, "Folder for the files").setText(QString());
   button(dialog, "Export").click();
-  EXPECT_THAT(told(dialog), HasSubstr("No folder is named."));
+  EXPECT_THAT(told(dialog), HasSubstr("No folder is chosen."));
   write_text(folder_ / "file", "");
   field(dialog, "Folder for the files")
       .setText(QString::fromStdString((folder_ / "file/out").string()));

@@ -146,7 +146,7 @@ TEST(FirstUser, ReachesAVerdictByReadingOnlyWhatIsOnTheScreen) {
                                     newcomer.standing_out() != nullptr &&
                                     newcomer.standing_out()->text().contains("(Space)");
     // Wanted already, and waited for.
-    if (presses_are_wanted && newcomer.reads("as soon as ball and finger are held still")) {
+    if (presses_are_wanted && newcomer.reads("once ball and finger are held still")) {
       QTest::qWait(200);
       --turn;
       continue;

@@ -69,7 +69,7 @@ TEST_F(InspectMore, ComparesWithThePapersMethod) {
 
 TEST_F(InspectMore, NeverShowsOrdinaryDepthUnderTheTitleOfADifference) {
   ASSERT_TRUE(open_pictures());
-  auto* map = studio_.find<ImageView>("Picture");
+  auto* map = studio_.find<ImageView>("Image");
   change([](InspectOptions& options) { options.comparison = Comparison::kDifference; });
   if (!frame().other) {
     EXPECT_TRUE(map->image().empty());
@@ -113,7 +113,7 @@ TEST_F(InspectMore, ComparesWithAnotherFrameAtTheSamePlacesOfTheFace) {
   change([](InspectOptions& options) { options.with.frame = 5; });
   ASSERT_TRUE(
       wait_until([&] { return frame().other && frame().other->frame->name == "frame_00005"; }));
-  EXPECT_NE(studio_.find<QLabel>("Shown less: frame 6"), nullptr);
+  EXPECT_NE(studio_.find<QLabel>("Shown minus: frame 6"), nullptr);
   // The ball presses the same place of the finger, which lies in another pixel there.
   const cv::Point2d here = *pixel_of(frame(), place().options().a);
   EXPECT_LT(std::abs(frame().difference_mm.at<float>(cv::Point(here))), 0.05F);
@@ -138,7 +138,7 @@ TEST_F(InspectMore, TellsUnderThePointerWhatTheCommandLineWrites) {
   const cv::Mat written =
       cv::imread((out / "frame_00000.depth.tiff").string(), cv::IMREAD_UNCHANGED);
   ASSERT_EQ(written.type(), CV_32FC1);
-  auto* map = studio_.find<ImageView>("Picture");
+  auto* map = studio_.find<ImageView>("Image");
   int told = 0;
   for (const cv::Point pixel :
        {cv::Point(400, 260), {300, 250}, {500, 270}, {430, 240}, {620, 265}}) {
@@ -210,7 +210,7 @@ TEST_F(InspectMore, ShowsTheShapeOfAFingerThatNobodyCalibrated) {
   }
   EXPECT_EQ(seen, 12);
   EXPECT_NE(
-      studio_.find<QLabel>("Not calibrated yet: the shape of the whole finger, without depth"),
+      studio_.find<QLabel>("Not calibrated yet: the shape of the entire finger, without depth"),
       nullptr);
 }
 

@@ -50,7 +50,7 @@ TEST_F(InspectAfterACrash, WhatWasInspectedComesBack) {
   InspectOptions expected = kept().inspect.options;
   if (!VtkView::is_supported()) expected.shown_as = ShownAs::kHeightMap;
   EXPECT_EQ(place.options(), expected);
-  EXPECT_EQ(studio.find<QSpinBox>("Number of the frame")->value(), 5);
+  EXPECT_EQ(studio.find<QSpinBox>("Frame number")->value(), 5);
   EXPECT_EQ(studio.window().undo_stack().count(), 1);
   studio.window().undo_stack().undo();
   EXPECT_TRUE(place.options().recording.empty());
@@ -64,7 +64,7 @@ TEST_F(InspectAfterACrash, ARecordingThatHasGoneIsSaid) {
   Studio studio(options());
   studio.click("Go on with it");
   ASSERT_TRUE(wait_until([&] {
-    return studio.problems().find("grasp.mkv: this recording is not there any more") !=
+    return studio.problems().find("grasp.mkv: this recording no longer exists") !=
            std::string::npos;
   })) << studio.problems();
 }

@@ -61,25 +61,26 @@ TEST_F(InspectPair, JoinsFramesByTheirTimes) {
       return frames && frames->first->number == static_cast<std::size_t>(frame) &&
              frames->second->number == 2 * static_cast<std::size_t>(frame);
     }));
-    EXPECT_THAT(text("How the two recordings are joined"), HasSubstr("2 was taken 0.0 ms after 1"));
+    EXPECT_THAT(text("Matching of the two recordings"), HasSubstr("2 was captured 0.0 ms after 1"));
   }
 }
 
 TEST_F(InspectPair, SaysWhatIsMissingAndTakesThePlaceThatIsTyped) {
   ASSERT_TRUE(open_both());
   EXPECT_FALSE(pair().has_both_poses());
-  EXPECT_THAT(studio_.problems(), HasSubstr("camera of calibrated sits in the gripper is not"));
-  studio_.click("Place of the second finger in the gripper");
+  EXPECT_THAT(studio_.problems(),
+              HasSubstr("camera pose of calibrated in the gripper is not known"));
+  studio_.click("Pose of the second finger in the gripper");
   auto* dialog = studio_.window().findChild<GripperDialog*>();
   ASSERT_NE(dialog, nullptr);
   for (QDoubleSpinBox* box : dialog->findChildren<QDoubleSpinBox*>())
-    if (box->accessibleName() == QLatin1String("Place, x")) box->setValue(12.5);
+    if (box->accessibleName() == QLatin1String("Position, x")) box->setValue(12.5);
   QTest::keyClick(dialog, Qt::Key_Return);
   const auto written = [&] { return Finger::load(two_.right()).value().gripper_from_camera; };
   ASSERT_TRUE(wait_until([&] { return written().has_value(); }));
   EXPECT_EQ(written()->translation_mm, Eigen::Vector3d(12.5, 0, 0));
   ASSERT_TRUE(wait_until([&] { return pair().mount(true)->gripper_from_camera.has_value(); }));
-  EXPECT_EQ(studio_.window().undo_stack().undoText(), "place right in the gripper");
+  EXPECT_EQ(studio_.window().undo_stack().undoText(), "pose of right in the gripper");
   studio_.window().undo_stack().undo();
   EXPECT_TRUE(wait_until([&] { return !written().has_value(); }));
   studio_.window().undo_stack().redo();

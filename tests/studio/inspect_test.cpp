@@ -209,7 +209,7 @@ TEST_F(Inspect, MeasuresWhatLiesBetweenThePoints) {
 
 TEST_F(Inspect, PutsPointsByClicksAndTakesThemBack) {
   ASSERT_TRUE(open_pictures());
-  auto* map = studio_.find<ImageView>("Picture");
+  auto* map = studio_.find<ImageView>("Image");
   const QPoint where = map->transform().to_widget({400, 260}).toPoint();
   QTest::mouseClick(map, Qt::LeftButton, {}, where);
   ASSERT_TRUE(place().options().a);
@@ -218,7 +218,7 @@ TEST_F(Inspect, PutsPointsByClicksAndTakesThemBack) {
   EXPECT_FALSE(place().options().b);
   QTest::mouseClick(map, Qt::RightButton, {}, where + QPoint(30, 0));
   EXPECT_TRUE(place().options().b);
-  EXPECT_EQ(studio_.window().undo_stack().undoText(), "put point B");
+  EXPECT_EQ(studio_.window().undo_stack().undoText(), "set point B");
   QTest::keyClick(&studio_.window(), Qt::Key_Z, Qt::ControlModifier);
   EXPECT_FALSE(place().options().b);
   QTest::keyClick(&studio_.window(), Qt::Key_Z, Qt::ControlModifier);
@@ -234,12 +234,12 @@ TEST_F(Inspect, ScrubsByKeysAndPlaysToTheEnd) {
   QTest::keyClick(slider, Qt::Key_Right);
   QTest::keyClick(slider, Qt::Key_Right);
   ASSERT_TRUE(wait_until([&] { return frame().number == 2; }));
-  EXPECT_EQ(text("Name of the frame"), "frame_00002");
+  EXPECT_EQ(text("Frame name"), "frame_00002");
   studio_.click("Play");
   ASSERT_TRUE(wait_until([&] { return frame().number == 5; }));
   ASSERT_TRUE(
       wait_until([&] { return studio_.window().findChild<TimeLine*>()->is_playing() == false; }));
-  EXPECT_EQ(text("Name of the frame"), "frame_00005");
+  EXPECT_EQ(text("Frame name"), "frame_00005");
 }
 
 TEST_F(Inspect, GivesTheSameNumbersWhicheverWayOneComes) {
@@ -314,7 +314,7 @@ TEST_F(Inspect, ShowsTheLiveFingerAndComesBackToIt) {
 }
 
 TEST_F(Inspect, SaysWhyThereIsNothing) {
-  auto* map = studio_.find<ImageView>("Picture");
+  auto* map = studio_.find<ImageView>("Image");
   ASSERT_TRUE(wait_until(
       [&] { return map->accessibleDescription().contains(QStringLiteral("No source is open")); }));
   place().open("/nowhere/video.mkv");

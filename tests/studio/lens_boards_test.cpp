@@ -48,7 +48,7 @@ TEST(LensBoards, AreTakenByThemselvesAndMeasureTheLens) {
   studio.find<QSpinBox>("Inner corners in a row")->setValue(8);
   studio.find<QSpinBox>("Inner corners in a column")->setValue(6);
   studio.find<QDoubleSpinBox>("Side of a square")->setValue(4);
-  auto* by_itself = studio.find<QCheckBox>("By itself where it is new and still");
+  auto* by_itself = studio.find<QCheckBox>("Automatically when new and still");
   ASSERT_TRUE(wait_until([&] { return by_itself->isEnabled(); }));
   by_itself->click();
   auto* page = studio.window().findChild<LensPage*>();

@@ -141,7 +141,7 @@ TEST_F(TwoCameras, ShowsBothPicturesOfOneMoment) {
       },
       20000))
       << seen;
-  EXPECT_THAT(reported(studio, "Whether both pictures are of one moment"), HasSubstr("In time"));
+  EXPECT_THAT(reported(studio, "Synchronization of both images"), HasSubstr("In sync"));
   // Side by side, each as large as the other, and neither squashed.
   const auto panels = live(studio).findChildren<ImagePanel*>();
   ASSERT_EQ(panels.size(), 2);
@@ -166,7 +166,7 @@ TEST_F(TwoCameras, SaysWhenOneOfThemStandsStillAndGoesOnWithTheOther) {
   const auto before = live(studio).pair().pair()->views[0];
   EXPECT_TRUE(wait_until([&] { return live(studio).pair().pair()->views[0] != before; }));
   EXPECT_TRUE(wait_until([&] {
-    return reported(studio, "Whether both pictures are of one moment").find("Not in time") !=
+    return reported(studio, "Synchronization of both images").find("Not in sync") !=
            std::string::npos;
   }));
   is_second_stuck_ = false;
@@ -236,7 +236,7 @@ TEST_F(TwoCameras, TellsTheGapAndTheWidthOfWhatIsHeld) {
                                    place(false).point(first.regions.front().position_mm).x());
   EXPECT_NEAR(reading.width->mm, width_mm, 1e-6);
   ASSERT_TRUE(wait_until(
-      [&] { return reported(studio, "Gap and width").find("Held width") != std::string::npos; }));
+      [&] { return reported(studio, "Gap and width").find("Object width") != std::string::npos; }));
   EXPECT_THAT(reported(studio, "Gap and width"), HasSubstr("±"));
 
   // Another motor position is another gap, and can be taken back.
@@ -267,7 +267,7 @@ TEST_F(TwoCameras, SaysWhatIsWrongWithSecondFingerCameraAndGripper) {
   wrong.source = {"no camera"};
   EXPECT_THAT(problem_of(wrong), HasSubstr("there is no such camera"));
   EXPECT_TRUE(wait_until([&] {
-    return reported(studio, "Whether both pictures are of one moment").find("no such camera") !=
+    return reported(studio, "Synchronization of both images").find("no such camera") !=
            std::string::npos;
   }));
   wrong = second(true);
@@ -303,7 +303,7 @@ TEST_F(TwoCameras, AreOpenedByTheDialog) {
   ASSERT_TRUE(live(studio).pair().opened());
   EXPECT_EQ(live(studio).pair().opened()->finger, folder_ / "right");
   EXPECT_TRUE(wait_for_pair(studio));
-  studio.click("Close it");
+  studio.click("Close");
   EXPECT_FALSE(live(studio).pair().opened());
   EXPECT_FALSE(live(studio).pair().pair());
 }

@@ -62,13 +62,13 @@ TEST(Live, ShowsDepthOfACalibratedFinger) {
 TEST(Live, ReadsOutTheGreyValueUnderTheProbe) {
   Studio studio(simulated());
   ASSERT_TRUE(wait_for_depth(studio));
-  auto* view = studio.find<ImageView>("Picture");
+  auto* view = studio.find<ImageView>("Image");
   view->setFocus();
   QTest::keyClick(view, Qt::Key_Right, Qt::ShiftModifier);
   const auto at = view->probe();
   ASSERT_TRUE(at);
   const int grey = view->image().at<std::uint8_t>(at->y(), at->x());
-  const QString text = studio.find<QLabel>("Under the probe")->text();
+  const QString text = studio.find<QLabel>("Values at the probe")->text();
   EXPECT_THAT(text.toStdString(),
               HasSubstr("u " + std::to_string(at->x()) + " px, v " + std::to_string(at->y()) +
                         " px, grey " + std::to_string(grey) + ", depth "));
@@ -122,7 +122,7 @@ TEST(Live, GoesFromPlaceToPlaceByKeys) {
   QTest::keyClick(&studio.window(), Qt::Key_3, Qt::ControlModifier);
   EXPECT_NE(studio.find<QGroupBox>("Recording"), nullptr);
   QTest::keyClick(&studio.window(), Qt::Key_1, Qt::ControlModifier);
-  EXPECT_NE(studio.find<QGroupBox>("Over the picture"), nullptr);
+  EXPECT_NE(studio.find<QGroupBox>("Image overlays"), nullptr);
 }
 
 TEST(Live, LocksACameraAtFirstAndSetsItWhenUnlocked) {

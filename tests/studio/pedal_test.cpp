@@ -92,7 +92,7 @@ TEST_F(PedalInWindow, UnpluggedIsSaidAndComingBackIsHeard) {
   EXPECT_THAT(studio.problems(), testing::Not(HasSubstr("foot pedal")));
   unplug();
   ASSERT_TRUE(wait_until([&] {
-    return studio.problems().find("The foot pedal is not heard now") != std::string::npos;
+    return studio.problems().find("The foot pedal sends no signal now") != std::string::npos;
   }));
   EXPECT_THAT(studio.problems(), HasSubstr("plug it in"));
   plug_in(1);  // another node, the same device

@@ -44,7 +44,7 @@ class RecordOffer : public testing::Test {
     return wait_until([&] { return has_words(words); }, 60000);
   }
   void choose(const std::filesystem::path& video) {
-    studio_->click("Install a video that is there…");
+    studio_->click("Install an existing video…");
     auto* dialog = studio_->window().findChild<QFileDialog*>();
     ASSERT_NE(dialog, nullptr);
     auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
@@ -59,11 +59,11 @@ class RecordOffer : public testing::Test {
 TEST_F(RecordOffer, SaysWhatItWouldBringAndLeavesTheFingerAlone) {
   open();
   record(folder_ / "bend.mkv");
-  ASSERT_TRUE(wait_for_words("It would bring: half of the references off by less than 0."));
+  ASSERT_TRUE(wait_for_words("Expected error: half of the references off by less than 0."));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "finger/reference.mkv"));
   EXPECT_NE(studio_->find<QPushButton>("Install as this finger's reference"), nullptr);
   studio_->click("Keep for later");
-  EXPECT_TRUE(wait_for_words("Kept: bend.mkv"));
+  EXPECT_TRUE(wait_for_words("Saved: bend.mkv"));
   EXPECT_TRUE(std::filesystem::exists(folder_ / "bend.mkv"));
   // And later.
   choose(folder_ / "bend.mkv");
@@ -82,7 +82,7 @@ TEST_F(RecordOffer, AsksWhetherTheSkinIsAnotherOneThanInTheLastReference) {
   ASSERT_TRUE(wait_until([&] { return studio_->session().status().finger.has_reference; }, 60000))
       << studio_->problems();
   choose(folder_ / "bend.mkv");
-  ASSERT_TRUE(wait_for_words("It would bring: "));
+  ASSERT_TRUE(wait_for_words("Expected error: "));
   auto* skin = studio_->find<QCheckBox>("The skin was changed since the last reference");
   ASSERT_NE(skin, nullptr);
   EXPECT_TRUE(skin->isVisible());
@@ -95,8 +95,8 @@ TEST_F(RecordOffer, AsksWhetherTheSkinIsAnotherOneThanInTheLastReference) {
         QString::fromStdString(std::string(ALLTACT_SCREENS) + "/" + name + ".png"));
   }
   skin->click();  // is judged again
-  EXPECT_TRUE(wait_until([&] { return !has_words("It would bring: "); }, 5000));
-  EXPECT_TRUE(wait_for_words("It would bring: "));
+  EXPECT_TRUE(wait_until([&] { return !has_words("Expected error: "); }, 5000));
+  EXPECT_TRUE(wait_for_words("Expected error: "));
 }
 
 TEST_F(RecordOffer, RecordingAgainTakesTheVideoAway) {
@@ -115,7 +115,7 @@ TEST_F(RecordOffer, TheListBeforeTheFirstRecordingStandsThere) {
   open();
   EXPECT_TRUE(wait_for_words("Focus at the base: edges at the base are "));
   EXPECT_TRUE(wait_for_words("Dots: 12 of 12 dots are found."));
-  EXPECT_TRUE(wait_for_words("Brightness: the face is "));
+  EXPECT_TRUE(wait_for_words("Brightness: the face has brightness "));
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ class RecordTest : public testing::Test {
     QTest::keyClick(&studio_->window(), Qt::Key_3, Qt::ControlModifier);
   }
   void type_file(const std::filesystem::path& file) {
-    auto* line = studio_->find<QLineEdit>("File to record to");
+    auto* line = studio_->find<QLineEdit>("Recording file");
     line->selectAll();
     QTest::keyClicks(line, QString::fromStdString(file.string()));
   }
@@ -89,7 +89,7 @@ TEST_F(RecordTest, RecordsByKeysAlone) {
   QTest::keyClick(&studio_->window(), Qt::Key_R, Qt::ControlModifier);
   ASSERT_TRUE(wait_for(RecordingState::kDone));
   EXPECT_TRUE(std::filesystem::exists(folder_ / "keys.mkv"));
-  EXPECT_NE(studio_->find<QGroupBox>("What was recorded"), nullptr);
+  EXPECT_NE(studio_->find<QGroupBox>("Recorded video"), nullptr);
 }
 
 TEST_F(RecordTest, SaysInPlaceThatAFolderCannotBeWrittenTo) {
@@ -120,7 +120,7 @@ TEST_F(RecordTest, NeverWritesOverARecording) {
 TEST_F(RecordTest, WarnsWhileTheContactFaceIsTouched) {
   open(MadeFingers::get().touched(), MadeFingers::get().calibrated());
   EXPECT_TRUE(wait_until([&] {
-    return studio_->problems().find("The contact face is touched") != std::string::npos;
+    return studio_->problems().find("Something touches the contact face") != std::string::npos;
   }));
   studio_->window().open_source({MadeFingers::get().bending()});
   EXPECT_TRUE(wait_until([&] { return studio_->problems().empty(); })) << studio_->problems();
@@ -132,9 +132,9 @@ TEST_F(RecordTest, WarnsWithoutAReferenceAsWell) {
   const auto says = [&](const char* words) {
     return studio_->problems().find(words) != std::string::npos;
   };
-  EXPECT_TRUE(wait_until([&] { return says("told from the frames before"); }));
-  EXPECT_TRUE(wait_until([&] { return says("The contact face is touched"); }));
-  EXPECT_TRUE(wait_until([&] { return !says("The contact face is touched"); }));
+  EXPECT_TRUE(wait_until([&] { return says("detected from the preceding frames"); }));
+  EXPECT_TRUE(wait_until([&] { return says("Something touches the contact face"); }));
+  EXPECT_TRUE(wait_until([&] { return !says("Something touches the contact face"); }));
 }
 
 TEST_F(RecordTest, SaysWhenTouchingCannotBeSeen) {
@@ -149,7 +149,7 @@ TEST_F(RecordTest, SaysWhenTouchingCannotBeSeen) {
   ASSERT_TRUE(studio_->wait_for_picture());
   QTest::keyClick(&studio_->window(), Qt::Key_3, Qt::ControlModifier);
   EXPECT_TRUE(wait_until([&] {
-    return studio_->problems().find("cannot be seen whether") != std::string::npos;
+    return studio_->problems().find("is unknown whether") != std::string::npos;
   })) << studio_->problems();
 }
 

@@ -113,7 +113,7 @@ TEST_F(SecondDay, EveryStepIsOpenAndNothingHasChanged) {
   rig_.go_to_step("Mapping");
   EXPECT_NE(rig_.studio().find<QWidget>("Mapping from brightness to depth"), nullptr);
   EXPECT_FALSE(says(rig_.studio(), "changed since"));
-  EXPECT_FALSE(says(rig_.studio(), "Calibrating again shows"));
+  EXPECT_FALSE(says(rig_.studio(), "Calibrate again to show"));
   rig_.go_to_step("Verdict");
   EXPECT_TRUE(says(rig_.studio(), "By zone of the face"));
   EXPECT_FALSE(says(rig_.studio(), "changed since"));
@@ -180,9 +180,9 @@ TEST_F(SecondDay, APressIsTheSameInEveryPlotAndCanBeLeftOutThere) {
   EXPECT_TRUE(says(rig_.studio(), (worst + ": its points").c_str()));
   const auto chosen = images();
   for (std::size_t i = 0; i < before.size(); ++i) EXPECT_NE(before[i], chosen[i]) << i;
-  rig_.studio().click("Take out");
+  rig_.studio().click("Leave out");
   EXPECT_EQ(rig_.run().state(), CalibrationState::kStale);
-  EXPECT_TRUE(says(rig_.studio(), (worst + " is taken out").c_str()));
+  EXPECT_TRUE(says(rig_.studio(), (worst + " is left out").c_str()));
   rig_.studio().click("Put back");
   EXPECT_EQ(rig_.run().state(), CalibrationState::kCurrent);
   rig_.studio().click("Show this press");

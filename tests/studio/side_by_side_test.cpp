@@ -75,7 +75,7 @@ TEST_F(SideBySidePlace, ShowsBothDepthsOfTheSameFrameAndWhatTheyDifferBy) {
   EXPECT_GT(*both.p95_mm, *both.median_mm);
   EXPECT_GT(*both.median_mm, 0.0005) << "without smoothing depth is noisier";
   EXPECT_LT(*both.p95_mm, 0.2);
-  EXPECT_TRUE(says(*studio, "This picture:"));
+  EXPECT_TRUE(says(*studio, "This image:"));
   for (const char* name : {"Depth with the setting in use now",
                            "Depth with the chosen setting",
                            "Difference of the two depths"})

@@ -86,13 +86,13 @@ TEST_F(Spoken, AFingerThatCannotBeReadAndACameraThatIsNotThere) {
     EXPECT_THAT(reported, HasSubstr(in(language, "a length in mm")));
     EXPECT_THAT(reported, HasSubstr("/dev/video77"));
     EXPECT_THAT(QString::fromStdString(reported).toLower().toStdString(),
-                HasSubstr(in(language, "it is not there")));
+                HasSubstr(in(language, "it is not connected")));
     EXPECT_THAT(
         reported,
         HasSubstr(in(language, "plug the camera in; 'alltact devices' lists what is found")));
     // The newest stands there, the other one unfolds.
     EXPECT_THAT(QString::fromStdString(texts).toLower().toStdString(),
-                HasSubstr(in(language, "it is not there")));
+                HasSubstr(in(language, "it is not connected")));
   });
 }
 
@@ -117,13 +117,12 @@ TEST_F(Spoken, TheVerdictTheAdviceAndTheRemarks) {
             EXPECT_THAT(texts, HasSubstr(language == "de" ? "Abbildung: " : "映射："));
           }
           if (*step != '5') return;
-          EXPECT_THAT(texts, HasSubstr(language == "de" ? " mm zu erwarten." : " mm"));
+          EXPECT_THAT(texts, HasSubstr(language == "de" ? "Bisher erwarteter Fehler: ±" : " mm"));
           EXPECT_THAT(texts,
                       HasSubstr(language == "de" ? "Kugel von 8,00 mm Durchmesser" : "8.00 mm"));
           EXPECT_THAT(texts, HasSubstr(language == "de" ? " mm vom Fuß, " : "距根部 "));
           EXPECT_THAT(texts, HasSubstr(in(language, "upper half")));
-          EXPECT_THAT(texts,
-                      HasSubstr(language == "de" ? "Am wenigsten sicher ist" : "最不确定的是"));
+          EXPECT_THAT(texts, HasSubstr(language == "de" ? "Am unsichersten ist" : "最不确定的是"));
         });
   }
 }

@@ -33,7 +33,7 @@ TEST(StalledDisk, IsSaidInOneSentenceUntilItAnswers) {
   options.finger = finger;
   options.slow_files = [&disks] { return disks.slow(); };
   Studio studio(options);
-  const std::string sentence = "its disk takes long to answer";
+  const std::string sentence = "its disk responds slowly";
   ASSERT_TRUE(
       wait_until([&] { return studio.problems().find(sentence) != std::string::npos; }, 5000));
   const std::string reported = studio.problems();

@@ -66,7 +66,7 @@ TEST(Story, FromTheFirstStartToTheNextDay) {
     EXPECT_EQ(fake.control(V4L2_CID_EXPOSURE_AUTO), V4L2_EXPOSURE_MANUAL);
 
     QTest::keyClick(&studio.window(), Qt::Key_3, Qt::ControlModifier);
-    auto* file = studio.find<QLineEdit>("File to record to");
+    auto* file = studio.find<QLineEdit>("Recording file");
     ASSERT_NE(file, nullptr);
     file->selectAll();
     QTest::keyClicks(file, QString::fromStdString(video.string()));

@@ -102,8 +102,7 @@ TEST(LiveTouch, TakesThePresentReadingAsZeroAndGivesItBack) {
   ASSERT_TRUE(zero);
   EXPECT_LE(std::abs(zero->since.secsTo(QDateTime::currentDateTime())), 5);
   EXPECT_TRUE(wait_until([&] {
-    return reported(studio, "From which zero forces count").find("Zero: the reading of") !=
-           std::string::npos;
+    return reported(studio, "Zero of the forces").find("Zero: the reading of") != std::string::npos;
   }));
   EXPECT_EQ(studio.window().undo_stack().undoText(), "re-zero the force");
   QTest::keyClick(&studio.window(), Qt::Key_Z, Qt::ControlModifier);
@@ -144,7 +143,7 @@ TEST(LiveTouch, SaysThatAForceModelIsBroken) {
   ASSERT_TRUE(studio.wait_for_picture());
   ASSERT_TRUE(wait_for_finger(studio));
   EXPECT_TRUE(wait_until([&] {
-    return reported(studio, "Force now").find("broken or cut off") != std::string::npos;
+    return reported(studio, "Force now").find("damaged or truncated") != std::string::npos;
   })) << reported(studio, "Force now");
 }
 
@@ -162,10 +161,10 @@ TEST(LiveTouch, TellsWhereTheBallTouches) {
   EXPECT_NEAR(contact.position->across_mm.value(), 0.0, 0.2);
   EXPECT_NEAR(contact.position->depth_mm.value(), 0.8, 0.1);
   ASSERT_TRUE(wait_until([&] {
-    return reported(studio, "What touches the finger").find("Along") != std::string::npos;
+    return reported(studio, "Contacts on the finger").find("Along") != std::string::npos;
   }));
-  const std::string words = reported(studio, "What touches the finger");
-  EXPECT_THAT(words, HasSubstr("Touched on the contact face"));
+  const std::string words = reported(studio, "Contacts on the finger");
+  EXPECT_THAT(words, HasSubstr("Contact on the contact face"));
   EXPECT_THAT(words, HasSubstr("±"));
   EXPECT_THAT(words, HasSubstr("Direction"));
   EXPECT_TRUE(wait_until([&] { return !studio.session().touch_history().contacts().empty(); }));
@@ -190,7 +189,7 @@ TEST(LiveTouch, SaysThatNothingTouchesAnUntouchedFinger) {
       },
       40000));
   EXPECT_TRUE(wait_until([&] {
-    return reported(studio, "What touches the finger").find("Nothing touches") != std::string::npos;
+    return reported(studio, "Contacts on the finger").find("Nothing touches") != std::string::npos;
   }));
 }
 
@@ -212,8 +211,7 @@ TEST(InspectTouch, TellsOfARecordingsFrameWhatItTellsLive) {
       wait_until([&] { return reported(studio, "Force now").find("Fx") != std::string::npos; }));
   EXPECT_THAT(reported(studio, "Force now"),
               HasSubstr(QString::number(force.force_N.x(), 'f', 2).toStdString() + " ± "));
-  EXPECT_THAT(reported(studio, "What touches the finger"),
-              HasSubstr("Touched on the contact face"));
+  EXPECT_THAT(reported(studio, "Contacts on the finger"), HasSubstr("Contact on the contact face"));
   EXPECT_FALSE(studio.find<QPushButton>("Re-zero")->isEnabled());
 }
 

@@ -84,11 +84,11 @@ void use_window(LoopWatch& watch) {
     ADD_FAILURE() << "no entry " << entry;
   };
   for (const char* entry : {"Video file…",
-                            "Folder of pictures…",
+                            "Folder of images…",
                             "Open finger…",
                             "New finger…",
                             "Settings…",
-                            "Help on this place",
+                            "Help on this page",
                             "About AllTact Studio"}) {
     during(
         entry, [&] { choose(entry); }, 200);
@@ -270,8 +270,8 @@ TEST(NewFinger, IsMadeWithTheSameChecksAsByTheCommandLine) {
     });
   };
   press();
-  EXPECT_TRUE(says("No folder is named"));
-  type("Folder to make", (folder / "left-07").string());
+  EXPECT_TRUE(says("No folder is chosen"));
+  type("New folder", (folder / "left-07").string());
   type("Camera file", (folder / "none.yaml").string());
   press();
   EXPECT_TRUE(says("none.yaml"));

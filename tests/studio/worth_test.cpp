@@ -109,7 +109,7 @@ class Worth : public testing::Test {
     for (const char* title : {"Mapping", "Verdict", "Check"})
       EXPECT_THAT(step(title), Not(HasSubstr("done")));
     for (const char* title : {"Mapping", "Verdict"})
-      EXPECT_THAT(step(title), HasSubstr("look again"));
+      EXPECT_THAT(step(title), HasSubstr("check again"));
   }
   static CalibrateStudio *good_, *poor_;
   CalibrateStudio rig_;
@@ -124,7 +124,7 @@ TEST_F(Worth, TheHeadlineHasFigureLargestCauseAndWhatItRestsOn) {
   ASSERT_EQ(verdict.grade, Grade::kGood);
   EXPECT_THAT(page(), HasSubstr(fmt::format("Good, ±{:.3f} mm", verdict.error_mm)));
   EXPECT_THAT(page(), HasSubstr("Mostly "));
-  EXPECT_THAT(page(), HasSubstr("It rests on: ball of 8.00 mm diameter, layer 1.50 mm"));
+  EXPECT_THAT(page(), HasSubstr("Based on: ball of 8.00 mm diameter, layer 1.50 mm"));
   EXPECT_THAT(step("Verdict"), HasSubstr("done"));
 }
 
@@ -134,7 +134,7 @@ TEST_F(Worth, TwoPositionsAreUnprovenAndTheEmptyThirdsAreNamed) {
   EXPECT_THAT(page(), HasSubstr("Unproven"));
   EXPECT_THAT(page(), HasSubstr("middle, tip"));
   for (const char* large : {"Good", "Nothing is due"}) EXPECT_THAT(page(), Not(HasSubstr(large)));
-  EXPECT_THAT(step("Verdict"), HasSubstr("look again"));
+  EXPECT_THAT(step("Verdict"), HasSubstr("check again"));
   // And the one thing to do leads there.
   auto* lead = rig_.studio().find<QPushButton>("Go to the presses");
   ASSERT_NE(lead, nullptr);
@@ -201,9 +201,9 @@ TEST_F(Worth, ACheckWithOnePressIsTooLittle) {
   open("Check");
   ASSERT_TRUE(wait_until([&] { return page().find("Too few") != std::string::npos; }));
   EXPECT_THAT(page(), Not(HasSubstr("Pass\n")));
-  EXPECT_THAT(page(), HasSubstr("with 1 press: 0.002 mm off"));
+  EXPECT_THAT(page(), HasSubstr("with 1 press: error 0.002 mm"));
   EXPECT_THAT(page(), HasSubstr("A check needs 3 presses at different positions"));
-  EXPECT_THAT(step("Check"), HasSubstr("look again"));
+  EXPECT_THAT(step("Check"), HasSubstr("check again"));
   EXPECT_FALSE(rig_.place().is_checked());
 }
 

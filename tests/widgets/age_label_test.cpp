@@ -18,11 +18,11 @@ TEST(AgeLabelTest, StandsOutAbove200Milliseconds) {
   const QColor usual = colour_of(label);
   const QString sign = QString(QChar(0x25b2)) + " ";
   for (const auto& [age_ms, text] :
-       std::vector<std::pair<double, QString>>{{26, "picture 26 ms old"},
-                                               {200, "picture 200 ms old"},
-                                               {201, sign + "picture 201 ms old"},
-                                               {12345, sign + "picture 12.3 s old"},
-                                               {5, "picture 5 ms old"}}) {
+       std::vector<std::pair<double, QString>>{{26, "image 26 ms old"},
+                                               {200, "image 200 ms old"},
+                                               {201, sign + "image 201 ms old"},
+                                               {12345, sign + "image 12.3 s old"},
+                                               {5, "image 5 ms old"}}) {
     label.show_age(age_ms);
     EXPECT_EQ(label.text().toStdString(), text.toStdString());
     EXPECT_EQ(label.toolTip().isEmpty(), !text.startsWith(sign)) << age_ms;
@@ -32,7 +32,7 @@ TEST(AgeLabelTest, StandsOutAbove200Milliseconds) {
         << age_ms;
   }
   label.show_age(std::nullopt);
-  EXPECT_EQ(label.text().toStdString(), "pictures without times");
+  EXPECT_EQ(label.text().toStdString(), "images without timestamps");
 }
 
 TEST(AgeLabelTest, TakesTheColourOfANewTheme) {

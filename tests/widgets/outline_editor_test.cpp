@@ -289,7 +289,7 @@ TEST_F(OutlineEditorTest, TheMagnifierShowsThePixelsUnderTheHand) {
 TEST_F(OutlineEditorTest, TellsAScreenReaderWhereTheBallIs) {
   QAccessibleInterface* seen = QAccessible::queryAccessibleInterface(&editor_);
   ASSERT_NE(seen, nullptr);
-  EXPECT_EQ(seen->text(QAccessible::Name), QStringLiteral("Picture with the ball's outline"));
+  EXPECT_EQ(seen->text(QAccessible::Name), QStringLiteral("Image with the ball's outline"));
   EXPECT_EQ(seen->role(), QAccessible::Graphic);
   put({0, 0, 52});
   EXPECT_EQ(seen->text(QAccessible::Value).toStdString(),

@@ -25,9 +25,9 @@ class GripperForm : public testing::Test {
 
 TEST_F(GripperForm, TellsWhatWasTyped) {
   GripperDialog dialog(QStringLiteral("left-07"), std::nullopt);
-  type(dialog, "Place, x", "-42.5");
-  type(dialog, "Place, z", "18");
-  type(dialog, "Turned about y", "90");
+  type(dialog, "Position, x", "-42.5");
+  type(dialog, "Position, z", "18");
+  type(dialog, "Rotation about y", "90");
   const RigidTransform place = dialog.pose();
   EXPECT_EQ(place.translation_mm, Eigen::Vector3d(-42.5, 0, 18));
   // What lies 30 mm before the camera lies 30 mm along the gripper's x.
@@ -39,7 +39,7 @@ TEST_F(GripperForm, KeepsTheDigitsOfWhatNobodyTouched) {
                              {1.23456789, 0, -7.00000001}};
   GripperDialog dialog(QStringLiteral("left-07"), known);
   EXPECT_EQ(dialog.pose(), known);
-  type(dialog, "Place, y", "5");
+  type(dialog, "Position, y", "5");
   EXPECT_EQ(dialog.pose().rotation.coeffs(), known.rotation.coeffs());
   EXPECT_EQ(dialog.pose().translation_mm, Eigen::Vector3d(1.23456789, 5, -7.00000001));
 }

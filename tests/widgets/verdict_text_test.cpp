@@ -105,7 +105,7 @@ TEST(WorthWords, APressHasAnErrorOnlyWhereAMappingWasMadeWithoutIt) {
 }
 
 TEST(WorthWords, TooFewPressesAreNoPass) {
-  EXPECT_EQ(check_text(CheckVerdict::kTooFew), "Too few to tell");
+  EXPECT_EQ(check_text(CheckVerdict::kTooFew), "Too few to judge");
   EXPECT_EQ(meaning_of(CheckVerdict::kTooFew), Meaning::kDoubtful);
   EXPECT_EQ(check_text(CheckVerdict::kPass), "Pass");
 }

@@ -60,7 +60,7 @@ void AccuracyPlot::pick(std::optional<std::size_t> point) {
 }
 
 void AccuracyPlot::announce() {
-  setAccessibleName(tr("What accuracy costs in time"));
+  setAccessibleName(tr("Error versus time per image"));
   if (picked_)
     set_accessible_value(*this,
                          points_[*picked_].words + QLatin1Char('\n') + points_[*picked_].hint);
@@ -98,8 +98,8 @@ void AccuracyPlot::set_ranges() {
   max_mm_ = std::max(kHeadroom * worst_mm, 1e-4);
   chart().xAxis->setRange(0, max_ms_);
   chart().yAxis->setRange(0, max_mm_);
-  chart().xAxis->setLabel(tr("Time of a picture on this computer (ms)"));
-  chart().yAxis->setLabel(tr("Error of depth (mm)"));
+  chart().xAxis->setLabel(tr("Time per image on this computer (ms)"));
+  chart().yAxis->setLabel(tr("Depth error (mm)"));
 }
 
 bool AccuracyPlot::is_shown(const AccuracyPoint& point) const {
@@ -137,7 +137,7 @@ void AccuracyPlot::draw_others() {
   if (beyond > 0)
     add_note(max_ms_,
              0,
-             tr("%n slower or worse, beyond this figure", "", beyond),
+             tr("%n slower or worse, outside this figure", "", beyond),
              Qt::AlignRight | Qt::AlignBottom);
 }
 
@@ -191,7 +191,7 @@ void AccuracyPlot::draw_marks() {
 void AccuracyPlot::draw_budget() {
   const double budget_ms = 1000 / frames_per_s_;
   const QColor colour = meaning_colour(Meaning::kBad, palette());
-  const QString words = tr("%1 pictures per second").arg(QLocale().toString(frames_per_s_));
+  const QString words = tr("%1 images per second").arg(QLocale().toString(frames_per_s_));
   if (budget_ms > max_ms_) {
     add_note(max_ms_,
              max_mm_,
@@ -374,15 +374,15 @@ QString AccuracyModel::title(int column) {
     case kSetting:
       return tr("Settings");
     case kTime:
-      return tr("Time of a picture (ms)");
+      return tr("Time per image (ms)");
     case kMedian:
-      return tr("Depth error, half within (mm)");
+      return tr("Median depth error (mm)");
     case kP95:
       return tr("Depth error, 95 % within (mm)");
     case kPosition:
-      return tr("Place error, half within (mm)");
+      return tr("Median position error (mm)");
     default:
-      return tr("Standing");
+      return tr("Rating");
   }
 }
 
@@ -411,11 +411,11 @@ QString AccuracyModel::standing(const AccuracyPoint& point) const {
   if (point.is_on_front)
     words = tr("best for its time");
   else if (!point.is_proven)
-    words = tr("what it loses is not in these pictures");
+    words = tr("loss not visible in these images");
   else if (point.dominated_by)
     words = tr("worse than: %1").arg(points_[*point.dominated_by].words);
   else
-    words = tr("not in every picture");
+    words = tr("misses some images");
   return point.is_in_use ? tr("in use now; %1").arg(words) : words;
 }
 
@@ -484,7 +484,7 @@ AccuracyTable::AccuracyTable(QWidget* parent)
 void AccuracyTable::name_parts() {
   sort_label_->setText(tr("S&ort by"));
   sort_->setAccessibleName(tr("Sort by"));
-  view_->setAccessibleName(tr("What accuracy costs in time, as a table"));
+  view_->setAccessibleName(tr("Error versus time per image, as a table"));
   const int now = std::max(0, sort_->currentIndex());
   sort_->clear();
   for (int i = 0; i < AccuracyModel::kColumns; ++i) sort_->addItem(AccuracyModel::title(i));

@@ -160,7 +160,7 @@ void SettingsComparison::show_view(View view, const FrameResult& result) {
 void SettingsComparison::show_views() {
   captions_[kNow]->setText(tr("In use now: %1").arg(now_.words));
   captions_[kOther]->setText(tr("Chosen: %1").arg(other_.words));
-  captions_[kDifference]->setText(tr("Chosen less in use"));
+  captions_[kDifference]->setText(tr("Chosen minus in use"));
   for (QLabel* caption : captions_) caption->setToolTip(caption->text());
   figures_->setText(figures());
   if (!finger_ || is_same()) {
@@ -178,7 +178,7 @@ void SettingsComparison::show_views() {
   show_view(kNow, compared_->now);
   show_view(kOther, compared_->other);
   if (compared_->difference_mm.empty()) {
-    views_[kDifference]->show_message(tr("One of them tells no depth in this picture."));
+    views_[kDifference]->show_message(tr("One setting gives no depth in this image."));
     return;
   }
   const ColourScale scale = difference_scale(top_of(compared_->p95_mm.value_or(0)));
@@ -197,14 +197,14 @@ void SettingsComparison::show_views() {
 QString SettingsComparison::figures() const {
   if (!compared_ || is_same()) return {};
   const auto milliseconds = [](double ms) { return QLocale().toString(ms, 'f', 2); };
-  QStringList lines{tr("This picture: %1 ms with the setting in use, %2 ms with the chosen one.")
+  QStringList lines{tr("This image: %1 ms with the setting in use, %2 ms with the chosen one.")
                         .arg(milliseconds(compared_->now_ms), milliseconds(compared_->other_ms))};
   if (compared_->median_mm)
     lines << tr("Where something presses, half of all points differ by less than %1 µm, 95 % by "
                 "less than %2 µm.")
                  .arg(micrometres(*compared_->median_mm), micrometres(*compared_->p95_mm));
   else
-    lines << tr("Nothing presses: touch the finger to see depths differ.");
+    lines << tr("No contact: touch the finger to compare depths.");
   return lines.join(QStringLiteral("\n\n"));
 }
 

@@ -414,15 +414,15 @@ QString recalibration_reason(const CalibrationRun& run) {
 
 QString forecast_text(const PressForecast& forecast, const CalibrationRun& run) {
   if (forecast.problem())
-    return VerdictPage::tr("With the presses as they are now there is no calibration: %1")
+    return VerdictPage::tr("The current presses give no calibration: %1")
         .arg(window_sentence(forecast.problem()->what));
   const auto& then = forecast.result();
   if (!then)
     return forecast.is_working()
-               ? VerdictPage::tr("What the presses come to now is being worked out.")
+               ? VerdictPage::tr("The result of the current presses is being computed.")
                : QString();
   const QString now =
-      VerdictPage::tr("With the presses as they are now: %1 mm, %2")
+      VerdictPage::tr("With the current presses: %1 mm, %2")
           .arg(local_mm(then->verdict.error_mm, 3), grade_text(then->verdict.grade));
   const auto used = verdict_of(run);
   return used ? VerdictPage::tr("%1 (in use: %2 mm).").arg(now, local_mm(used->error_mm, 3))

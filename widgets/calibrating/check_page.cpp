@@ -127,10 +127,10 @@ CheckPage::CheckPage(LiveSession& session,
   });
   say([this] {
     take_group_->setTitle(tr("Three presses"));
-    verdict_group_->setTitle(tr("Is it still what it was?"));
+    verdict_group_->setTitle(tr("Verdict"));
     how_->setText(
-        tr("Press the ball of the calibration in at three places, base, middle and tip, and take a "
-           "picture of each. The calibration stays as it is."));
+        tr("Press the calibration ball at three positions, base, middle and tip, and take an image "
+           "of each. The calibration does not change."));
     take_->setText(tr("&Take a press (Space)"));
     again_->setText(tr("&Begin again"));
     check_->setText(tr("&Check now"));
@@ -259,7 +259,7 @@ QString CheckPage::verdict_words(const CheckEntry& check) const {
   QStringList lines;
   if (const QString stale = recalibration_reason(run_); !stale.isEmpty()) lines << stale;
   if (!last_ || last_->verdict != check.verdict) {
-    lines << tr("Checked last on %1 with %n press(es): %2 mm off (passes up to %3 mm).",
+    lines << tr("Last checked on %1 with %n press(es): error %2 mm (limit %3 mm).",
                 nullptr,
                 check.presses)
                  .arg(date_text(check.time),
@@ -283,7 +283,7 @@ void CheckPage::show_verdict() {
     verdict_->setText(tr("Not checked yet"));
     sentence_->setText(history_.empty()
                            ? QString()
-                           : tr("The last check, on %1, was of a calibration before this one.")
+                           : tr("The last check, on %1, tested an earlier calibration.")
                                  .arg(date_text(history_.back().time)));
     return;
   }
@@ -329,9 +329,9 @@ void CheckPage::changeEvent(QEvent* event) {
 // Taking presses for the step Check, as in the step Presses: while they are held still.
 
 QString CheckPage::take_obstacle() const {
-  if (!session_.view()) return tr("There is no live picture: choose a source.");
+  if (!session_.view()) return tr("There is no live image: choose a source.");
   if (run_.state() == CalibrationState::kNone) return tr("The finger is not calibrated.");
-  if (work_.is_running()) return tr("The check is being made.");
+  if (work_.is_running()) return tr("The check is running.");
   return {};
 }
 

@@ -20,7 +20,7 @@ QString geometry_text(const Finger& finger) {
   const QLocale locale;
   const auto mm = [&](double value) { return locale.toString(value, 'g', 4); };
   if (finger.face.kind == FaceKind::kFlat)
-    return FingerPage::tr("A flat, rigid sensor with a layer of %1 mm, %2 mm before the camera.")
+    return FingerPage::tr("A flat, rigid sensor with a layer of %1 mm, %2 mm from the camera.")
         .arg(mm(finger.face.layer_mm), mm(finger.face.plane_z_mm));
   return FingerPage::tr(
              "A Fin Ray finger whose face is %1 mm wide, with a layer of %2 mm and %3 dots on each "
@@ -114,18 +114,18 @@ void FingerPage::connect_parts() {
 
 void FingerPage::name_parts() {
   geometry_group_->setTitle(tr("Geometry"));
-  reference_group_->setTitle(tr("What it looks like untouched"));
+  reference_group_->setTitle(tr("Untouched finger"));
   make_->setText(tr("&Make the finger's folder…"));
   open_->setText(tr("&Open a finger…"));
   record_->setText(tr("&Go to Record"));
-  reference_image_->setText(tr("Take the &untouched picture now"));
+  reference_image_->setText(tr("Take the &untouched image now"));
   width_label_->setText(tr("&Width of the face"));
   width_->setAccessibleName(tr("Width of the face"));
-  layer_label_->setText(tr("&Layer's thickness"));
-  layer_->setAccessibleName(tr("Thickness of the layer"));
+  layer_label_->setText(tr("&Layer thickness"));
+  layer_->setAccessibleName(tr("Layer thickness"));
   for (NumberField* size : {width_, layer_}) size->setSuffix(tr(" mm"));
   change_->setText(tr("&Change"));
-  change_->setToolTip(tr("A calibrated finger has to be calibrated again then."));
+  change_->setToolTip(tr("A calibrated finger then needs a new calibration."));
   show_status();
 }
 
@@ -196,8 +196,8 @@ QString FingerPage::missing() const {
   if (!has_folder()) return tr("The finger needs a folder of its own: make one, or open one.");
   if (finger.has_reference) return {};
   return finger.finger->face.kind == FaceKind::kFlat
-             ? tr("Its untouched picture is missing.")
-             : tr("Its reference recording is missing: record it bending, untouched.");
+             ? tr("The untouched image is missing: take it.")
+             : tr("The reference recording is missing: record the finger bending, untouched.");
 }
 
 void FingerPage::show_status() {
@@ -205,11 +205,9 @@ void FingerPage::show_status() {
   if (is_reloading()) return show_sizes();
   if (finger.state != FingerState::kLoading) was_complete_ = missing().isEmpty();
   make_->setVisible(!has_folder());
-  geometry_->setText(
-      has_folder()
-          ? geometry_text(*finger.finger)
-          : tr("Width and layer are measured with a caliper, dots are counted. All that is "
-               "known of one finger is kept in one folder."));
+  geometry_->setText(has_folder() ? geometry_text(*finger.finger)
+                                  : tr("Measure width and layer with a caliper, and count the "
+                                       "dots. One folder holds all data of one finger."));
   reference_group_->setVisible(has_folder());
   if (!has_folder()) return show_sizes();
   const Sizes sizes(finger.finger->face.width_mm, finger.finger->face.layer_mm);
@@ -228,13 +226,14 @@ void FingerPage::show_status() {
   reference_image_->setVisible(is_flat);
   reference_image_->setEnabled(session_.view() != nullptr && !work_.is_running());
   if (finger.has_reference)
-    reference_->setText(is_flat ? tr("Its untouched picture is there.")
-                                : tr("Its reference recording is installed."));
+    reference_->setText(is_flat ? tr("The untouched image is available.")
+                                : tr("The reference recording is installed."));
   else
     reference_->setText(
-        is_flat ? tr("Every press is compared with one picture of the untouched face.")
-                : tr("Every press is compared with a picture of the finger bent alike and not "
-                     "touched. Record it bending in all directions, then install the recording."));
+        is_flat
+            ? tr("Every press is compared with one image of the untouched face.")
+            : tr("Every press is compared with an image of the finger in the same bend, untouched. "
+                 "Record the finger bending in all directions, then install the recording."));
 }
 
 void FingerPage::make_finger() {

@@ -152,7 +152,7 @@ QString camera_text(const CameraParameters& camera, const LensRecord& record) {
                         .arg(camera.width_px)
                         .arg(camera.height_px)};
   if (camera.model == CameraModel::kOrthographic)
-    parts << LensPage::tr("%1 mm a pixel").arg(locale.toString(camera.mm_per_px, 'g', 4));
+    parts << LensPage::tr("%1 mm per pixel").arg(locale.toString(camera.mm_per_px, 'g', 4));
   else
     parts << LensPage::tr("focal length %1 px").arg(locale.toString(camera.fx_px, 'f', 1));
   if (camera.port) parts << LensPage::tr("behind a window");
@@ -280,28 +280,26 @@ void LensPage::connect_parts() {
 
 void LensPage::name_parts() {
   file_group_->setTitle(tr("From a camera file"));
-  board_group_->setTitle(tr("Or measured with pictures of a board"));
-  live_group_->setTitle(tr("With a board before the camera"));
+  board_group_->setTitle(tr("Or measured with images of a board"));
+  live_group_->setTitle(tr("Or live, with a board"));
   file_->setAccessibleName(tr("Camera file"));
-  file_->setPlaceholderText(tr("camera.yaml, as the lens calibration writes it"));
+  file_->setPlaceholderText(tr("camera.yaml from the lens calibration"));
   file_->setToolTip(file_->text().isEmpty() ? file_->placeholderText() : file_->text());
   choose_file_->setText(tr("&Choose…"));
   choose_file_->setAccessibleName(tr("Choose a camera file"));
   simulated_->setText(in_two_lines(tr("&Use the simulated camera's lens")));
-  images_label_->setText(tr("&Pictures"));
-  images_->setAccessibleName(tr("Folder of board pictures, or a recording"));
+  images_label_->setText(tr("Ima&ges"));
+  images_->setAccessibleName(tr("Folder of board images, or a recording"));
   choose_images_->setText(tr("Choose…"));
-  choose_images_->setAccessibleName(tr("Choose the folder of board pictures"));
+  choose_images_->setAccessibleName(tr("Choose the folder of board images"));
   measure_->setText(tr("&Measure the lens"));
   stop_->setText(tr("Stop"));
   stop_->setAccessibleName(tr("Stop measuring the lens"));
   bar_->setAccessibleName(tr("Progress of the lens calibration"));
   outcome_->setAccessibleName(tr("Outcome of the lens calibration"));
   take_->setText(in_two_lines(tr("&Take this board (Space)")));
-  automatic_->setText(tr("By &itself where it is new and still"));
-  automatic_->setToolTip(
-      tr("Takes the board whenever it is held still in a place, or tilted in a way, that was not "
-         "taken yet"));
+  automatic_->setText(tr("Automat&ically when new and still"));
+  automatic_->setToolTip(tr("Takes the board when it is held still at a new position or tilt"));
   guide_->setAccessibleName(tr("How to hold the board"));
   views_->setAccessibleName(tr("Views of the board, with their errors"));
   forget_->setText(tr("Leave the chosen view out"));
@@ -318,7 +316,7 @@ QString LensPage::missing() const {
   if (has_folder() || camera_ ||
       (session_.status().finger.state == FingerState::kLoading && had_folder_))
     return {};
-  return tr("The lens has to be known first: choose a camera file, or measure one.");
+  return tr("The lens is not known yet: choose a camera file, or measure the lens.");
 }
 
 QWidget* LensPage::main_control() const {
@@ -343,14 +341,13 @@ void LensPage::show_summary(bool has_folder) {
   if (has_folder)
     summary_->setText(tr("This finger's camera has %1")
                           .arg(camera_text(finger.finger->camera, finger.finger->lens_record)) +
-                      QLatin1Char('\n') +
-                      tr("Blue: straight lines of the world, as this lens shows them."));
+                      QLatin1Char('\n') + tr("Blue: straight lines, as this lens shows them."));
   else if (camera_)
     summary_->setText(tr("The camera has %1").arg(camera_text(*camera_, record_)));
   else
     summary_->setText(
-        tr("A finger measures through its camera's lens, so the lens comes first. It is measured "
-           "once for each camera, with ten to twenty pictures of a flat board from all sides."));
+        tr("A finger measures through its camera's lens, so the lens comes first. Measure it once "
+           "for each camera, with ten to twenty images of a flat board from all sides."));
 }
 
 void LensPage::take_file(const std::filesystem::path& file) {
@@ -383,7 +380,7 @@ void LensPage::choose_file() {
 }
 
 void LensPage::choose_images() {
-  auto* dialog = new QFileDialog(this, tr("Folder of board pictures"), images_->text());
+  auto* dialog = new QFileDialog(this, tr("Folder of board images"), images_->text());
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::Directory);
   connect(dialog, &QFileDialog::fileSelected, images_, &QLineEdit::setText);
@@ -410,7 +407,7 @@ void LensPage::measure() {
     return problems_->set_problems({{Meaning::kBad, refused, {}, {}, {}}});
   if (request.images.empty())
     return problems_->set_problems(
-        {{Meaning::kBad, tr("No folder of pictures is named."), {}, {}, {}}});
+        {{Meaning::kBad, tr("No folder of images is specified."), {}, {}, {}}});
   std::error_code failed;
   const bool is_folder = std::filesystem::is_directory(request.images, failed);
   request.camera = (is_folder ? request.images : request.images.parent_path()) / "camera.yaml";
@@ -556,22 +553,21 @@ void LensForm::name_parts() {
   square_->setAccessibleName(tr("Side of a square"));
   model_label_->setText(tr("Lens"));
   model_->setAccessibleName(tr("Lens"));
-  model_->setItemText(0, tr("usual (Brown)"));
+  model_->setItemText(0, tr("standard (Brown)"));
   model_->setItemText(1, tr("fisheye"));
-  distance_label_->setText(tr("Finger's distance"));
+  distance_label_->setText(tr("Finger distance"));
   distance_->setAccessibleName(tr("Distance from the lens to the finger's middle"));
   has_port_->setText(tr("The finger lies behind a window"));
-  has_port_->setToolTip(
-      tr("Tick it where the finger is seen through a plate into silicone and the board was seen "
-         "in air"));
-  gap_label_->setText(tr("Air before it"));
+  has_port_->setToolTip(tr(
+      "Tick this if the finger is seen through a plate into silicone, but the board was in air"));
+  gap_label_->setText(tr("Air gap"));
   gap_->setAccessibleName(tr("Air between lens and window"));
-  plate_label_->setText(tr("Its thickness"));
+  plate_label_->setText(tr("Window thickness"));
   plate_->setAccessibleName(tr("Thickness of the window"));
-  plate_index_label_->setText(tr("Its index"));
-  plate_index_->setAccessibleName(tr("Index of refraction of the window"));
+  plate_index_label_->setText(tr("Window index"));
+  plate_index_->setAccessibleName(tr("Refractive index of the window"));
   medium_index_label_->setText(tr("Index behind it"));
-  medium_index_->setAccessibleName(tr("Index of refraction behind the window"));
+  medium_index_->setAccessibleName(tr("Refractive index behind the window"));
   for (NumberField* length : {square_, distance_, gap_, plate_}) length->setSuffix(tr(" mm"));
   show_port();
 }
@@ -733,7 +729,7 @@ void LensPage::fit_boards() {
   for (const BoardView& view : views) {
     bare.emplace_back();
     bare.back().name = view.name;
-    bare.back().rejection = en::say("its error is told from the third view on");
+    bare.back().rejection = en::say("its error is estimated from the third view on");
   }
   if (static_cast<int>(views.size()) < kFewestViews) {
     fitted_.reset();
@@ -760,11 +756,11 @@ void LensPage::fit_boards() {
 }
 
 QString LensPage::board_words() const {
-  if (!can_take()) return tr("Open the camera as source, and boards can be taken live.");
+  if (!can_take()) return tr("Open the camera as source to take boards live.");
   if (!detection_) return tr("Looking for the board.");
   if (!detection_->view) return window_sentence(detection_->no_board_reason);
-  if (!detection_->is_sharp) return tr("The board is blurred: hold it still, or further away.");
-  if (!detection_->is_new) return tr("This place is taken: move the board, or tilt it.");
+  if (!detection_->is_sharp) return tr("The board is blurred: hold it still or further away.");
+  if (!detection_->is_new) return tr("Position already captured: move or tilt the board.");
   if (!detection_->is_still) return tr("Hold it still.");
   return tr("Good: take it.");
 }

@@ -86,8 +86,8 @@ MappingPage::MappingPage(PressCollection& collection,
   say([this] {
     show_press_->setText(tr("S&how this press"));
     stop_->setText(tr("&Stop"));
-    stop_->setToolTip(tr("Keeps the best solution so far"));
-    log_->setAccessibleName(tr("What has been done"));
+    stop_->setToolTip(tr("Retains the best solution so far"));
+    log_->setAccessibleName(tr("Calibration log"));
     bar_->setAccessibleName(tr("Progress of the calibration"));
     mapping_->setAccessibleName(tr("Depth over brightness difference"));
     errors_->setAccessibleName(tr("Error of every press, worst first"));
@@ -133,8 +133,8 @@ void MappingPage::show_chosen() {
   }
   leave_out_->setText(collection_.toggle_left_out_text(name));
   chosen_->setText(name.empty()
-                       ? tr("Click a bar or a circle: which points are this press's, and where.")
-                   : is_out ? tr("%1 is taken out: the next calibration goes without it.")
+                       ? tr("Click a bar or circle to show this press's points and position.")
+                   : is_out ? tr("%1 is left out: the next calibration does not use it.")
                                   .arg(QString::fromStdString(name))
                             : tr("%1: its points are marked +, its circle is bold.")
                                   .arg(QString::fromStdString(name)));
@@ -153,7 +153,7 @@ StepState MappingPage::state() const {
 }
 
 QString MappingPage::missing() const {
-  if (run_.is_running()) return tr("The calibration is being made.");
+  if (run_.is_running()) return tr("The calibration is running.");
   return run_.state() == CalibrationState::kNone ? tr("Calibrate first.") : QString();
 }
 
@@ -186,9 +186,9 @@ void MappingPage::show_progress() {
   } else if (run_.state() == CalibrationState::kStale) {
     progress = recalibration_reason(run_) + QLatin1Char(' ') + forecast_text(forecast_, run_);
   } else if (run_.state() == CalibrationState::kCurrent && !run_.result()) {
-    progress = tr("This finger is calibrated. Calibrating again shows the figures.");
+    progress = tr("This finger is calibrated. Calibrate again to show the figures.");
   } else if (run_.is_recalling()) {
-    progress = tr("The presses are read again to show what each pixel says.");
+    progress = tr("The presses are read again to show the result of each pixel.");
   } else if (run_.state() == CalibrationState::kNone) {
     progress = forecast_text(forecast_, run_);
   }
@@ -232,13 +232,12 @@ void MappingPage::show_figures() {
 
 void MappingPage::show_text() {
   if (!shown_) {
-    text_->setText(
-        collection_.usable_count() == 0
-            ? tr("With one press or more, what every pixel's darkening means in mm is learnt from "
-                 "the shape of the ball.")
-            : tr("What every pixel's darkening means in mm is learnt from the shape of the ball, "
-                 "with all presses together. Each press is left out once to see how well the "
-                 "others foretell it."));
+    text_->setText(collection_.usable_count() == 0
+                       ? tr("From one press on, the program learns from the ball's shape what each "
+                            "pixel's darkening means in mm.")
+                       : tr("From the ball's shape in all presses, the program learns what each "
+                            "pixel's darkening means in mm. It leaves out each press once to test "
+                            "how well the others predict it."));
     return;
   }
   const Calibration& calibration = shown_->calibration;
@@ -246,7 +245,7 @@ void MappingPage::show_text() {
   show_plots();
   const QString mapping = tr("Mapping: %1.").arg(in_window_language(calibration.degree_choice));
   text_->setText(shown_ == run_.result() ? mapping
-                                         : tr("What these presses would come to; not in use yet.") +
+                                         : tr("Result with these presses; not in use yet.") +
                                                QLatin1Char(' ') + mapping);
 }
 

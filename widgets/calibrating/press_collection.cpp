@@ -228,7 +228,7 @@ void PressCollection::toggle_left_out(const std::string& name) {
 }
 
 QString PressCollection::toggle_left_out_text(const std::string& name) const {
-  return press_set_.of(name).excluded ? tr("&Put back") : tr("Take &out");
+  return press_set_.of(name).excluded ? tr("&Put back") : tr("Leave &out");
 }
 
 bool PressCollection::is_usable(const CollectedPress& press) const {
@@ -359,13 +359,13 @@ void PressCollection::add_next() {
         undo_.push(new AddOrRemove(
             *this,
             [count = static_cast<int>(frames->size())] {
-              return tr("add %n picture(s)", nullptr, count);
+              return tr("add %n image(s)", nullptr, count);
             },
             std::move(*frames),
             true));
       if (!twice.isEmpty())
         Q_EMIT refused({Meaning::kDoubtful,
-                        tr("There are presses of these names already: %1.").arg(listed(twice)),
+                        tr("Presses with these names exist already: %1.").arg(listed(twice)),
                         {},
                         {},
                         {}});
@@ -512,7 +512,7 @@ void PressCollection::find_ball_again(const std::string& name) {
 }
 
 void PressCollection::leave_out(const std::string& name, const std::string& because) {
-  change_note([name] { return tr("take out %1").arg(as_text(name)); },
+  change_note([name] { return tr("leave out %1").arg(as_text(name)); },
               name,
               [&](PressNote& note) { note.excluded = because; });
 }

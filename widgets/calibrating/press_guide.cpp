@@ -39,12 +39,12 @@ struct GuideWords {
     }
     return tr("now %1 mm: too deep").arg(depth);
   }
-  static QString waits() { return tr("It is taken as soon as ball and finger are held still."); }
+  static QString waits() { return tr("The press is taken once ball and finger are held still."); }
   static QString refused() {
     return tr("Not taken: ball and finger were not held still. Hold them still for half a second.");
   }
   static QString elsewhere(double depth_mm, double lateral_offset_mm) {
-    return tr("now %1 mm, %2 mm away from there")
+    return tr("now %1 mm, %2 mm from the target")
         .arg(local_mm(depth_mm, 1), local_mm(lateral_offset_mm, 0));
   }
 };

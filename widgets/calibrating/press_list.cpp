@@ -22,7 +22,7 @@ namespace {
 
 QString punch_state_text(double step_mm, const CollectedPress& press, const StepFit* fit) {
   if (fit != nullptr && fit->step_mm == step_mm)
-    return PressModel::tr("a step of %1 mm reads %2 mm")
+    return PressModel::tr("%1 mm step measured as %2 mm")
         .arg(local_mm(fit->step_mm, 3), local_mm(fit->estimated_mm, 3));
   if (press.is_analysed && press.analysis.problem) return refusal_word(*press.analysis.problem);
   return PressModel::tr("a punch with a step of %1 mm").arg(local_mm(step_mm, 3));
@@ -37,7 +37,7 @@ QString ball_state_text(const BallFit& ball) {
             : PressModel::tr("%1 mm deep, error unknown").arg(depth);
   if (!ball.given_depth) return found;
   return found + QLatin1Char('\n') +
-         PressModel::tr("measured %1 mm deep, the solution has %2 mm")
+         PressModel::tr("depth measured %1 mm, fitted %2 mm")
              .arg(local_mm(ball.given_depth->mm, 3), local_mm(ball.indentation_mm, 3));
 }
 
@@ -61,19 +61,19 @@ QString press_state_text(const CollectedPress& press,
                          const PressCollection& collection,
                          const CalibrationRun& run) {
   const PressNote& note = collection.press_set().of(press.name);
-  if (!collection.is_saved(press.name)) return PressModel::tr("not written to the disk");
+  if (!collection.is_saved(press.name)) return PressModel::tr("not saved to disk");
   if (note.excluded)
-    return note.excluded->empty() ? PressModel::tr("taken out")
-                                  : PressModel::tr("taken out: %1").arg(as_text(*note.excluded));
+    return note.excluded->empty() ? PressModel::tr("left out")
+                                  : PressModel::tr("left out: %1").arg(as_text(*note.excluded));
   if (note.step_mm) return punch_state_text(*note.step_mm, press, fitted_step(run, press.name));
   if (const BallFit* ball = fitted_ball(run, press.name)) return ball_state_text(*ball);
-  if (note.ball_mm) return PressModel::tr("ball put by hand");
-  if (!press.is_analysed) return PressModel::tr("being looked at");
+  if (note.ball_mm) return PressModel::tr("ball set by hand");
+  if (!press.is_analysed) return PressModel::tr("being analysed");
   if (press.analysis.found_mm) return PressModel::tr("ball found");
   if (press.analysis.problem)
     return press.analysis.shape || press.analysis.grey.empty()
                ? refusal_word(*press.analysis.problem)
-               : PressModel::tr("no face seen");
+               : PressModel::tr("no face found");
   return PressModel::tr("the ball's radius is missing");
 }
 
@@ -239,7 +239,7 @@ QString refusal_word(const Error& problem) {
   if (begins("only {:.0f} degrees") || begins("the middle of the dark disc"))
     return PressModel::tr("over the edge");
   if (begins("the border of the dark part") || begins("the dark part is no disc"))
-    return PressModel::tr("no ball's disc");
+    return PressModel::tr("no disc of a ball");
   return PressModel::tr("not usable");
 }
 

@@ -234,13 +234,13 @@ void PressesPage::connect_parts() {
 
 void PressesPage::name_parts() {
   list_->setAccessibleName(tr("Presses"));
-  add_->setText(tr("&Add pictures…"));
+  add_->setText(tr("&Add images…"));
   remove_->setText(tr("Re&move"));
-  remove_->setToolTip(tr("Takes the press and its picture away (undo brings them back)"));
-  live_button_->setText(tr("&Live picture"));
+  remove_->setToolTip(tr("Removes the press and its image (undo restores them)"));
+  live_button_->setText(tr("&Live image"));
   residual_->setText(tr("&Error under the ball"));
   residual_->setToolTip(
-      tr("In colours, where the mapping reads deeper (red) or less deep (blue) than the ball is"));
+      tr("Shows in colour where the mapping is deeper (red) or shallower (blue) than the ball"));
   take_group_->setTitle(tr("Taking presses"));
   press_group_->setTitle(tr("This press"));
   radius_label_->setText(tr("Ball's &radius"));
@@ -251,17 +251,17 @@ void PressesPage::name_parts() {
   operator_->setAccessibleName(tr("Operator"));
   operator_->setPlaceholderText(tr("for the record"));
   take_->setText(tr("&Take a press (Space)"));
-  guide_->setAccessibleName(tr("Where to press next"));
-  automatic_->setText(tr("By &itself when it holds still"));
+  guide_->setAccessibleName(tr("Next press position"));
+  automatic_->setText(tr("Automat&ically when still"));
   automatic_->setToolTip(
       tr("Takes a press as soon as a contact holds still for half a second; both hands stay free"));
   find_->setText(tr("&Find the ball again"));
-  find_->setToolTip(tr("Forgets where the outline was put by hand"));
-  more_->setText(tr("Measured, or another ball"));
+  find_->setToolTip(tr("Discards the outline position set by hand"));
+  more_->setText(tr("Depth, ball or punch"));
   legend_->setText(
-      tr("Yellow: the ball's outline, dashed as the program found it, whole where a hand put it. "
-         "Blue: where the ball meets the untouched face, about the dark disc."));
-  position_->setAccessibleName(tr("Place of the ball"));
+      tr("Yellow: the ball's outline, dashed if found by the program, solid if set by hand. Blue: "
+         "where the ball meets the untouched face, roughly the dark disc."));
+  position_->setAccessibleName(tr("Position of the ball"));
   show_status();
 }
 
@@ -274,20 +274,20 @@ QString PressesPage::missing() const {
   if (!collection_.is_ready()) return tr("The presses are being read.");
   if (!(collection_.press_set().ball_radius_mm > 0)) return tr("The ball's radius is missing.");
   if (collection_.presses().empty())
-    return tr("Take a press first; six at different places are good.");
+    return tr("Take a press first, best six at different positions.");
   const auto has_ball = [this](const CollectedPress& press) {
     return collection_.is_usable(press) && collection_.has_ball(press);
   };
   if (std::none_of(collection_.presses().begin(), collection_.presses().end(), has_ball))
-    return tr("In no press a ball was found yet.");
+    return tr("No ball was found in any press yet.");
   return {};
 }
 
 void PressesPage::choose_files() {
   auto* dialog = new QFileDialog(this,
-                                 tr("Pictures of presses"),
+                                 tr("Images of presses"),
                                  QString(),
-                                 tr("Pictures (*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.pgm)"));
+                                 tr("Images (*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.pgm)"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFiles);
   connect(dialog, &QFileDialog::filesSelected, this, [this](const QStringList& files) {
@@ -349,7 +349,7 @@ void PressesPage::show_status() {
   const int count = static_cast<int>(collection_.presses().size());
   const int usable = collection_.usable_count();
   count_->setText(count == 0
-                      ? tr("No press yet. Press the ball in at different places and depths, "
+                      ? tr("No press yet. Press the ball in at different positions and depths: "
                            "base, middle and tip.")
                       : tr("%n press(es), ", nullptr, count) + tr("%n usable", nullptr, usable));
   radius_->setEnabled(collection_.is_ready());
@@ -420,23 +420,23 @@ PressForm::PressForm(PressCollection& collection, QWidget* parent)
 void PressForm::name_parts() {
   for (NumberField* field : {radius_, depth_, depth_sd_, step_}) field->setSuffix(tr(" mm"));
   radius_label_->setText(tr("&Its ball"));
-  radius_->setAccessibleName(tr("Radius of this press' ball"));
-  radius_->setToolTip(tr("Where this press was made with a ball of another radius"));
+  radius_->setAccessibleName(tr("Radius of this press's ball"));
+  radius_->setToolTip(tr("If this press was made with a ball of another radius"));
   depth_label_->setText(tr("Measured &depth"));
   depth_->setAccessibleName(tr("Measured depth of this press"));
   depth_->setSpecialValueText(tr("not measured"));
   depth_->setToolTip(
-      tr("How deep the ball was pressed in, normal to the face, from where it first "
-         "touches, as a stage or a feeler gauge tells it"));
+      tr("Indentation depth of the ball from first contact, normal to the face, measured with a "
+         "stage or a feeler gauge"));
   depth_sd_label_->setText(tr("&Give or take"));
   depth_sd_->setAccessibleName(tr("Standard deviation of the measured depth"));
-  depth_sd_->setToolTip(tr("How well the depth is known: the standard deviation of measuring it"));
+  depth_sd_->setToolTip(tr("Uncertainty of the depth: the standard deviation of its measurement"));
   step_label_->setText(tr("&Step of a punch"));
   step_->setAccessibleName(tr("Step of a punch"));
   step_->setSpecialValueText(tr("a ball"));
   step_->setToolTip(
-      tr("Height of the step of a flat punch that was pressed in instead of a ball; no ball is "
-         "looked for then"));
+      tr("Step height of a flat punch pressed in instead of a ball; the program then searches for "
+         "no ball"));
 }
 
 void PressForm::show_press(const std::string& name) {
@@ -514,7 +514,7 @@ void PressFitPane::show_fit(const PressFit* fit,
   plot_->set_data(std::move(data));
   QStringList lines{tr("<b>Mapping − ball here:</b> %1").arg(difference_text(*fit))};
   if (before != nullptr)
-    lines << tr("as the calibration puts it: %1").arg(difference_text(*before));
+    lines << tr("at the calibrated position: %1").arg(difference_text(*before));
   if (!forecast.isEmpty()) lines << forecast.toHtmlEscaped();
   words_->setText(lines.join(QStringLiteral("<br>")));
 }
@@ -591,9 +591,10 @@ QString PressesPage::advice_for(const CollectedPress& press) const {
                                       collection_.analyser()->finger().face,
                                       ball->centre_mm,
                                       ball->radius_mm);
-    lines << (contact && contact->depth_mm > 0 ? tr("As it lies now it is pressed in by %1 mm.")
-                                                     .arg(local_mm(contact->depth_mm, 2))
-                                               : tr("As it lies now it does not touch the face."));
+    lines << (contact && contact->depth_mm > 0
+                  ? tr("At this position, it is pressed in by %1 mm.")
+                        .arg(local_mm(contact->depth_mm, 2))
+                  : tr("At this position, it does not touch the face."));
   }
   return lines.join(QLatin1Char('\n'));
 }
@@ -625,7 +626,7 @@ void PressesPage::show_shown() {
   remove_->setEnabled(press != nullptr && press->frame);
   leave_out_->setText(
       collection_.toggle_left_out_text(press != nullptr ? press->name : std::string()));
-  leave_out_->setToolTip(tr("A press that is taken out stays with the finger and is not used"));
+  leave_out_->setToolTip(tr("A press that is left out stays with the finger and is not used"));
   if (press == nullptr) {
     fit_.reset();
     editor_->set_ball(std::nullopt);
@@ -648,7 +649,7 @@ void PressesPage::show_press_image(const CollectedPress& press) {
     fit_.reset();
     fit_pane_->show_fit(nullptr, nullptr, nullptr, {});
     editor_->set_ball(std::nullopt);
-    editor_->show_message(tr("The picture is being read."));
+    editor_->show_message(tr("The image is being read."));
   } else {
     editor_->set_ball(ball_of(press));
     show_fit(press);
@@ -680,7 +681,7 @@ void PressesPage::show_fit(const CollectedPress& press) {
 
 void PressesPage::show_position() {
   const auto circle = editor_->ball() ? image_outline(*editor_->ball()) : std::nullopt;
-  position_->setText(circle ? tr("Centre u %1 px, v %2 px, radius %3 px, %4 mm before the camera")
+  position_->setText(circle ? tr("Centre u %1 px, v %2 px, radius %3 px, %4 mm from the camera")
                                   .arg(local_mm(circle->centre.x(), 1),
                                        local_mm(circle->centre.y(), 1),
                                        local_mm(circle->radius_px(), 1),
@@ -691,11 +692,11 @@ void PressesPage::show_position() {
 // Taking presses in the step Presses: by a click, a key, a pedal, or automatically.
 
 QString PressesPage::take_obstacle() const {
-  if (!session_.view()) return tr("There is no live picture: choose a source.");
+  if (!session_.view()) return tr("There is no live image: choose a source.");
   if (!collection_.is_ready()) return tr("The presses are being read.");
   if (!collection_.analyser()) return tr("The finger cannot be compared with its reference.");
   const FramePtr& frame = session_.view()->result.frame;
-  if (!frame || session_.view()->problem) return tr("The live picture does not fit this finger.");
+  if (!frame || session_.view()->problem) return tr("The live image does not match this finger.");
   return {};
 }
 
@@ -768,12 +769,12 @@ QString PressesPage::auto_take_obstacle() const {
   switch (still_.hold().state) {
     case HoldState::kNothing:
       return touch == FaceContact::kUnknown
-                 ? tr("Waiting: it cannot be seen whether the face is touched.")
-                 : tr("Waiting: nothing presses yet.");
+                 ? tr("Waiting: it is unknown whether something touches the face.")
+                 : tr("Waiting: no contact yet.");
     case HoldState::kMoves:
-      return tr("Waiting: the contact still moves, or is pressed in deeper.");
+      return tr("Waiting: the contact still moves or gets deeper.");
     case HoldState::kTaken:
-      return tr("Taken. Lift the ball, or move it by 2 mm, for the next one.");
+      return tr("Taken. For the next one, lift the ball or move it by 2 mm.");
     case HoldState::kHolds:
       break;
   }
@@ -807,12 +808,11 @@ void PressesPage::show_taken() {
   taken_->setVisible(is_there);
   if (!is_there) return;
   const QString name = as_text(taken_name_);
-  taken_->setText(
-      taken_frames_ > 1
-          ? tr("%1 is taken: the mean of %2 pictures held still.").arg(name).arg(taken_frames_)
-          : tr("%1 is taken from a single picture; hold ball and finger still for half "
-               "a second, and its noise falls to a quarter.")
-                .arg(name));
+  taken_->setText(taken_frames_ > 1
+                      ? tr("%1 is taken: the mean of %2 still images.").arg(name).arg(taken_frames_)
+                      : tr("%1 comes from a single image. Hold ball and finger still for half a "
+                           "second to reduce its noise to a quarter.")
+                            .arg(name));
 }
 
 }  // namespace alltact

@@ -28,7 +28,7 @@ QString state_word(StepState state) {
     case StepState::kDone:
       return StepList::tr("done");
     case StepState::kOutdated:
-      return StepList::tr("look again");
+      return StepList::tr("check again");
     case StepState::kReading:
       return StepList::tr("is being read");
     case StepState::kToDo:

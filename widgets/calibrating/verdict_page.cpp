@@ -91,7 +91,7 @@ VerdictPage::VerdictPage(CalibrationRun& run, QWidget* parent)
     running_->setAccessibleName(tr("Progress of the calibration"));
     print_->setText(tr("&Print…"));
     print_->setShortcut(QKeySequence::Print);  // setText() removes the shortcut
-    print_->setToolTip(tr("One sheet to keep beside the finger, on paper or as PDF"));
+    print_->setToolTip(tr("One sheet to store with the finger, on paper or as PDF"));
     report_->setText(tr("&Open the report"));
     copy_->setText(tr("Copy as command &line"));
     command_->setAccessibleName(tr("The same as a command line"));
@@ -157,7 +157,7 @@ void VerdictPage::show_folds() {
   const int count = shown_ ? remarks_->count() : 0;
   const bool has_more = more_->finger() != nullptr;
   fold_->setText(tr("Remarks (%1)").arg(count));
-  fold_more_->setText(MoreDataBox::tr("What more would bring"));
+  fold_more_->setText(MoreDataBox::tr("Benefit of more data"));
   fold_more_->setVisible(has_more);
   for (QToolButton* fold : {fold_, fold_more_})
     fold->setArrowType(fold->isChecked() ? Qt::DownArrow : Qt::RightArrow);
@@ -230,7 +230,7 @@ void VerdictPage::show_head() {
   const auto& worth = run_.worth();
   const Headline headline = !known_ ? Headline{run_.state() == CalibrationState::kNone
                                                    ? tr("Not calibrated yet")
-                                                   : tr("Calibrated; how well is not stored"),
+                                                   : tr("Calibrated; accuracy not stored"),
                                                Meaning::kDoubtful}
                                     : headline_of(known_->grade,
                                                   expected_error_mm(*known_).value_or(0.0),
@@ -247,7 +247,7 @@ void VerdictPage::show_head() {
     for (std::size_t i = 0; i < std::min(all.size(), kShownFindings); ++i)
       findings << tr("• %1", "an item of a list").arg(window_sentence(all[i]));
     if (all.size() > kShownFindings)
-      findings << tr("• And %n more, first of the remarks.",
+      findings << tr("• %n more at the top of the remarks.",
                      nullptr,
                      static_cast<int>(all.size() - kShownFindings));
   }
@@ -259,10 +259,10 @@ void VerdictPage::show_head() {
   if (known_) {
     const bool is_vouched = expected_error_mm(*known_).has_value();
     if (!is_vouched && std::isfinite(known_->error_mm) && !worth->must_repeat)
-      words << tr("So far ±%1 mm are to be expected.").arg(local_mm(known_->error_mm, 3));
+      words << tr("Expected error so far: ±%1 mm.").arg(local_mm(known_->error_mm, 3));
     if (!known_->cause.empty() && !worth->must_repeat) words << window_sentence(known_->cause);
     if (!known_->rests_on.empty())
-      words << tr("It rests on: %1.").arg(in_window_language(known_->rests_on));
+      words << tr("Based on: %1.").arg(in_window_language(known_->rests_on));
   }
   sentence_->setText(words.join(QLatin1Char(' ')));
   sentence_->setVisible(!words.isEmpty());
@@ -305,7 +305,7 @@ void VerdictPage::show_next_press() {
       FaceQuantity::kCoverage, calibration, shown_->residuals, shown_->finger.face.kind);
   const auto& advice = calibration.next_press;
   if (!advice) {
-    next_->setText(tr("Nothing can be said about it with these presses."));
+    next_->setText(tr("These presses give no information on this."));
   } else {
     next_->setText(window_sentence(advice->sentence));
     if (!advice->enough) {
@@ -360,7 +360,7 @@ class Sheet {
       : done_(done),
         now_(now),
         light_(theme_palette(Theme::kLight)),
-        document_(SheetWords::tr("Finger %1: what its calibration is worth")
+        document_(SheetWords::tr("Finger %1: verdict on its calibration")
                       .arg(as_text(done.finger.name))) {}
 
   Document written(const QString& command) {
@@ -422,7 +422,7 @@ class Sheet {
     FaceMapPlot map;
     map.set_data(face_figure(
         FaceQuantity::kResidual, done_.calibration, done_.residuals, done_.finger.face.kind));
-    add(map, 180, SheetWords::tr("Where on the face, and how far the mapping is off there."));
+    add(map, 180, SheetWords::tr("Position on the face, and the mapping's error there."));
   }
 
   void add(Plot& plot, int height, const QString& caption) {
@@ -452,7 +452,7 @@ class Sheet {
     const auto more = done_.calibration.balls.size() - rows.size();
     if (more > 0)
       document_.paragraph(
-          SheetWords::tr("And %n press(es) more, in the report.", nullptr, static_cast<int>(more)));
+          SheetWords::tr("%n more press(es) in the report.", nullptr, static_cast<int>(more)));
   }
 
   void add_next() {
@@ -549,8 +549,8 @@ MoreDataBox::MoreDataBox(QWidget* parent)
   connect(&work_, &BackgroundWork::progressed, this, &MoreDataBox::show_state);
   connect(&work_, &BackgroundWork::finished, this, &MoreDataBox::show_state);
   say([this] {
-    setTitle(tr("What more would bring"));
-    bar_->setAccessibleName(tr("Progress of working it out"));
+    setTitle(tr("Benefit of more data"));
+    bar_->setAccessibleName(tr("Progress of the computation"));
     show_state();
   });
 }
@@ -593,7 +593,7 @@ void MoreDataBox::start() {
 
 void MoreDataBox::show_state() {
   const bool is_running = work_.is_running();
-  start_->setText(is_running ? tr("Sto&p") : tr("&Work it out"));
+  start_->setText(is_running ? tr("Sto&p") : tr("Compute no&w"));
   start_->setVisible(!study_);
   bar_->setVisible(is_running);
   bar_->setValue(static_cast<int>(100 * work_.fraction()));
@@ -604,19 +604,19 @@ void MoreDataBox::show_state() {
   }
   if (!study_) {
     words_->setText(
-        tr("One more press, more pictures of each, one more minute: told by balls "
-           "painted into this finger's own pictures, which calibrate it anew."));
+        tr("Benefit of one more press, more images of each, one more minute. The program paints "
+           "balls into this finger's images and calibrates it with them."));
     return;
   }
   QStringList lines;
   for (const Message& sentence : benefit_of_more_data(*study_, study_->rows.front().choice))
     lines << window_sentence(sentence);
-  if (lines.isEmpty()) lines << tr("Nothing that was tried brings more.");
+  if (lines.isEmpty()) lines << tr("No tested option improves the result.");
   words_->setText(lines.join(QLatin1Char('\n')));
 }
 
 PressesPlot::PressesPlot(QWidget* parent) : Plot(parent) {
-  setAccessibleName(tr("Error of depth by the number of presses"));
+  setAccessibleName(tr("Depth error by number of presses"));
 }
 
 void PressesPlot::set_points(std::vector<PressesPoint> points) {
@@ -630,7 +630,7 @@ void PressesPlot::set_points(std::vector<PressesPoint> points) {
 }
 
 QString PressesPlot::empty_text() const {
-  return tr("Nothing is worked out yet");
+  return tr("Nothing is computed yet");
 }
 
 bool PressesPlot::draw() {
@@ -658,7 +658,7 @@ bool PressesPlot::draw() {
   line->setName(tr("painted balls, whisker to 95 %"));
   line->setPen(QPen(painted, 2));
   line->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, painted, 7));
-  now->setName(tr("presses there are now"));
+  now->setName(tr("current presses"));
   now->setLineStyle(QCPGraph::lsNone);
   now->setScatterStyle(QCPScatterStyle(
       QCPScatterStyle::ssCircle, QPen(palette().text().color(), 2), Qt::NoBrush, 13));
@@ -674,7 +674,7 @@ bool PressesPlot::draw() {
   chart().xAxis->setTicker(integer_ticks);
   chart().xAxis->setLabel(tr("Presses"));
   chart().yAxis->setRange(0, 1.1 * std::max(tallest > 0 ? tallest : highest, 1e-3));
-  chart().yAxis->setLabel(tr("Error of depth (µm)"));
+  chart().yAxis->setLabel(tr("Depth error (µm)"));
   show_legend();
   return true;
 }

@@ -59,7 +59,7 @@ class TenthsBox : public IntegerField {
       return static_cast<int>(std::lround(tenths));
     return Error{
         en::say(
-            "'{}' has too many digits behind the decimal mark (at most {})", text.toStdString(), 1),
+            "'{}' has too many digits after the decimal mark (at most {})", text.toStdString(), 1),
         "",
         ""};
   }
@@ -120,7 +120,7 @@ class ControlPanel::Row : public QWidget {
     control_ = control;
     setEnabled(!is_locked && !control.is_inactive && !control.is_read_only);
     setToolTip(is_locked             ? ControlPanel::tr("Locked: unlock above to change it.")
-               : control.is_inactive ? ControlPanel::tr("An automatic mode has it in hand.")
+               : control.is_inactive ? ControlPanel::tr("An automatic mode controls it.")
                                      : QString());
     if (is_in_use) return;
     is_showing_ = true;
@@ -220,13 +220,13 @@ ControlPanel::ControlPanel(QWidget* parent)
   say([this] {
     lock_->setText(tr("&Lock brightness"));
     lock_->setAccessibleDescription(
-        tr("Automatic modes stay off, and what changes by itself is put back."));
+        tr("Automatic modes stay off; unrequested changes are undone."));
     reason_->setText(
-        tr("Brightness is the measurement: locked, nothing changes it. "
-           "Unlock it before calibrating only."));
+        tr("Brightness is what is measured: when locked, it does not change. Unlock it only before "
+           "calibrating."));
     empty_->setText(
-        tr("A camera's exposure, gain, white balance and focus stand here. "
-           "This source is no camera."));
+        tr("A camera's exposure, gain, white balance and focus appear here. This source is not a "
+           "camera."));
   });
   refresh();
 }
@@ -362,13 +362,13 @@ LampPanel::LampPanel(Lamp& lamp, QWidget* parent)
 void LampPanel::name_parts() {
   device_label_->setText(tr("Dimmer"));
   device_->setAccessibleName(tr("The lamp's dimmer"));
-  look_->setText(tr("Look"));
-  look_->setAccessibleName(tr("Look for dimmers"));
+  look_->setText(tr("Search"));
+  look_->setAccessibleName(tr("Search for dimmers"));
   control_label_->setText(tr("Output"));
   control_->setAccessibleName(tr("The dimmer's output"));
   control_->setItemText(0, tr("MCP2221A, pin GP2"));
   control_->setItemText(1, tr("MCP2221A, pin GP3"));
-  control_->setItemText(2, tr("A report, described"));
+  control_->setItemText(2, tr("Custom report"));
   report_->setAccessibleName(tr("Report that sets the brightness"));
   report_->setPlaceholderText(QStringLiteral("output id=0 bytes=8 at=1 range=0..255"));
   level_label_->setText(tr("Brightness"));
@@ -440,11 +440,11 @@ void LampPanel::show_lamp() {
   const auto& problem = lamp_.problem();
   const auto& setting = lamp_.setting();
   state_->setText(problem   ? window_sentence(problem->message())
-                  : setting ? tr("Set to %1 %. Every picture tells it.")
+                  : setting ? tr("Set to %1 %. Every image records it.")
                                   .arg(QLocale().toString(kFullLevel * setting->level, 'f', 0))
                   : requested
-                      ? tr("The dimmer is being told.")
-                      : tr("Choose the device that dims the finger's lamp, where there is one."));
+                      ? tr("The dimmer is being set.")
+                      : tr("Choose the device that dims the finger's lamp, if there is one."));
 }
 
 }  // namespace alltact

@@ -291,7 +291,7 @@ Result<double> NumberField::parsed(const QString& text) const {
   const auto value = parse_typed_number(text.toStdString(),
                                         {window_decimal_mark(), suffix().trimmed().toStdString()});
   if (!value || QString::number(*value, 'f', kMaxDecimals).toDouble() == *value) return value;
-  return Error{en::say("'{}' has too many digits behind the decimal mark (at most {})",
+  return Error{en::say("'{}' has too many digits after the decimal mark (at most {})",
                        text.toStdString(),
                        kMaxDecimals),
                "",

@@ -77,9 +77,9 @@ ImageView::ImageView(QWidget* parent) : Translated(parent) {
   setAttribute(Qt::WA_OpaquePaintEvent);
   set_accessible_role(*this, QAccessible::Graphic);
   say([this] {
-    setAccessibleName(tr("Picture"));
+    setAccessibleName(tr("Image"));
     setWhatsThis(
-        tr("The camera's picture. The wheel or + and - zoom, 0 shows all of it, 1 its own size. "
+        tr("The camera's image. The wheel or + and - zoom, 0 shows all of it, 1 its original size. "
            "Drag or use the arrow keys to move it; Shift and the arrow keys move the probe."));
   });
 }

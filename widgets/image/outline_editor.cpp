@@ -116,11 +116,11 @@ OutlineEditor::OutlineEditor(QWidget* parent) : ImageView(parent) {
     update();
   });
   say([this] {
-    setAccessibleName(tr("Picture with the ball's outline"));
+    setAccessibleName(tr("Image with the ball's outline"));
     setWhatsThis(
         tr("Drag the outline's centre or rim onto the ball. Arrow keys move it by a tenth of a "
-           "pixel, Page Up and Page Down change its size, with Shift by a whole pixel. Ctrl and "
-           "the arrow keys move the picture; the wheel zooms, over the rim it changes the size."));
+           "pixel, Page Up and Page Down change its size, with Shift by one pixel. Ctrl and the "
+           "arrow keys move the image; the wheel zooms, over the rim it changes the size."));
     announce();
   });
 }

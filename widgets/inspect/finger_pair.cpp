@@ -191,15 +191,15 @@ PairBox::PairBox(const FingerPair& pair, QWidget* parent)
   say([this] {
     setTitle(tr("Second finger"));
     open_->setText(tr("Second fin&ger…"));
-    close_->setText(tr("Close it"));
-    pose_first_->setText(tr("Place of 1…"));
-    pose_second_->setText(tr("Place of 2…"));
-    pose_first_->setAccessibleName(tr("Place of the first finger in the gripper"));
-    pose_second_->setAccessibleName(tr("Place of the second finger in the gripper"));
+    close_->setText(tr("Close"));
+    pose_first_->setText(tr("Pose of 1…"));
+    pose_second_->setText(tr("Pose of 2…"));
+    pose_first_->setAccessibleName(tr("Pose of the first finger in the gripper"));
+    pose_second_->setAccessibleName(tr("Pose of the second finger in the gripper"));
     for (QPushButton* button : {pose_first_, pose_second_})
-      button->setToolTip(tr("Where this finger's camera sits in the gripper."));
+      button->setToolTip(tr("Pose of this finger's camera in the gripper."));
     gap_->setAccessibleName(tr("Distance between the faces"));
-    joined_->setAccessibleName(tr("How the two recordings are joined"));
+    joined_->setAccessibleName(tr("Matching of the two recordings"));
   });
 }
 
@@ -207,7 +207,7 @@ void PairBox::show_pair(bool is_recording) {
   const bool is_open = pair_.is_open();
   open_->setEnabled(is_recording);
   open_->setToolTip(is_recording ? QString()
-                                 : tr("Open a recording first; a second one can be joined to it."));
+                                 : tr("Open a recording first; then you can add a second one."));
   setVisible(is_open);
   if (!is_open) return;
   pose_first_->setEnabled(!pair_.folder(false).empty());
@@ -224,15 +224,15 @@ QString PairBox::joined_text() const {
   const QString later = QLocale().toString(std::round(10 * partner.later_ms) / 10 + 0.0, 'f', 1);
   switch (partner.by) {
     case MatchedBy::kTime:
-      return tr("Joined by time stamps; 2 was taken %1 ms after 1.").arg(later);
+      return tr("Matched by time stamps; 2 was captured %1 ms after 1.").arg(later);
     case MatchedBy::kBeginning:
-      return tr("Recorded at different times: their beginnings count as one moment; 2 was taken "
-                "%1 ms after 1.")
+      return tr("Recorded at different times, aligned at their starts; 2 was captured %1 ms after "
+                "1.")
           .arg(later);
     case MatchedBy::kNumber:
       break;
   }
-  return tr("Without time stamps: joined by the number of the frame.");
+  return tr("No time stamps: matched by frame number.");
 }
 
 QString PairBox::gap_text() const {
@@ -240,13 +240,13 @@ QString PairBox::gap_text() const {
   const auto gap = pair_.gap();
   if (!gap) return tr("Measuring the distance…");
   const double apart_mm = gap->distance();
-  if (apart_mm < 0.005) return tr("<b>The faces touch or cross.</b>");
+  if (apart_mm < 0.005) return tr("<b>The faces touch or intersect.</b>");
   const Eigen::Vector3d middle = 0.5 * (gap->first + gap->second);
   const auto number = [](double value, int digits) {
     const double unit = std::pow(10, digits);
     return QLocale().toString(std::round(value * unit) / unit + 0.0, 'f', digits);
   };
-  return tr("<b>%1 mm</b> between the faces where they are nearest, around X %2, Y %3, Z %4 mm")
+  return tr("<b>%1 mm</b> shortest distance between the faces, near X %2, Y %3, Z %4 mm")
       .arg(
           number(apart_mm, 2), number(middle.x(), 1), number(middle.y(), 1), number(middle.z(), 1));
 }
@@ -297,7 +297,7 @@ SecondFingerDialog::SecondFingerDialog(const std::optional<SecondFinger>& now, Q
     choose(recording_, false, tr("The second finger's video"));
   });
   connect(choose_folder_, &QPushButton::clicked, this, [this] {
-    choose(recording_, true, tr("The second finger's folder of pictures"));
+    choose(recording_, true, tr("Image folder of the second finger"));
   });
   connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(buttons_, &QDialogButtonBox::accepted, this, [this] {
@@ -308,8 +308,8 @@ SecondFingerDialog::SecondFingerDialog(const std::optional<SecondFinger>& now, Q
   say([this] {
     setWindowTitle(tr("Second finger"));
     intro_->setText(
-        tr("Another finger of the same gripper, with what it recorded at the same time. Both are "
-           "shown in the gripper's frame; their frames are joined by the times of capture."));
+        tr("Another finger of the same gripper, with its recording from the same time. Both are "
+           "shown in the gripper's coordinate frame; their frames are matched by capture time."));
     finger_label_->setText(tr("&Finger's folder"));
     recording_label_->setText(tr("&Recording"));
     finger_->setAccessibleName(tr("Finger's folder"));
@@ -317,7 +317,7 @@ SecondFingerDialog::SecondFingerDialog(const std::optional<SecondFinger>& now, Q
     choose_finger_->setText(tr("Choose…"));
     choose_finger_->setAccessibleName(tr("Choose the finger's folder"));
     choose_video_->setText(tr("Video…"));
-    choose_folder_->setText(tr("Pictures…"));
+    choose_folder_->setText(tr("Images…"));
     buttons_->button(QDialogButtonBox::Ok)->setText(tr("&Show it"));
     buttons_->button(QDialogButtonBox::Cancel)->setText(tr("Cancel"));
     show_missing();
@@ -338,7 +338,7 @@ void SecondFingerDialog::show_missing() {
   const bool has_recording = !recording_->text().trimmed().isEmpty();
   buttons_->button(QDialogButtonBox::Ok)->setEnabled(has_finger && has_recording);
   missing_->setText(!has_finger      ? tr("Choose the finger's folder.")
-                    : !has_recording ? tr("Choose what it recorded.")
+                    : !has_recording ? tr("Choose its recording.")
                                      : QString());
 }
 
@@ -413,16 +413,17 @@ GripperDialog::GripperDialog(const QString& finger,
   say([this] {
     setWindowTitle(tr("%1 in the gripper").arg(finger_));
     intro_->setText(
-        tr("Where the camera of %1 sits in the gripper's frame: its place, and how it is turned "
-           "about the gripper's axes, first x, then y, then z. A camera that is not turned looks "
-           "along the gripper's z, with x along its picture and y across it.")
+        tr("Pose of the camera of %1 in the gripper's frame: its position and its rotation about "
+           "the gripper's axes, first x, then y, then z. A camera without rotation looks along the "
+           "gripper's z; x runs along its image, y across it.")
             .arg(finger_));
-    at_label_->setText(tr("&Place"));
-    turn_label_->setText(tr("&Turned about"));
+    at_label_->setText(tr("&Position"));
+    turn_label_->setText(tr("Ro&tation about"));
     static const std::array axes{QStringLiteral("x "), QStringLiteral("y "), QStringLiteral("z ")};
-    const std::array<QString, 3> position_names{tr("Place, x"), tr("Place, y"), tr("Place, z")};
+    const std::array<QString, 3> position_names{
+        tr("Position, x"), tr("Position, y"), tr("Position, z")};
     const std::array<QString, 3> turns{
-        tr("Turned about x"), tr("Turned about y"), tr("Turned about z")};
+        tr("Rotation about x"), tr("Rotation about y"), tr("Rotation about z")};
     for (std::size_t i = 0; i < 3; ++i) {
       at_[i]->setPrefix(axes[i]);
       at_[i]->setSuffix(tr(" mm"));
@@ -434,7 +435,7 @@ GripperDialog::GripperDialog(const QString& finger,
     buttons_->button(QDialogButtonBox::Ok)->setText(tr("&Set"));
     buttons_->button(QDialogButtonBox::Cancel)->setText(tr("Cancel"));
     forget_->setText(tr("&Not known"));
-    forget_->setToolTip(tr("Takes the place out of the finger's file."));
+    forget_->setToolTip(tr("Removes the pose from the finger's file."));
   });
 }
 

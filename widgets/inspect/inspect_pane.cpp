@@ -159,7 +159,7 @@ void InspectPane::show_map() {
   if (waits_for_other())
     return map_->show_message(frame_->other_problem || frame_->other
                                   ? tr("There is nothing to compare with in this frame.")
-                                  : tr("It is being measured a second time, to be compared."));
+                                  : tr("The frame is being measured again for the comparison."));
   const bool is_difference = content_ == PaneContent::kDifference;
   const FrameResult& result =
       content_ == PaneContent::kSecond && frame_->other ? *frame_->other : frame_->result;
@@ -401,11 +401,11 @@ struct LimitWords {
       case kDepthClamped:
         return tr("at the layer's limit");
       case kOutOfRange:
-        return tr("beyond what was calibrated");
+        return tr("beyond the calibrated range");
       case kDoubtfulLight:
         return tr("doubtful light");
       default:
-        return tr("steep: its place matters");
+        return tr("steep: position matters");
     }
   }
 };

@@ -143,14 +143,14 @@ ViewBox::ViewBox(QWidget* parent)
   }
   new QGridLayout(this);
   add_row(shown_as_, [] { return tr("Sho&w"); });
-  add_row(standpoint_, [] { return tr("Look f&rom"); });
+  add_row(standpoint_, [] { return tr("View f&rom"); });
   add_row(comparison_, [] { return tr("Com&pare"); });
   add_row(with_, [] { return tr("&With"); });
   add_row(setting_, [] { return tr("Set&ting"); });
   add_row(frame_, [] { return tr("Frame &number"); });
-  add_row(top_, [] { return tr("&Colours end at"); });
+  add_row(top_, [] { return tr("&Colours up to"); });
   add_row(difference_top_, [] { return tr("Differe&nce up to"); });
-  add_row(times_, [] { return tr("&Draw depth"); });
+  add_row(times_, [] { return tr("Scale &depth"); });
   auto* grid = static_cast<QGridLayout*>(layout());
   parts_ = {{new QCheckBox, &SceneOptions::body, [] { return tr("Fin&ger's body"); }},
             {new QCheckBox, &SceneOptions::ruler, [] { return tr("R&uler"); }},
@@ -178,26 +178,26 @@ ViewBox::ViewBox(QWidget* parent)
     shown_as_->setItemText(1, tr("as a height map"));
     shown_as_->setToolTip(VtkView::is_supported()
                               ? QString()
-                              : tr("3D needs OpenGL 3.2, which this screen does not offer."));
+                              : tr("3D needs OpenGL 3.2, which this screen does not support."));
     standpoint_->setItemText(0, tr("inside, tilted"));
     standpoint_->setItemText(1, tr("the camera"));
     standpoint_->setItemText(2, tr("outside, tilted"));
     standpoint_->setItemText(3, tr("the side"));
-    comparison_->setItemText(0, tr("with nothing"));
+    comparison_->setItemText(0, tr("no comparison"));
     comparison_->setItemText(1, tr("side by side"));
     comparison_->setItemText(2, tr("difference"));
     with_->setItemText(0, tr("the source paper's method"));
     with_->setItemText(1, tr("another setting"));
     with_->setItemText(2, tr("another frame"));
     with_->setToolTip(
-        tr("The paper's own formulas or another setting measure the same frame of the same finger "
-           "a second time; of another frame the same places of the face are compared."));
+        tr("The paper's formulas or another setting measure the same frame again. With another "
+           "frame, the same positions on the face are compared."));
     for (NumberField* box : {top_, difference_top_}) box->setSuffix(tr(" mm"));
     difference_top_->setPrefix(QStringLiteral("± "));
     top_->setAccessibleName(tr("Depth at which the colours end"));
-    difference_top_->setAccessibleName(tr("Difference at which its colours end, to both sides"));
+    difference_top_->setAccessibleName(tr("Difference at both ends of the colour scale"));
     times_->setSuffix(tr(" times"));
-    times_->setAccessibleName(tr("Times that depth is drawn larger than it is"));
+    times_->setAccessibleName(tr("Factor by which depth is drawn larger"));
     fill_settings();
   });
   set_options(options_);
@@ -241,7 +241,7 @@ void ViewBox::connect_view() {
     next.viewpoint = static_cast<Viewpoint>(index + 1);
     next.view_pose.reset();
     Q_EMIT changed(
-        next, [this, index] { return tr("look from: %1").arg(standpoint_->itemText(index)); }, -1);
+        next, [this, index] { return tr("view from: %1").arg(standpoint_->itemText(index)); }, -1);
   });
   const auto on_number =
       [this](NumberField* box, double SceneOptions::*member, QString (*what)(), int merge_id) {
@@ -259,7 +259,7 @@ void ViewBox::connect_view() {
       [] { return tr("change the difference's colours"); },
       kDifferenceTop);
   on_number(
-      times_, &SceneOptions::exaggeration, [] { return tr("draw depth larger"); }, kTimes);
+      times_, &SceneOptions::exaggeration, [] { return tr("scale the depth"); }, kTimes);
   for (const Part& part : parts_)
     connect(part.box, &QCheckBox::clicked, this, [this, part](bool is_on) {
       InspectOptions next = options_;

@@ -101,7 +101,7 @@ void PointsBox::connect_points() {
     next.a.reset();
     next.b.reset();
     Q_EMIT changed(
-        next, [] { return tr("take the points away"); }, -1);
+        next, [] { return tr("remove the points"); }, -1);
   });
 }
 
@@ -168,9 +168,9 @@ void PointsBox::name_parts() {
   const std::array<std::array<QString, 2>, 2> spoken{
       {{tr("Point A, along the finger"), tr("Point A, across it")},
        {tr("Point B, along the finger"), tr("Point B, across it")}}};
-  const std::array<QString, 2> help{
-      tr("Along the face from its base. A point stays there on the finger while that moves."),
-      tr("Across the face from its middle.")};
+  const std::array<QString, 2> help{tr("Along the face from its base. The point stays there on the "
+                                       "finger when the finger moves."),
+                                    tr("Across the face from its centre line.")};
   for (std::size_t i = 0; i < points_.size(); ++i) {
     points_[i].label->setText(names[i]);
     for (std::size_t part = 0; part < 2; ++part) {
@@ -183,7 +183,7 @@ void PointsBox::name_parts() {
   deepest_->setText(tr("Deepest"));
   deepest_->setToolTip(tr("Puts A on the deepest point."));
   clear_->setText(tr("Clear"));
-  clear_->setToolTip(tr("Takes both points away."));
+  clear_->setToolTip(tr("Removes both points."));
   across_->setText(tr("Across"));
   across_->setToolTip(tr("From edge to edge of the finger, through A or the deepest point."));
   along_->setText(tr("Along"));
@@ -235,8 +235,8 @@ struct ReadingWords {
     QStringList words;
     if ((limits & kLayerLimit) != 0) words << tr("at the layer's limit");
     if ((limits & kBulgeTop) != 0) words << tr("a bulge at the layer's limit");
-    if ((limits & kOutOfRange) != 0) words << tr("beyond what was calibrated");
-    if ((limits & kSteep) != 0) words << tr("steep: a pixel sideways changes it by more");
+    if ((limits & kOutOfRange) != 0) words << tr("beyond the calibrated range");
+    if ((limits & kSteep) != 0) words << tr("steep: one pixel further changes it by more");
     if ((limits & kDoubtfulLight) != 0) words << tr("doubtful light");
     return words.isEmpty() ? QString() : tr(" (%1)").arg(joined(words));
   }
@@ -282,10 +282,10 @@ struct ReadingWords {
     const auto distance = distance_between(frame.result, frame.face, *a, *b);
     if (!distance) return {};
     const Eigen::Vector3d& by = distance->apart_mm;
-    return tr("<b>A to B</b>: %1 mm straight, %2 mm over the face")
+    return tr("<b>A to B</b>: %1 mm straight, %2 mm along the face")
                .arg(number(distance->straight_mm), number(distance->along_face_mm)) +
            QStringLiteral("<br>") +
-           tr("by x %1, y %2, z %3 mm").arg(number(by.x()), number(by.y()), number(by.z()));
+           tr("offset x %1, y %2, z %3 mm").arg(number(by.x()), number(by.y()), number(by.z()));
   }
 
   static QString deepest(const ContactRegion& region) {
@@ -391,8 +391,8 @@ SurfaceBox::SurfaceBox(QWidget* parent)
   say([this] {
     setTitle(tr("Between A and B"));
     hint_->setText(
-        tr("Two points make a box: a ball's radius, area, volume, roughness; the distance, the "
-           "step and the angle from A to B."));
+        tr("Two points span a box: a ball's radius, area, volume and roughness inside; distance, "
+           "step and angle from A to B."));
     copy_text_->setText(tr("Copy as text"));
     copy_->setText(tr("Copy as CSV"));
     table_->setAccessibleName(tr("Measured between the points"));
@@ -442,7 +442,7 @@ struct SurfaceWords {
   static QString mean() { return tr("Mean depth"); }
   static QString rough() { return tr("Roughness Sq"); }
   static QString step() { return tr("Step from A to B"); }
-  static QString angle() { return tr("Angle of A to B"); }
+  static QString angle() { return tr("Angle from A to B"); }
   static QString none() { return tr("–"); }
 };
 
@@ -624,7 +624,7 @@ bool SectionPlot::draw() {
   }
   chart().xAxis->setRange(0, profile_.along_mm.back());
   chart().yAxis->setRange(low, top);
-  chart().xAxis->setLabel(tr("From A over the face (mm)"));
+  chart().xAxis->setLabel(tr("From A along the face (mm)"));
   chart().yAxis->setLabel(tr("Depth (mm)"));
   return true;
 }

@@ -287,7 +287,7 @@ Status write_paper_figure(const std::filesystem::path& file, const cv::Mat& bgr)
   image.setDotsPerMeterY(per_metre);
   return write_file_atomically(file, [&](const std::filesystem::path& temporary) -> Status {
     if (image.save(QString::fromStdString(temporary.string()), "PNG")) return {};
-    return Error{en::say("the picture cannot be written"),
+    return Error{en::say("the image cannot be written"),
                  file.string(),
                  en::say("another folder, or freeing some space")};
   });
@@ -315,14 +315,14 @@ SaveBar::SaveBar(QWidget* parent)
                                                          tr("Mesh, VTP (VTK)"),
                                                          tr("Mesh, STL"),
                                                          tr("Mesh, glTF"),
-                                                         tr("Picture, PNG (300 dpi)"),
+                                                         tr("Image, PNG (300 dpi)"),
                                                          tr("Cross-section, PDF"),
                                                          tr("Cross-section, SVG"),
                                                          tr("Cross-section, CSV"),
                                                          tr("Video in 3D, MKV")};
     for (std::size_t i = 0; i < kinds.size(); ++i)
       kind_->setItemText(static_cast<int>(i), kinds[i]);
-    kind_->setAccessibleName(tr("What is saved"));
+    kind_->setAccessibleName(tr("Content to save"));
     save_->setText(tr("&Save…"));
     stop_->setText(tr("Stop"));
     progress_->setAccessibleName(tr("Progress of saving"));

@@ -52,9 +52,9 @@ TimeLine::TimeLine(QWidget* parent)
   });
   say([this] {
     slider_->setAccessibleName(tr("Frame of the recording"));
-    number_->setAccessibleName(tr("Number of the frame"));
+    number_->setAccessibleName(tr("Frame number"));
     of_->setText(tr("of %1").arg(QLocale().toString(static_cast<qulonglong>(count_))));
-    name_->setAccessibleName(tr("Name of the frame"));
+    name_->setAccessibleName(tr("Frame name"));
     earlier_->setAccessibleName(tr("Previous contact or problem"));
     later_->setAccessibleName(tr("Next contact or problem"));
     for (QToolButton* button : {earlier_, later_}) button->setToolTip(button->accessibleName());
@@ -341,7 +341,7 @@ void EventStrip::paintEvent(QPaintEvent*) {
     painter.drawText(rect(),
                      Qt::AlignLeft | Qt::AlignVCenter,
                      known_ > 0 ? tr("Depth over time needs a calibration.")
-                                : tr("The recording is being looked through."));
+                                : tr("The recording is being analysed."));
     return;
   }
   paint_events(painter);

@@ -306,13 +306,13 @@ LivePairBox::LivePairBox(const LivePair& pair, const LiveSession& first, QWidget
 void LivePairBox::name_parts() {
   setTitle(tr("Second finger"));
   open_->setText(tr("&Second finger…"));
-  close_->setText(tr("Close it"));
+  close_->setText(tr("Close"));
   motor_label_->setText(tr("Mo&tor at"));
   motor_->setSuffix(tr(" turns"));
   motor_->setAccessibleName(tr("Motor position in turns"));
-  motor_->setToolTip(tr("Where the gripper's motor stands: the figures hold for this position."));
+  motor_->setToolTip(tr("Position of the gripper's motor; the figures apply to this position."));
   reading_->setAccessibleName(tr("Gap and width"));
-  moment_->setAccessibleName(tr("Whether both pictures are of one moment"));
+  moment_->setAccessibleName(tr("Synchronization of both images"));
   show_pair();
 }
 
@@ -353,20 +353,20 @@ QString LivePairBox::moment_text() const {
   if (const auto problem = pair_.problem())
     return window_sentence(problem->message()).toHtmlEscaped();
   const auto& pair = pair_.pair();
-  if (!pair) return tr("Waiting for the second picture.");
-  if (!pair->later_ms) return tr("Without times of capture: the newest of both.");
+  if (!pair) return tr("Waiting for the second image.");
+  if (!pair->later_ms) return tr("No capture times: the newest image of each camera.");
   const QString later = plain_number(*pair->later_ms, 1);
-  if (pair->is_in_time) return tr("In time: 2 was taken %1 ms after 1.").arg(later);
+  if (pair->is_in_time) return tr("In sync: 2 was captured %1 ms after 1.").arg(later);
   return QStringLiteral("<b>%1 %2</b>")
       .arg(QString(QChar(0x25b2)),
-           tr("Not in time: 2 was taken %1 ms after 1, more than half a frame.").arg(later));
+           tr("Not in sync: 2 was captured %1 ms after 1, more than half a frame.").arg(later));
 }
 
 QString LivePairBox::reading_text() const {
   if (pair_.opened()->gripper.empty())
     return tr(
-        "With a gripper.yaml, the gap between the faces and the width of what is held are "
-        "told here.");
+        "With a gripper.yaml, the gap between the faces and the width of the held object appear "
+        "here.");
   if (!pair_.gripper() || pair_.problem()) return {};
   const auto& reading = pair_.reading();
   if (!reading) return tr("Measuring…");
@@ -376,10 +376,10 @@ QString LivePairBox::reading_text() const {
                 .arg(name, tr("%1 mm").arg(number_and_sd(mm, sd, 2)));
   };
   if (reading->gap) add(tr("Gap"), reading->gap->mm, reading->gap->sd_mm);
-  if (reading->width) add(tr("Held width"), reading->width->mm, reading->width->sd_mm);
+  if (reading->width) add(tr("Object width"), reading->width->mm, reading->width->sd_mm);
   QString text = QStringLiteral("<table>%1</table>").arg(rows);
-  if (!reading->gap) text += tr("No gap is told: both faces need depth.");
-  if (!reading->width) text += QStringLiteral(" ") + tr("Nothing is held by both.");
+  if (!reading->gap) text += tr("Gap unknown: both faces need depth.");
+  if (!reading->width) text += QStringLiteral(" ") + tr("No jointly held object.");
   return text;
 }
 
@@ -450,7 +450,7 @@ SecondCameraDialog::SecondCameraDialog(const std::optional<SecondCamera>& now,
   connect(choose_source_, &QPushButton::clicked, this, [this] {
     choose(source_,
            false,
-           tr("What shows the second finger"),
+           tr("Source of the second finger"),
            tr("Videos and scenes (*.mkv *.avi *.mp4 *.yaml *.yml)"));
   });
   connect(choose_gripper_, &QPushButton::clicked, this, [this] {
@@ -467,9 +467,9 @@ SecondCameraDialog::SecondCameraDialog(const std::optional<SecondCamera>& now,
 void SecondCameraDialog::name_parts() {
   setWindowTitle(tr("Second finger"));
   intro_->setText(
-      tr("Another finger of the same gripper with its own camera. Both pictures are shown as of "
-         "one moment; with a gripper.yaml the gap between the faces and the width of what is held "
-         "are told, too."));
+      tr("Another finger of the same gripper with its own camera. Both images are shown for the "
+         "same moment. With a gripper.yaml, the gap between the faces and the width of the held "
+         "object are shown, too."));
   finger_label_->setText(tr("&Finger's folder"));
   source_label_->setText(tr("&Camera"));
   gripper_label_->setText(tr("&Gripper"));
@@ -518,7 +518,7 @@ void SecondCameraDialog::show_missing() {
   const bool has_source = !source_->currentText().trimmed().isEmpty();
   show_->setEnabled(has_finger && has_source);
   missing_->setText(!has_finger   ? tr("Choose the finger's folder.")
-                    : !has_source ? tr("Choose the camera that watches it.")
+                    : !has_source ? tr("Choose its camera.")
                                   : QString());
 }
 

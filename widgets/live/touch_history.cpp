@@ -109,7 +109,7 @@ struct ContactWords {
   static QString face_text(PushedFace face) {
     switch (face) {
       case PushedFace::kContact:
-        return tr("Touched on the contact face");
+        return tr("Contact on the contact face");
       case PushedFace::kBack:
         return tr("Pushed from the back");
       case PushedFace::kUpper:
@@ -154,7 +154,7 @@ struct ContactWords {
     const Eigen::Vector3d& direction = *contact.direction;
     const QString turned = contact.direction_sd_deg
                                ? tr("± %1°").arg(sd_number(*contact.direction_sd_deg, 1))
-                               : tr("(the face's normal)");
+                               : tr("(normal to the face)");
     const QString components = tr("x %1, y %2, z %3")
                                    .arg(plain_number(direction.x(), 2),
                                         plain_number(direction.y(), 2),
@@ -190,7 +190,7 @@ struct ContactWords {
   }
 
   static QString free(const FrameResult& result, const TouchHistory* history) {
-    if (!result.reference) return tr("Not known without a reference recording.");
+    if (!result.reference) return tr("Unknown without a reference recording.");
     QString text = tr("Nothing touches the finger.");
     if (history == nullptr || history->contacts().empty()) return text;
     const auto& last = history->contacts().back();
@@ -218,9 +218,9 @@ struct ContactWords {
 
   static QString help() {
     return tr(
-        "Along: over the face from its base. Across: from its middle line towards +y. "
-        "Direction: the way the finger gave, in the camera's frame; its standard deviation "
-        "is that within the finger's section.");
+        "Along: over the face from its base. Across: from its centre line towards +y. Direction: "
+        "displacement of the finger in the camera's frame; its standard deviation applies within "
+        "the finger's cross-section.");
   }
 };
 
@@ -248,19 +248,19 @@ struct ForceWords {
     if (status.state == FingerState::kLoading) return tr("The finger is being loaded.");
     if (!status.finger) return tr("Open a finger to see its forces.");
     const Finger& finger = *status.finger;
-    if (finger.markers.per_row == 0) return tr("A finger without markers tells no forces.");
+    if (finger.markers.per_row == 0) return tr("Forces need a finger with markers.");
     if (status.force_problem)
       return window_sentence(status.force_problem->message()).toHtmlEscaped();
     if (finger.force_model.empty()) return no_model(status.folder);
-    if (!status.has_reference) return tr("Forces are told once there is a reference recording.");
-    return tr("No force is told of this picture.");
+    if (!status.has_reference) return tr("Forces need a reference recording: record one.");
+    return tr("No force is estimated for this image.");
   }
 
   static QString no_model(const std::filesystem::path& folder) {
     const QString name = folder.empty() ? QStringLiteral("FINGER")
                                         : QString::fromStdString(folder.filename().string());
-    return tr("This finger has no force model yet. A table of its markers beside a gauge's forces "
-              "trains one:") +
+    return tr("This finger has no force model yet. Train one with a table of its markers and a "
+              "gauge's forces:") +
            QStringLiteral("<br><code>alltact force %1 TABLE.csv</code>").arg(name.toHtmlEscaped());
   }
 };

@@ -206,26 +206,26 @@ void AccuracyPage::connect_parts() {
 
 void AccuracyPage::name_parts() {
   first_words_->setText(
-      tr("How fast must it be, and what error may it have? What settings cost in time and bring in "
-         "accuracy is measured once on this finger's own pictures; then one answer stands here."));
-  measure_->setText(tr("&Measure what settings cost on this finger (about 12 s)"));
-  rate_label_->setText(tr("How many pictures per &second?"));
-  rate_->setAccessibleName(tr("How many pictures per second?"));
-  error_label_->setText(tr("What er&ror may it have?"));
-  error_->setAccessibleName(tr("What error may it have?"));
-  error_->setToolTip(tr("Of depth, where 95 % of all points lie within."));
+      tr("Set the required speed and error. The program measures once, on images of this finger, "
+         "what each setting costs in time and gains in accuracy. Then it shows one answer here."));
+  measure_->setText(tr("&Measure settings on this finger (about 12 s)"));
+  rate_label_->setText(tr("Images per &second"));
+  rate_->setAccessibleName(tr("Images per second"));
+  error_label_->setText(tr("Maximum er&ror"));
+  error_->setAccessibleName(tr("Maximum error"));
+  error_->setToolTip(tr("95 % of all points have a smaller depth error."));
   error_->setSuffix(tr(" mm"));
-  error_->setSpecialValueText(tr("as small as fits"));
-  as_calibrated_->setText(tr("As cali&brated again"));
+  error_->setSpecialValueText(tr("smallest possible"));
+  as_calibrated_->setText(tr("Restore as cali&brated"));
   tabs_->setTabText(0, tr("Figure"));
   tabs_->setTabText(1, tr("Table"));
   tabs_->setTabText(2, tr("Live, side by side"));
-  tabs_->tabBar()->setAccessibleName(tr("Figure, table or the live picture with two settings"));
+  tabs_->tabBar()->setAccessibleName(tr("Figure, table or the live image with two settings"));
   copy_->setText(tr("Copy &command"));
   command_->setAccessibleName(tr("The same as a command line"));
   bar_->setAccessibleName(tr("Progress of measuring"));
   stop_->setText(tr("Sto&p"));
-  stop_->setToolTip(tr("What was measured is kept; measuring goes on there another time."));
+  stop_->setToolTip(tr("Results so far are saved; measuring continues from there next time."));
   shown_.reset();
   show_run();
 }
@@ -255,7 +255,7 @@ void AccuracyPage::update_question() {
       !typed ? window_sentence(typed.error().what)
       : is_rate(*typed)
           ? QString()
-          : window_sentence(en::say("must be a whole number from {} to {}", kMinRate, kMaxRate));
+          : window_sentence(en::say("must be an integer from {} to {}", kMinRate, kMaxRate));
   rate_->setToolTip(refused);
   rate_->setAccessibleDescription(refused);
   if (!refused.isEmpty() && rate_->isVisible())
@@ -453,24 +453,25 @@ QString AccuracyPage::row_words(const StudyRow& row) const {
 
 QString AccuracyPage::figures_of(const StudyRow& row) const {
   QStringList clauses{
-      tr("%1 ms a picture; depth: half of all points within %2 mm, 95 % within %3 mm")
+      tr("%1 ms per image; depth: half of all points within %2 mm, 95 % within %3 mm")
           .arg(milliseconds(frame_ms(shown_->study, row)),
                millimetres(row.depth->median_mm),
                millimetres(error_p95_mm(shown_->study, row).value_or(row.depth->p95_mm)))};
-  if (row.position_mm) clauses << tr("place: half within %1 mm").arg(millimetres(*row.position_mm));
+  if (row.position_mm)
+    clauses << tr("position: half within %1 mm").arg(millimetres(*row.position_mm));
   return joined_clauses(clauses);
 }
 
 QString AccuracyPage::hint_of(const StudyRow& row) const {
   QStringList lines{figures_of(row)};
   if (!is_proven(row.settings, shown_->study.rows.front().settings))
-    lines << tr("What it loses is not in these pictures, whose light is that of the recording.");
+    lines << tr("These images cannot show its loss: their light is that of the recording.");
   const QString other = difference_words(row.settings, run_.settings_in_use());
   if (other.isEmpty()) {
     lines << tr("In use now.");
     return lines.join(QLatin1Char('\n'));
   }
-  lines << tr("Other than now: %1").arg(other);
+  lines << tr("Change from now: %1").arg(other);
   const auto in_use = run_.row_in_use();
   if (!in_use || !shown_->study.rows[*in_use].depth) return lines.join(QLatin1Char('\n'));
   const StudyRow& now = shown_->study.rows[*in_use];
@@ -480,7 +481,7 @@ QString AccuracyPage::hint_of(const StudyRow& row) const {
     lines << (more_ms < 0 ? tr("%1 ms faster than now") : tr("%1 ms slower than now"))
                  .arg(milliseconds(std::abs(more_ms)));
   if (std::abs(more_mm) > kMinReportedChange * now.depth->median_mm)
-    lines << (more_mm < 0 ? tr("%1 mm closer than now") : tr("%1 mm further off than now"))
+    lines << (more_mm < 0 ? tr("%1 mm more accurate than now") : tr("%1 mm less accurate than now"))
                  .arg(millimetres(std::abs(more_mm)));
   return lines.join(QLatin1Char('\n'));
 }
@@ -512,7 +513,7 @@ AccuracyPoint AccuracyPage::point_of(std::size_t number) const {
 QString AccuracyPage::study_obstacle() const {
   const FingerPtr& finger = run_.finger();
   if (folder_.empty()) return tr("Open a finger first.");
-  if (!finger) return tr("The finger is being read.");
+  if (!finger) return tr("The finger is being loaded.");
   if (!finger->mapping) return tr("Calibrate this finger first.");
   if (!finger->finger.reference) return tr("Record this finger's reference first.");
   return {};
@@ -541,7 +542,7 @@ void AccuracyPage::show_progress() {
   bar_->setValue(static_cast<int>(100 * run_.work().fraction()));
   const auto left = run_.work().seconds_left();
   left_->setText(left ? tr("about %n second(s) left", nullptr, static_cast<int>(std::ceil(*left)))
-                      : tr("measuring what settings cost…"));
+                      : tr("measuring the settings…"));
   more_->setEnabled(!is_running && study_obstacle().isEmpty());
 }
 
@@ -579,20 +580,20 @@ QString AccuracyPage::answer_note() const {
   const QString error = millimetres(question_.error_mm.value_or(0));
   switch (study_answer_->kind) {
     case StudyAnswerKind::kMostAccurate:
-      return tr("The most accurate of all that take at most %1 ms.").arg(budget);
+      return tr("The most accurate setting within %1 ms.").arg(budget);
     case StudyAnswerKind::kErrorMet:
-      return tr("The fastest that keeps 95 % of all points within %1 mm.").arg(error);
+      return tr("The fastest setting with 95 % of all points within %1 mm.").arg(error);
     case StudyAnswerKind::kErrorTooSmall:
-      return tr("No setting keeps %1 mm. This is the most accurate that takes at most %2 ms.")
+      return tr("No setting reaches %1 mm. This is the most accurate within %2 ms.")
           .arg(error, budget);
     case StudyAnswerKind::kErrorTooSlow:
-      return tr("Keeping %1 mm allows %2 pictures per second. This is the most accurate that is "
-                "fast enough.")
+      return tr("An error of %1 mm allows %2 images per second. This is the most accurate setting "
+                "that is fast enough.")
           .arg(error, rate_of(*study_answer_->within_error));
     case StudyAnswerKind::kTooSlow:
       break;
   }
-  return tr("No setting is so fast on this computer. This is the fastest: %1 pictures per second.")
+  return tr("No setting is that fast on this computer. This is the fastest: %1 images per second.")
       .arg(rate_of(study_answer_->row));
 }
 
@@ -605,7 +606,7 @@ void AccuracyPage::show_answer() {
     figures_->setText(as_sentence(with_capital(figures_of(shown_->study.rows[*row]))));
     note_->setText(answer_note());
   } else {
-    answer_->setText(shown_ ? tr("No setting measures this finger's pictures.") : QString());
+    answer_->setText(shown_ ? tr("No setting can measure this finger's images.") : QString());
     figures_->clear();
     note_->clear();
   }
@@ -619,8 +620,8 @@ void AccuracyPage::show_answer() {
   if (shown_) {
     const bool is_good = shown_->is_of_finger_now && shown_->is_of_this_computer;
     more_->setText(!is_good                  ? tr("&Measure again (about 12 s)")
-                   : !shown_->has_all_single ? tr("&Measure what is missing")
-                                             : tr("&Measure pairs of settings, too"));
+                   : !shown_->has_all_single ? tr("&Measure missing settings")
+                                             : tr("&Measure setting pairs, too"));
     more_->setVisible(!is_good || !shown_->has_all_pairs);
   }
   command_->setText(command_line());

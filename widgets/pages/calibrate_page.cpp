@@ -89,7 +89,7 @@ void CalibratePage::add_problems(std::vector<Problem>& problems) {
   const bool is_recorded = finger.finger->face.kind != FaceKind::kFinRay || finger.has_reference;
   if (!is_recorded || finger.finger->mapping) return;
   problems.push_back({Meaning::kDoubtful,
-                      tr("This finger is not calibrated yet, so that no depth is shown."),
+                      tr("This finger is not calibrated yet, so no depth is shown."),
                       tr("Calibrate it with ball presses."),
                       isVisible() ? QString() : tr("&Go to Calibrate"),
                       [this] { Q_EMIT page_requested(name()); }});

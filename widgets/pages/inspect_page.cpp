@@ -152,14 +152,14 @@ void InspectPage::connect_panes() {
 void InspectPage::name_parts() {
   live_->setText(tr("&Live finger"));
   video_->setText(tr("Vide&o…"));
-  folder_->setText(tr("Folder of p&ictures…"));
+  folder_->setText(tr("Folder of &images…"));
   shown_->setAccessibleName(tr("What is shown"));
   summary_->setAccessibleName(tr("Deepest contact"));
   saved_->setAccessibleName(tr("What was saved"));
   probe_->setAccessibleName(tr("Under the pointer"));
   contact_group_->setTitle(tr("Contact"));
   contact_->setToolTip(contact_words_help());
-  contact_->setAccessibleName(tr("What touches the finger"));
+  contact_->setAccessibleName(tr("Contacts on the finger"));
   show_frame();
 }
 
@@ -213,7 +213,7 @@ void InspectPage::set_point(QPointF pixel, bool is_second) {
   InspectOptions next = options_;
   (is_second ? next.b : next.a) = position;
   change_options(
-      next, [is_second] { return is_second ? tr("put point B") : tr("put point A"); }, -1);
+      next, [is_second] { return is_second ? tr("set point B") : tr("set point A"); }, -1);
 }
 
 /// The points do not apply to another finger.
@@ -238,7 +238,7 @@ void InspectPage::restore(const InspectOptions& options, std::size_t frame) {
   InspectOptions next = options;
   if (!VtkView::is_supported()) next.shown_as = ShownAs::kHeightMap;
   change_options(
-      next, [] { return tr("go on with what was inspected"); }, -1);
+      next, [] { return tr("continue the last inspection"); }, -1);
 }
 
 std::size_t InspectPage::frame_number() const {
@@ -341,7 +341,7 @@ void InspectPage::follow_contact() {
     played_.add(frame->result, recorded_s(*recording, frame->number));
     last_played_ = frame;
   }
-  contact_->setText(frame ? contact_words(frame->result, &touch_history()) : tr("No picture yet."));
+  contact_->setText(frame ? contact_words(frame->result, &touch_history()) : tr("No image yet."));
   force_->schedule_update();
 }
 
@@ -369,7 +369,7 @@ void InspectPage::choose_video() {
 }
 
 void InspectPage::choose_folder() {
-  auto* dialog = new QFileDialog(this, tr("Open a folder of pictures"));
+  auto* dialog = new QFileDialog(this, tr("Open a folder of images"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::Directory);
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& folder) {
@@ -566,7 +566,7 @@ void InspectPage::choose_pose(bool is_second) {
   connect(dialog, &GripperDialog::chosen, this, [this, folder, now](const Pose& chosen) {
     if (chosen == now) return;
     undo_.push(new ValueChange<Pose>(
-        [folder] { return tr("place %1 in the gripper").arg(text_of(folder.filename())); },
+        [folder] { return tr("pose of %1 in the gripper").arg(text_of(folder.filename())); },
         now,
         chosen,
         [this, folder](const Pose& requested) { pair_.set_pose(folder, requested); }));
@@ -582,9 +582,10 @@ bool InspectPage::is_joint_view() const {
 void InspectPage::show_second() {
   const auto& frame = pair_.second().frame();
   if (frame && frame->surface) return second_->show_frame(frame);
-  second_->show_message(frame                      ? tr("The face was not found in this picture.")
-                        : pair_.second().problem() ? tr("Nothing can be shown; above stands why.")
-                                                   : tr("The recording is being opened."));
+  second_->show_message(frame ? tr("The face was not found in this image.")
+                        : pair_.second().problem()
+                            ? tr("Nothing can be shown; the reason is above.")
+                            : tr("The recording is being opened."));
 }
 
 void InspectPage::add_pair_problems(std::vector<Problem>& problems) {
@@ -594,14 +595,13 @@ void InspectPage::add_pair_problems(std::vector<Problem>& problems) {
   for (const bool is_second : {false, true}) {
     const FingerMount* mount = pair_.mount(is_second);
     if (mount == nullptr || mount->gripper_from_camera) continue;
-    problems.push_back(
-        {Meaning::kDoubtful,
-         tr("Where the camera of %1 sits in the gripper is not known, so the two fingers are shown "
-            "each in its own camera's frame.")
-             .arg(pair_.name(is_second)),
-         tr("Tell its place and how it is turned."),
-         is_second ? tr("Place of &2…") : tr("Place of &1…"),
-         [this, is_second] { choose_pose(is_second); }});
+    problems.push_back({Meaning::kDoubtful,
+                        tr("The camera pose of %1 in the gripper is not known, so each finger is "
+                           "shown in its own camera's frame.")
+                            .arg(pair_.name(is_second)),
+                        tr("Enter its position and rotation."),
+                        is_second ? tr("Pose of &2…") : tr("Pose of &1…"),
+                        [this, is_second] { choose_pose(is_second); }});
   }
 }
 
@@ -656,9 +656,9 @@ QString InspectPage::title_of(bool is_second) const {
     if (is_second) return tr("Compared with: %1").arg(other);
     const Comparison comparison = options_.shown_comparison();
     return comparison == Comparison::kSideBySide   ? tr("Shown")
-           : comparison == Comparison::kDifference ? tr("Shown less: %1").arg(other)
+           : comparison == Comparison::kDifference ? tr("Shown minus: %1").arg(other)
            : inspection_.frame() && inspection_.frame()->bare
-               ? tr("Not calibrated yet: the shape of the whole finger, without depth")
+               ? tr("Not calibrated yet: the shape of the entire finger, without depth")
                : QString();
   }
   if (is_joint_view())
@@ -716,19 +716,19 @@ QString InspectPage::shown_text() const {
 QString InspectPage::empty_reason() const {
   const auto& frame = inspection_.frame();
   if (frame && !frame->is_calibrated)
-    return tr("The finger is not calibrated yet, so brightness cannot be told as depth.");
+    return tr("The finger is not calibrated yet, so brightness gives no depth.");
   if (frame && !frame->result.problems.empty())
     return window_sentence(frame->result.problems.front());
-  if (frame) return tr("The face was not found in this picture.");
+  if (frame) return tr("The face was not found in this image.");
   if (session_.status().finger.state == FingerState::kLoading)
     return tr("The finger is being loaded.");
-  if (inspection_.problem()) return tr("Nothing can be shown; above stands why.");
+  if (inspection_.problem()) return tr("Nothing can be shown; the reason is above.");
   if (!options_.recording.empty()) return tr("The recording is being opened.");
   const LiveStatus& status = session_.status();
   if (status.source.state == SourceState::kClosed)
     return tr("No source is open. Choose one above, or open a recording.");
-  if (!status.finger.finger) return tr("No finger is open. Open the one that is seen, above.");
-  return tr("Waiting for the first picture.");
+  if (!status.finger.finger) return tr("No finger is open. Open the visible finger above.");
+  return tr("Waiting for the first image.");
 }
 
 void InspectPage::show_probe() {
@@ -739,7 +739,7 @@ void InspectPage::show_probe() {
                         : std::nullopt;
   static_cast<ElidedLabel*>(probe_)->set_text(
       text ? joined_clauses({text->depth, text->position})
-           : tr("Point at the face: what lies there is told here."));
+           : tr("Point at the face to see its values here."));
   for (InspectPane* pane : {first_, second_})
     pane->show_at_pointer(
         text && pane->underMouse() ? text->depth + QLatin1Char('\n') + text->position : QString());

@@ -107,15 +107,14 @@ void LivePage::connect_choices() {
 }
 
 void LivePage::name_parts() {
-  overlay_group_->setTitle(tr("Over the picture"));
+  overlay_group_->setTitle(tr("Image overlays"));
   const std::array<QString, 5> names{tr("&Edges of the face"),
                                      tr("&Markers with numbers"),
                                      tr("Direction of &contact"),
                                      tr("&Depth in colours"),
                                      tr("&Too dark or too bright")};
   for (std::size_t i = 0; i < names.size(); ++i) choices_[i].box->setText(names[i]);
-  choices_[1].box->setToolTip(
-      tr("A ring: the marker is seen. A dashed diamond: its place is an estimate."));
+  choices_[1].box->setToolTip(tr("Ring: visible marker. Dashed diamond: estimated position."));
   choices_[4].box->setToolTip(
       tr("Stripes falling to the right: too bright to measure. "
          "Stripes falling to the left: too dark."));
@@ -126,8 +125,8 @@ void LivePage::name_parts() {
   lamp_group_->setTitle(tr("Lamp"));
   contact_group_->setTitle(tr("Contact"));
   contact_->setToolTip(contact_words_help());
-  contact_->setAccessibleName(tr("What touches the finger"));
-  times_group_->setTitle(tr("Time of a frame"));
+  contact_->setAccessibleName(tr("Contacts on the finger"));
+  times_group_->setTitle(tr("Time per frame"));
   show_status();
 }
 
@@ -209,7 +208,7 @@ void LivePage::show_status() {
   controls_->set_controls(status.controller.controls, status.controller.is_locked);
   const auto& view = session_.view();
   contact_->setText(view ? contact_words(view->result, &session_.touch_history())
-                         : tr("No picture yet."));
+                         : tr("No image yet."));
   force_->schedule_update();
   show_times();
 }
@@ -231,8 +230,8 @@ void LivePage::show_times() {
   add(tr("Depth"), times.local);
   add(tr("Contacts"), times.contact);
   add(tr("Force"), times.force);
-  add(tr("All together"), times.total);
-  times_->setText(rows.isEmpty() ? tr("No picture yet.")
+  add(tr("Total"), times.total);
+  times_->setText(rows.isEmpty() ? tr("No image yet.")
                                  : QStringLiteral("<table>%1</table>").arg(rows));
 }
 
@@ -304,18 +303,17 @@ QVBoxLayout* StartPanel::make_right() {
 }
 
 void StartPanel::name_parts() {
-  title_->setText(tr("What shall be shown?"));
-  intro_->setText(tr("Choose where pictures come from. A finger can be opened before or after."));
+  title_->setText(tr("Choose a source"));
+  intro_->setText(tr("The source supplies the images. Open a finger before or after."));
   try_->setText(tr("&Try with a simulated finger"));
   try_->setToolTip(
-      tr("A whole day in five minutes: record, press, calibrate and check a finger that is "
-         "computed"));
+      tr("A full day in five minutes: record, press, calibrate and check a simulated finger"));
   simulated_->setText(tr("&Simulated finger"));
   video_->setText(tr("&Video file…"));
-  folder_->setText(tr("Folder of &pictures…"));
+  folder_->setText(tr("Folder of &images…"));
   finger_->setText(tr("&Open a finger…"));
   all_->setText(tr("&All fingers…"));
-  all_->setToolTip(tr("What each is worth, and what is due, in one list"));
+  all_->setToolTip(tr("Verdict and due steps of each, in one list"));
   new_finger_->setText(tr("&New finger…"));
   sources_->setTitle(tr("Source"));
   fingers_->setTitle(tr("Finger"));

@@ -44,10 +44,10 @@ QLabel* wrapped_label() {
 }
 
 QString enough_text(const BendState& covered) {
-  const QString enough = RecordPage::tr("Enough: all directions are reached.");
+  const QString enough = RecordPage::tr("Enough: all directions reached.");
   if (covered.is_required(BendDirection::kTwistLeft)) return enough;
   return enough + QLatin1Char(' ') +
-         RecordPage::tr("It was not twisted; twist it, too, if it is in use.");
+         RecordPage::tr("It was not twisted; twist it, too, if it twists in use.");
 }
 
 std::filesystem::path path_of(const QString& text) {
@@ -190,30 +190,30 @@ void RecordPage::make_result_group(QVBoxLayout& column) {
 void RecordPage::name_parts() {
   coverage_group_->setTitle(tr("Bend it in all directions"));
   rest_->setText(tr("Set res&t pose"));
-  rest_->setToolTip(tr("The finger hangs free now: all bending is told from here."));
+  rest_->setToolTip(tr("Click when the finger hangs free; bending is measured from here."));
   rest_->setAccessibleDescription(rest_->toolTip());
   recording_group_->setTitle(tr("Recording"));
   file_group_->setTitle(tr("Files"));
-  result_group_->setTitle(tr("What was recorded"));
+  result_group_->setTitle(tr("Recorded video"));
   file_label_->setText(tr("&File"));
-  file_->setAccessibleName(tr("File to record to"));
+  file_->setAccessibleName(tr("Recording file"));
   browse_->setText(tr("&Choose…"));
   install_->setText(tr("&Install as this finger's reference"));
   keep_->setText(tr("&Keep for later"));
   keep_->setToolTip(tr("The video stays where it is, and the finger stays as it is."));
   again_->setText(tr("Record a&gain"));
   onward_->setText(tr("&Go to Calibrate"));
-  again_->setToolTip(tr("Puts this video into the waste bin and records another one."));
-  video_->setText(tr("Install a &video that is there…"));
+  again_->setToolTip(tr("Moves this video to the trash and records a new one."));
+  video_->setText(tr("Install an existing &video…"));
   stop_install_->setText(tr("&Stop"));
   stop_install_->setAccessibleDescription(tr("Stops the installation; nothing is changed."));
   bar_->setAccessibleName(tr("Progress of the installation"));
   rejected_->setAccessibleName(tr("Frames that were left out, with the reason"));
-  rejected_->setToolTip(tr("Tick frames that were untouched, and install again."));
+  rejected_->setToolTip(tr("Tick untouched frames, and install again."));
   skin_changed_->setText(tr("The &skin was changed since the last reference"));
   skin_changed_->setToolTip(
-      tr("It was cleaned, painted or replaced: the last reference then does not tell what pressed "
-         "on it."));
+      tr("If it was cleaned, painted or replaced, the last reference cannot show what pressed on "
+         "it."));
   list_rejected();
   show_status();
   show_coverage();
@@ -258,13 +258,13 @@ void RecordPage::show_coverage() {
   coverage_view_->show_coverage(covered);
   QStringList missing;
   for (const BendDirection direction : covered.missing()) missing << bend_direction_text(direction);
-  missing_->setText(covered.poses == 0  ? tr("The markers have to be seen to tell how it bends.")
+  missing_->setText(covered.poses == 0  ? tr("The markers must be visible to measure its bending.")
                     : missing.isEmpty() ? enough_text(covered)
                                         : tr("Still missing: %1.").arg(listed(missing)));
   rest_->setEnabled(covered.now.has_value());
   rest_note_->setText(coverage_.rest_is_set()
-                          ? tr("Bending is told from the rest pose that was set.")
-                          : tr("Bending is told from the middle of all poses."));
+                          ? tr("Bending is measured from the rest pose that was set.")
+                          : tr("Bending is measured from the middle of all poses."));
 }
 
 void RecordPage::start_or_stop() {
@@ -606,28 +606,28 @@ QString RecordPage::take_words(const RecordingStatus& recording) const {
                 nullptr,
                 static_cast<int>(dropped));
   if (const auto missing = recording.counts.missing; missing > 0)
-    lines << tr("%n frame(s) never came from the source.", nullptr, static_cast<int>(missing));
+    lines << tr("%n frame(s) did not arrive from the source.", nullptr, static_cast<int>(missing));
   if (recording.counts.dropped + recording.counts.missing == 0) lines << tr("No frame was lost.");
   if (contact_frames_ > 0)
     lines << tr(
-        "Touched in %n frame(s), which are left out.", nullptr, static_cast<int>(contact_frames_));
+        "%n frame(s) with contact are left out.", nullptr, static_cast<int>(contact_frames_));
   return lines.join(QLatin1Char('\n'));
 }
 
 QString RecordPage::judged_words() const {
   if (judge_.is_working()) {
     const auto left = judge_.work().seconds_left();
-    return left ? tr("What it would bring is being worked out, about %n second(s).",
+    return left ? tr("The expected error is being computed, about %n second(s).",
                      nullptr,
                      static_cast<int>(*left) + 1)
-                : tr("What it would bring is being worked out.");
+                : tr("The expected error is being computed.");
   }
   if (!judge_.judged() || report_) return {};
   const Result<ReferenceReport>& judged = judge_.judged()->report;
   if (!judged.ok())
     return tr("It cannot be installed: %1").arg(window_sentence(judged.error().what));
   const ReferenceReport& report = judged.value();
-  return tr("It would bring: half of the references off by less than %1 mm, 95 % by less than %2 "
+  return tr("Expected error: half of the references off by less than %1 mm, 95 % by less than %2 "
             "mm, from %n frame(s).",
             nullptr,
             report.frames_retained)
@@ -661,7 +661,7 @@ void RecordPage::show_recorded(const LiveStatus& status) {
   result_group_->setVisible(!recorded_.empty() || is_deferred);
   if (recorded_.empty() && !is_deferred) return;
   if (is_deferred) {
-    summary_->setText(tr("Kept: %1").arg(QString::fromStdString(deferred_.filename().string())));
+    summary_->setText(tr("Saved: %1").arg(QString::fromStdString(deferred_.filename().string())));
     summary_->setToolTip(QString::fromStdString(deferred_.string()));
     for (QWidget* widget : {static_cast<QWidget*>(install_),
                             static_cast<QWidget*>(keep_),
@@ -771,8 +771,8 @@ void RecordPage::show_progress(const RecordingStatus& recording) {
 QString RecordPage::install_obstacle(const LiveStatus& status) const {
   if (status.finger.folder.empty()) return tr("Open the finger that was recorded first.");
   if (status.finger.finger && status.finger.finger->face.kind == FaceKind::kFlat)
-    return tr("A flat sensor has one untouched picture instead of a recording.");
-  if (is_busy()) return is_installing() ? QString() : tr("A recording is under way.");
+    return tr("A flat sensor has one untouched image instead of a recording.");
+  if (is_busy()) return is_installing() ? QString() : tr("A recording is running.");
   return {};
 }
 
@@ -798,15 +798,14 @@ QString RecordPage::outcome_text() const {
   QStringList lines{
       tr("Installed: %1 of %n frame(s) are in the reference.", nullptr, report.frames_read)
           .arg(report.frames_retained),
-      tr("What it leaves open: half of the references made from it are off by less than %1 mm, 95 "
-         "% "
-         "by less than %2 mm.")
+      tr("Remaining error: half of the references made from it are off by less than %1 mm, 95 % by "
+         "less than %2 mm.")
           .arg(QLocale().toString(report.error_median_mm, 'f', 3),
                QLocale().toString(report.error_p95_mm, 'f', 3))};
   if (report.repeated > 0)
-    lines << tr("%n frame(s) showed a pose that others show as well.", nullptr, report.repeated);
+    lines << tr("%n frame(s) repeated a pose of other frames.", nullptr, report.repeated);
   if (!session_.status().finger.has_reference)
-    lines << tr("The finger is being read with its new reference.");
+    lines << tr("The finger is being loaded with its new reference.");
   if (!report.rejected.empty()) lines << tr("Left out, with the reason:");
   return lines.join(QLatin1Char('\n'));
 }
@@ -836,7 +835,7 @@ void RecordPage::add_recording_problems(const LiveStatus& status, std::vector<Pr
   if (lost > 0)
     note(Meaning::kBad,
          tr("%n frame(s) of this recording are lost.", nullptr, static_cast<int>(lost)),
-         tr("Try another disk, or a smaller picture."));
+         tr("Try another disk, or a smaller image."));
   add_contact_notes(status, problems);
   if (free_gb_ && *free_gb_ < kLittleSpace_gb)
     note(Meaning::kDoubtful,
@@ -847,9 +846,9 @@ void RecordPage::add_recording_problems(const LiveStatus& status, std::vector<Pr
       problems.push_back(Problem::of(Error{warning, "", ""}, Meaning::kDoubtful));
   if (!problem_image_.isNull())
     problems.push_back({Meaning::kDoubtful,
-                        tr("A picture shows what was found in the recording, and what was not."),
+                        tr("An image shows what was found in the recording, and what was not."),
                         {},
-                        tr("Show the picture"),
+                        tr("Show the image"),
                         [this] { show_problem_image(); }});
 }
 
@@ -857,20 +856,20 @@ void RecordPage::add_contact_notes(const LiveStatus& status, std::vector<Problem
   if (!session_.view()) return;
   if (is_in_contact_)
     problems.push_back({Meaning::kDoubtful,
-                        tr("The contact face is touched; such frames are left out."),
+                        tr("Something touches the contact face; such frames are left out."),
                         tr("Keep it free: bend the finger at its tip, its sides or its back."),
                         {},
                         {}});
   if (unknown_frames_ >= kMaxUnknownFrames)
     problems.push_back({Meaning::kDoubtful,
-                        tr("It cannot be seen whether the contact face is touched."),
+                        tr("It is unknown whether something touches the contact face."),
                         tr("Open the finger that belongs to this source, and keep both edges of "
-                           "its face in the picture."),
+                           "its face in the image."),
                         {},
                         {}});
   else if (!status.finger.has_reference && touch_ != FaceContact::kUnknown)
     problems.push_back({Meaning::kDoubtful,
-                        tr("Before there is a reference, touching is told from the frames before."),
+                        tr("Without a reference, contact is detected from the preceding frames."),
                         tr("Begin with nothing on the contact face."),
                         {},
                         {}});

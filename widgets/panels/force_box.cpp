@@ -55,9 +55,9 @@ ForceBox::ForceBox(std::function<ShownForce()> ask, QWidget* parent)
     setTitle(tr("Force"));
     take_zero_->setText(tr("Re-&zero"));
     no_zero_->setText(tr("&As measured"));
-    no_zero_->setToolTip(tr("Forces count from the model's own zero again."));
+    no_zero_->setToolTip(tr("Forces use the model's own zero again."));
     reading_->setAccessibleName(tr("Force now"));
-    zero_->setAccessibleName(tr("From which zero forces count"));
+    zero_->setAccessibleName(tr("Zero of the forces"));
     plot_->setAccessibleName(tr("Force over the last half minute"));
     draw();
   });
@@ -83,7 +83,7 @@ void ForceBox::draw() {
   const bool has_forces = shown.history != nullptr && shown.history->has_forces();
   const bool is_any = has_forces || shown.now;
   reading_->setToolTip(shown.now && !shown.now->in_range
-                           ? tr("The force model was trained with nothing like this picture.")
+                           ? tr("The force model was not trained on images like this one.")
                            : QString());
   reading_->setText(is_any ? reading_text(shown) : shown.why_none);
   plot_->setVisible(has_forces && shown.history->forces().size() > 1);  // a line needs two
@@ -95,14 +95,14 @@ void ForceBox::draw() {
     widget->setVisible(is_any);
   take_zero_->setEnabled(offered_zero_.has_value());
   no_zero_->setEnabled(shown.zero.has_value());
-  take_zero_->setToolTip(
-      !shown.is_live  ? tr("A recording is shown as it was measured.")
-      : offered_zero_ ? tr("The mean of the last half second counts as no force from now on.")
-                      : tr("There is no reading in range that could count as zero."));
+  take_zero_->setToolTip(!shown.is_live ? tr("A recording is shown as it was measured.")
+                         : offered_zero_
+                             ? tr("From now on, the mean of the last half second is the zero.")
+                             : tr("No reading in range can serve as zero."));
 }
 
 QString ForceBox::reading_text(const ShownForce& shown) const {
-  if (!shown.now) return tr("No force is told of this picture.");
+  if (!shown.now) return tr("No force is estimated for this image.");
   const auto zero = shown.zero ? std::optional(shown.zero->zero) : std::nullopt;
   const Force force = zeroed(*shown.now, zero);
   static const std::array kNames{QStringLiteral("Fx"), QStringLiteral("Fy"), QStringLiteral("Fz")};
@@ -125,9 +125,8 @@ QString ForceBox::zero_text(const ShownForce& shown) const {
   if (!shown.zero) return tr("Zero: the model's own.");
   const ForceZero& zero = shown.zero->zero;
   const QString since = QLocale().toString(shown.zero->since.time(), QStringLiteral("HH:mm:ss"));
-  return zero.has_contact
-             ? tr("Zero: the reading of %1, while something touched the finger.").arg(since)
-             : tr("Zero: the reading of %1.").arg(since);
+  return zero.has_contact ? tr("Zero: the reading of %1, with the finger in contact.").arg(since)
+                          : tr("Zero: the reading of %1.").arg(since);
 }
 
 namespace {

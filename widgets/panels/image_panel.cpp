@@ -81,14 +81,14 @@ ImagePanel::ImagePanel(LiveSession& session, QWidget* parent)
     };
     name(zoom_in_, tr("Zoom in"), QStringLiteral("+"));
     name(zoom_out_, tr("Zoom out"), QStringLiteral("-"));
-    name(fit_, tr("Show the whole picture"), QStringLiteral("0"));
-    name(actual_, tr("Show the picture in its own size"), QStringLiteral("1"));
+    name(fit_, tr("Show the entire image"), QStringLiteral("0"));
+    name(actual_, tr("Show the image at original size"), QStringLiteral("1"));
     actual_->setText(tr("1:1"));
-    freeze_->setAccessibleName(tr("Freeze the picture"));
-    freeze_->setToolTip(tr("Freeze: keep looking at this picture; measuring goes on"));
-    snapshot_->setAccessibleName(tr("Save the picture"));
-    snapshot_->setToolTip(tr("Save the picture, with or without what is drawn over it"));
-    readout_->setAccessibleName(tr("Under the probe"));
+    freeze_->setAccessibleName(tr("Freeze the image"));
+    freeze_->setToolTip(tr("Freeze this image; measuring continues"));
+    snapshot_->setAccessibleName(tr("Save the image"));
+    snapshot_->setToolTip(tr("Save the image, with or without its overlays"));
+    readout_->setAccessibleName(tr("Values at the probe"));
     zoom_->setAccessibleName(tr("Zoom"));
     show_state();
     show_readout();
@@ -165,11 +165,11 @@ QString ImagePanel::message() const {
     case SourceState::kOpening:
       return tr("The source is being opened.");
     case SourceState::kFailed:
-      return tr("The source could not be opened; above stands why.");
+      return tr("The source could not be opened; the reason is above.");
     case SourceState::kClosed:
       return tr("No source is open. Choose a camera, a recording or the simulated finger.");
     default:
-      return tr("Waiting for the first picture.");
+      return tr("Waiting for the first image.");
   }
 }
 
@@ -219,11 +219,11 @@ namespace {
 struct SnapshotWords {
   Q_DECLARE_TR_FUNCTIONS(alltact::SnapshotWords)
  public:
-  static QString title() { return tr("Save the picture"); }
-  static QString drawn() { return tr("As it is shown (*.png)"); }
-  static QString bare() { return tr("The camera's picture alone (*.png)"); }
+  static QString title() { return tr("Save the image"); }
+  static QString drawn() { return tr("As shown (*.png)"); }
+  static QString bare() { return tr("Only the camera's image (*.png)"); }
   static QString failed(const QString& file) {
-    return tr("%1 could not be written. Choose another folder, or make room on the disk.")
+    return tr("%1 could not be written. Choose another folder, or free some disk space.")
         .arg(QDir::toNativeSeparators(file));
   }
 };

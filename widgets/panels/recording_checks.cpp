@@ -86,14 +86,13 @@ void RigCheckBox::show_findings(const std::vector<RigFinding>& findings,
     QStringList names;
     for (const CameraControl& control : automatic_modes_on(controls))
       names << control_name(control);
-    lines.push_back(
-        {names.isEmpty() ? Meaning::kGood : Meaning::kBad,
-         true,
-         names.isEmpty()
-             ? tr("Camera: nothing sets itself.")
-             : tr("Camera: %1 is on and changes the brightness that is measured. Lock brightness "
-                  "in Live, or switch it off there.")
-                   .arg(listed(names))});
+    lines.push_back({names.isEmpty() ? Meaning::kGood : Meaning::kBad,
+                     true,
+                     names.isEmpty()
+                         ? tr("Camera: all modes are manual.")
+                         : tr("Camera: %1 is on and changes the measured brightness. Lock "
+                              "brightness on the Live page, or switch it off there.")
+                               .arg(listed(names))});
   }
   const bool is_other_count = lines.size() != shown_.size();
   if (lines == lines_ && !is_other_count) return show_fold();
@@ -139,9 +138,9 @@ void RigCheckBox::show_fold() {
   const auto count = std::count_if(lines_.begin(), lines_.end(), [](const Line& line) {
     return line.is_known && line.meaning != Meaning::kGood;
   });
-  fold_->setText(
-      count > 0 ? tr("Before the first recording: %n to mend", nullptr, static_cast<int>(count))
-                : tr("Before the first recording"));
+  fold_->setText(count > 0
+                     ? tr("Before the first recording: %n to fix", nullptr, static_cast<int>(count))
+                     : tr("Before the first recording"));
   fold_->setArrowType(fold_->isChecked() ? Qt::DownArrow : Qt::RightArrow);
   rows_->setVisible(fold_->isChecked());
 }
@@ -199,8 +198,8 @@ void CoverageView::describe() {
   for (const BendDirection direction : coverage_.missing())
     missing << bend_direction_text(direction);
   set_accessible_description(*this,
-                             coverage_.poses == 0 ? tr("No pose has been seen yet.")
-                             : missing.isEmpty()  ? tr("Enough: all directions are reached.")
+                             coverage_.poses == 0 ? tr("No pose seen yet.")
+                             : missing.isEmpty()  ? tr("Enough: all directions reached.")
                                                   : tr("Missing: %1.").arg(listed(missing)));
 }
 
@@ -383,7 +382,7 @@ JudgedTake judge_take(const ReferenceInstaller& installer,
   };
   std::error_code failed;
   if (!copy->isValid())
-    return judged(Error{en::say("there is no room to try the recording in"),
+    return judged(Error{en::say("there is no space to try the recording"),
                         fs::temp_directory_path(failed).string(),
                         en::say("freeing some space on the disk")});
   auto finger_yaml = read_file(finger / Finger::kFileName);

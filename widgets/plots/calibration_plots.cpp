@@ -79,9 +79,9 @@ bool MappingPlot::draw() {
     deepest = std::max(deepest, point.depth_mm);
     darkest = std::max(darkest, point.x);
   }
-  chart().xAxis->setLabel(data_.is_small
-                              ? tr("Brightness difference x (no unit)")
-                              : tr("Brightness difference x (share of the untouched brightness)"));
+  chart().xAxis->setLabel(
+      data_.is_small ? tr("Brightness difference x (no unit)")
+                     : tr("Brightness difference x (fraction of the untouched brightness)"));
   chart().yAxis->setLabel(data_.is_small               ? tr("Depth (mm)")
                           : data_.depth_axis.isEmpty() ? tr("Press depth (mm)")
                                                        : data_.depth_axis);
@@ -118,7 +118,7 @@ class PowersOfTen final : public QCPAxisTickerLog {
 }  // namespace
 
 ConvergencePlot::ConvergencePlot(QWidget* parent) : Plot(parent) {
-  setAccessibleName(tr("How the solution settles"));
+  setAccessibleName(tr("Convergence of the solution"));
 }
 
 void ConvergencePlot::set_rounds(const std::vector<Round>& rounds) {
@@ -126,13 +126,13 @@ void ConvergencePlot::set_rounds(const std::vector<Round>& rounds) {
   rounds_ = rounds;
   if (!rounds_.empty())
     setAccessibleDescription(
-        tr("After %n round(s) %1 mm are left.", "", static_cast<int>(rounds_.size()))
+        tr("Residual after %n round(s): %1 mm.", "", static_cast<int>(rounds_.size()))
             .arg(QLocale().toString(rounds_.back().residual_mm, 'f', 4)));
   rebuild();
 }
 
 QString ConvergencePlot::empty_text() const {
-  return tr("The solution has not begun to settle yet");
+  return tr("Convergence has not started yet");
 }
 
 void ConvergencePlot::draw_residual() {
@@ -142,11 +142,11 @@ void ConvergencePlot::draw_residual() {
     line->addData(static_cast<double>(i + 1), rounds_[i].residual_mm);
     most = std::max(most, rounds_[i].residual_mm);
   }
-  line->setName(tr("Left over"));
+  line->setName(tr("Residual"));
   line->setPen(QPen(series_colour(0, palette()), 2));
   line->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, series_colour(0, palette()), 6));
   chart().yAxis->setRange(0, most > 0 ? 1.25 * most : 1);
-  chart().yAxis->setLabel(tr("Left over (mm)"));
+  chart().yAxis->setLabel(tr("Residual (mm)"));
 }
 
 void ConvergencePlot::draw_change() {
@@ -160,7 +160,7 @@ void ConvergencePlot::draw_change() {
     least = std::min(least, change);
     most = std::max(most, change);
   }
-  line->setName(tr("Still moves"));
+  line->setName(tr("Change"));
   line->setPen(QPen(series_colour(1, palette()), 2, Qt::DashLine));
   line->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssSquare, series_colour(1, palette()), 6));
   axis.setTicks(true);
@@ -169,7 +169,7 @@ void ConvergencePlot::draw_change() {
   axis.setTicker(QSharedPointer<PowersOfTen>::create());
   axis.setRange(std::pow(10, std::floor(std::log10(least))),
                 std::pow(10, std::ceil(std::log10(most) + 0.5)));
-  axis.setLabel(tr("Unknowns still move by (mm)"));
+  axis.setLabel(tr("Change of the unknowns (mm)"));
 }
 
 bool ConvergencePlot::draw() {
@@ -203,7 +203,7 @@ void HistogramPlot::set_data(std::vector<double> errors_mm, const QString& axis)
   error_95_mm_ =
       sizes.empty() ? 0.0
                     : sizes[static_cast<std::size_t>(0.95 * static_cast<double>(sizes.size() - 1))];
-  setAccessibleName(tr("Spread of the errors"));
+  setAccessibleName(tr("Distribution of errors"));
   setAccessibleDescription(tr("95 % of the errors are below %1 mm.").arg(error_95_mm_, 0, 'f', 3));
   rebuild();
 }

@@ -65,7 +65,7 @@ std::optional<std::size_t> FaceMapPlot::contact_at(const QPointF& pixel) const {
 }
 
 QString FaceMapPlot::empty_text() const {
-  return tr("Nothing is known of the face yet");
+  return tr("No data for the face yet");
 }
 
 void FaceMapPlot::draw_cells() {
@@ -166,7 +166,7 @@ bool FaceMapPlot::draw() {
   draw_cells();
   draw_contacts();
   chart().xAxis->setLabel(data_.has_base ? tr("Along the finger, from the base (mm)")
-                                         : tr("Along the picture, from the left (mm)"));
+                                         : tr("Along the image, from the left (mm)"));
   chart().yAxis->setLabel(tr("Across (mm)"));
   chart().yAxis->setRangeReversed(true);  // as in the image, v grows downwards
   chart().xAxis->grid()->setVisible(false);

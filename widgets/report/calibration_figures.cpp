@@ -18,9 +18,9 @@ QString title_of(FaceQuantity quantity) {
     case FaceQuantity::kResidual:
       return QCoreApplication::translate("Figures", "Mapping minus ball (mm)");
     case FaceQuantity::kHeldOut:
-      return QCoreApplication::translate("Figures", "Error of the press (mm)");
+      return QCoreApplication::translate("Figures", "Press error (mm)");
     case FaceQuantity::kDepthSd:
-      return QCoreApplication::translate("Figures", "Depth's sd (mm)");
+      return QCoreApplication::translate("Figures", "Depth SD (mm)");
     case FaceQuantity::kCoverage:
       break;
   }

@@ -270,7 +270,7 @@ void ReportPages::add_verdict() {
   for (const Message& finding : findings_of(worth, calibration_.contradictions))
     lines << sentence(finding);
   if (!worth.cause.empty()) lines << sentence(worth.cause);
-  if (!worth.rests_on.empty()) lines << text("It rests on: %1.").arg(as_text(worth.rests_on));
+  if (!worth.rests_on.empty()) lines << text("Based on: %1.").arg(as_text(worth.rests_on));
   const QString grade = phrase(word_of(worth.grade));
   document_.box(error ? text("%1, ±%2 mm").arg(grade, mm(*error)) : grade,
                 lines.join('\n'),
@@ -709,7 +709,7 @@ void ReportPages::add_presses() {
                     {text("none"), {}, 0},
                     {percent(press->second->sign.light_change), {}, 0}});
   }
-  document_.image_table({text("Picture"),
+  document_.image_table({text("Image"),
                          text("Press"),
                          text("Depth (mm)"),
                          text("With this press (mm)"),
@@ -750,7 +750,7 @@ void ReportPages::add_left_out() {
   if (rows.empty() && reasons.isEmpty()) return;
   document_.new_page();
   document_.heading(text("Presses that were left out"));
-  if (!rows.empty()) document_.image_table({text("Picture"), text("Press"), text("Why")}, rows, {});
+  if (!rows.empty()) document_.image_table({text("Image"), text("Press"), text("Why")}, rows, {});
   if (!reasons.isEmpty()) document_.list(reasons);
 }
 

@@ -596,7 +596,7 @@ Result<OffscreenScene> OffscreenScene::create(cv::Size size_px, double pixels_pe
   if (!state->context.make_current()) {
     return Error{en::say("this computer cannot draw in 3D: there is no EGL with OpenGL 3.2"),
                  "",
-                 en::say("installing libegl1 and libgl1-mesa-dri, which draw in software")};
+                 en::say("installing libegl1 and libgl1-mesa-dri, which render in software")};
   }
   RenderWindow* window = state->window;
   observe(window,

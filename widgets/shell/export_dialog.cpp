@@ -85,8 +85,7 @@ ExportDialog::ExportDialog(const fs::path& finger, QWidget* parent)
   });
   say([this] {
     setWindowTitle(tr("Export finger"));
-    intro_->setText(
-        tr("What finger %1 has learnt, for other programs.").arg(text_of(finger_.filename())));
+    intro_->setText(tr("Data of finger %1, for other programs.").arg(text_of(finger_.filename())));
     show_verdict();
     name_forms();
     folder_label_->setText(tr("&Folder for the files"));
@@ -177,18 +176,18 @@ void ExportDialog::name_forms() {
       case ExportForm::kRos:
         name = tr("&ROS: camera_info.yaml and parameters.yaml");
         what_for =
-            tr("The camera as drivers and image_pipeline read it; face, markers and mapping "
+            tr("The camera in the format of drivers and image_pipeline; face, markers and mapping "
                "as parameters of a ROS 2 node.");
         break;
       case ExportForm::kJson:
         name = tr("&JSON: calibration.json");
-        what_for = tr("All figures in one file, for programs of your own.");
+        what_for = tr("All values in one file, for your own programs.");
         break;
       case ExportForm::kZip:
-        name = tr("&Whole finger: finger.zip");
+        name = tr("E&ntire finger: finger.zip");
         what_for =
-            tr("Every file of the finger, its untouched pictures too: to keep, to send, and "
-               "to measure with in Python.");
+            tr("All files of the finger, with its untouched images: to archive, to send, and to "
+               "measure with in Python.");
         break;
     }
     form.check_box->setText(name);
@@ -235,8 +234,8 @@ void ExportDialog::show_running(bool is_running) {
 void ExportDialog::write() {
   const fs::path folder = folder_->text().trimmed().toStdString();
   std::vector<Problem> problems;
-  if (forms().empty()) problems.push_back({Meaning::kBad, tr("Nothing is chosen."), {}, {}});
-  if (folder.empty()) problems.push_back({Meaning::kBad, tr("No folder is named."), {}, {}});
+  if (forms().empty()) problems.push_back({Meaning::kBad, tr("Nothing is selected."), {}, {}});
+  if (folder.empty()) problems.push_back({Meaning::kBad, tr("No folder is chosen."), {}, {}});
   outcome_->set_problems(problems);
   if (!problems.empty()) return;
   show_running(true);

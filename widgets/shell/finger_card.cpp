@@ -114,7 +114,7 @@ Headline headline_of(const FingerCard& card) {
     return headline_of(Grade::kUnfit, 0, card.must_repeat, card.reference);
   const bool is_new = card.due == FingerDue::kRecording || card.due == FingerDue::kCalibration;
   return {is_new ? FingerCards::tr("Not calibrated yet")
-                 : FingerCards::tr("Calibrated; how well is not kept"),
+                 : FingerCards::tr("Calibrated; quality not stored"),
           Meaning::kDoubtful};
 }
 
@@ -156,7 +156,7 @@ QString due_text(const FingerCard& card) {
     case FingerDue::kMorePresses:
       return FingerCards::tr("Due: a check");
     case FingerDue::kInspect:
-      return FingerCards::tr("Drifting: look at the last check");
+      return FingerCards::tr("Drifting: see the last check");
     case FingerDue::kCalibrateAgain:
     case FingerDue::kRepeat:
       return FingerCards::tr("Due: calibrate it again");
@@ -178,7 +178,7 @@ QString summary_of(const FingerCard& card, const std::string& now) {
   if (!made.isEmpty()) parts << FingerCards::tr("calibrated %1").arg(made);
   const QString checked = age_in_days(card.checked_on, now);
   if (!checked.isEmpty())
-    parts << FingerCards::tr("checked %1, %2 off").arg(checked, in_mm(card.checked_mm));
+    parts << FingerCards::tr("checked %1, error %2").arg(checked, in_mm(card.checked_mm));
   parts << due_text(card);
   return parts.join(QString::fromUtf8(" \u00b7 "));
 }
@@ -432,14 +432,14 @@ FingerListDialog::FingerListDialog(std::vector<fs::path> known, QWidget* parent)
     setWindowTitle(tr("All fingers"));
     list_->setAccessibleName(tr("Fingers"));
     list_->setHeaderLabels({tr("Finger"),
-                            tr("Worth"),
+                            tr("Quality"),
                             tr("Error, mm"),
                             tr("Calibrated"),
                             tr("Checked"),
                             tr("Due"),
                             tr("Folder")});
     open_->setText(tr("&Open"));
-    folder_->setText(tr("&Look into another folder…"));
+    folder_->setText(tr("&Look in another folder…"));
     buttons_->button(QDialogButtonBox::Close)->setText(tr("&Close"));
     fill();
   });
@@ -484,9 +484,9 @@ void FingerListDialog::fill() {
     return card.due != FingerDue::kNothing;
   });
   count_->setText(reading_.is_running()
-                      ? tr("Looking at the fingers' folders…")
+                      ? tr("Reading the fingers' folders…")
                       : tr("%n finger(s), ", nullptr, static_cast<int>(cards_.size())) +
-                            tr("something is due with %n", nullptr, static_cast<int>(due)));
+                            tr("%n with something due", nullptr, static_cast<int>(due)));
   if (!cards_.empty()) list_->setCurrentItem(list_->topLevelItem(0));
   follow_choice();
 }
@@ -496,7 +496,7 @@ void FingerListDialog::follow_choice() {
 }
 
 void FingerListDialog::choose_folder() {
-  auto* dialog = new QFileDialog(this, tr("Folder with fingers in it"));
+  auto* dialog = new QFileDialog(this, tr("Folder with fingers"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::Directory);
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& folder) {

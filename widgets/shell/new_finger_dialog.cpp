@@ -64,14 +64,14 @@ NewFingerDialog::NewFingerDialog(FingerMaker maker, QWidget* parent)
     setWindowTitle(tr("New finger"));
     intro_->setText(
         tr("Measure width and layer with a caliper, and count the dots. The camera file comes from "
-           "the lens calibration, the first step of Calibrate."));
+           "the lens calibration, the first step of the Calibrate page."));
     const auto name = [this](QWidget* field, QWidget* focus, const QString& text) {
       auto* label = qobject_cast<QLabel*>(form_->labelForField(field));
       label->setText(text);
       label->setBuddy(focus);
       focus->setAccessibleName(QString(text).remove(QLatin1Char('&')));
     };
-    name(folder_row_, folder_, tr("&Folder to make"));
+    name(folder_row_, folder_, tr("New &folder"));
     name(camera_row_, camera_, tr("&Camera file"));
     name(kind_, kind_, tr("&Kind"));
     name(width_, width_, tr("&Width of the face"));
@@ -81,9 +81,9 @@ NewFingerDialog::NewFingerDialog(FingerMaker maker, QWidget* parent)
     name(polarity_, polarity_, tr("Dots &are"));
     kind_->setItemText(0, tr("Fin Ray finger: its shape is read from the face's edges"));
     kind_->setItemText(1, tr("Flat, rigid sensor"));
-    polarity_->setItemText(0, tr("found out by the reference recording"));
-    polarity_->setItemText(1, tr("brighter than around them"));
-    polarity_->setItemText(2, tr("darker than around them"));
+    polarity_->setItemText(0, tr("detected in the reference recording"));
+    polarity_->setItemText(1, tr("brighter than surroundings"));
+    polarity_->setItemText(2, tr("darker than surroundings"));
     for (NumberField* field : {width_, layer_, plane_}) field->setSuffix(tr(" mm"));
     choose_folder_->setText(tr("Choose…"));
     choose_camera_->setText(tr("Choose…"));
@@ -145,7 +145,7 @@ void NewFingerDialog::show_kind() {
 }
 
 void NewFingerDialog::choose_folder() {
-  auto* dialog = new QFileDialog(this, tr("Folder to make"), folder_->text());
+  auto* dialog = new QFileDialog(this, tr("New folder"), folder_->text());
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   connect(dialog, &QFileDialog::fileSelected, folder_, &QLineEdit::setText);
@@ -171,11 +171,12 @@ void NewFingerDialog::make() {
   per_row_->interpretText();
   const NewFinger finger = description();
   std::vector<Problem> problems;
-  if (finger.finger.empty()) problems.push_back({Meaning::kBad, tr("No folder is named."), {}, {}});
+  if (finger.finger.empty())
+    problems.push_back({Meaning::kBad, tr("No folder is chosen."), {}, {}});
   if (finger.camera.empty())
     problems.push_back({Meaning::kBad,
-                        tr("No camera file is named."),
-                        tr("The first step of Calibrate makes one."),
+                        tr("No camera file is specified."),
+                        tr("The first step of the Calibrate page creates it."),
                         {}});
   problems_->set_problems(problems);
   if (!problems.empty()) return;

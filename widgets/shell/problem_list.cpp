@@ -221,7 +221,7 @@ void ProblemList::show_fold() {
   if (fold_ == nullptr) return;
   const int others = static_cast<int>(shown().size()) - 1;
   fold_->setText(is_unfolded_ || others == 0 ? QString() : tr("%n more", nullptr, others));
-  const QString name = is_unfolded_ ? tr("Show the newest alone") : tr("Show all in full");
+  const QString name = is_unfolded_ ? tr("Show only the newest") : tr("Show all in full");
   fold_->setToolTip(name);
   fold_->setAccessibleName(name);
   fold_->setVisible(is_unfolded_ || others > 0 || (line_ != nullptr && line_->is_elided()));

@@ -53,14 +53,14 @@ SettingsDialog::SettingsDialog(const Appearance& now, Pedal* pedal, QWidget* par
     language_label_->setText(tr("&Language"));
     theme_->setAccessibleName(tr("Appearance"));
     language_->setAccessibleName(tr("Language"));
-    theme_->setItemText(0, tr("As the system"));
+    theme_->setItemText(0, tr("Follow system"));
     theme_->setItemText(1, tr("Light"));
     theme_->setItemText(2, tr("Dark"));
     theme_->setItemText(3, tr("High contrast"));
-    language_->setItemText(0, tr("As the system"));
+    language_->setItemText(0, tr("Follow system"));
     pedal_label_->setText(tr("&Foot pedal"));
     forget_->setText(tr("&None"));
-    forget_->setToolTip(tr("Listens to no pedal any more."));
+    forget_->setToolTip(tr("Stops using the pedal."));
     show_pedal();
     buttons_->button(QDialogButtonBox::Close)->setText(tr("&Close"));
   });
@@ -98,9 +98,9 @@ void SettingsDialog::show_pedal() {
   learn_->setAccessibleName(is_learning ? tr("Stop learning the foot pedal")
                                         : tr("Learn the foot pedal by pressing it"));
   forget_->setEnabled(is_chosen && !is_learning);
-  QString text = tr("None. A pedal takes presses in Calibrate, and starts and stops in Record.");
+  QString text = tr("None. A pedal takes presses on Calibrate; on Record it starts and stops.");
   if (is_chosen) text = QString::fromStdString(pedal_->button()->device);
-  if (is_chosen && pedal_->problem()) text = tr("%1: not heard now").arg(text);
+  if (is_chosen && pedal_->problem()) text = tr("%1: no signal").arg(text);
   if (pedal_ != nullptr && !pedal_->learning_text().isEmpty() && (is_learning || !is_chosen))
     text = pedal_->learning_text();
   pedal_text_->setText(text);

@@ -100,19 +100,18 @@ FingerContact finger_contact(const ContactEvidence& evidence,
   } else if (contact.face != PushedFace::kContact) {
     if (contact.face != PushedFace::kBack)
       contact.no_position = en::say(
-          "the markers tell from which side the finger is pushed, but not how far from its base: a "
+          "the markers show from which side the finger is pushed, but not how far from its base: a "
           "push on a side moves them alike wherever it is");
     else if (is_pushed && evidence.along_back)
       contact.position = position_of_push(*evidence.along_back, shape);
     else
       contact.no_position = en::say(
-          "the push on the back moves the markers too little, or bends the finger too far, to tell "
-          "how far from the base it is");
+          "the push on the back moves the markers too little, or bends the finger too far, to "
+          "estimate its distance from the base");
   } else if (evidence.regions == nullptr) {
-    contact.no_position = en::say("without a depth there is no place on the contact face");
+    contact.no_position = en::say("without a depth there is no position on the contact face");
   } else {
-    contact.no_position =
-        en::say("nothing is seen to be pressed into the part of the contact face in view");
+    contact.no_position = en::say("nothing presses into the visible part of the contact face");
   }
   return contact;
 }

@@ -31,11 +31,10 @@ Result<FaceEdges> FaceEdgeFinder::operator()(const cv::Mat& grey) const {
   CV_Assert(grey.type() == CV_8UC1);
   FaceEdges edges;
   edges.noise_sd = image_noise_sd(grey);
-  const Error lost{
-      en::say("the two long edges of the face were not found"),
-      en::say("the picture"),
-      en::say("light the finger as in its recording, and check that the picture shows the face "
-              "from base to tip with the finger's length along the picture's width")};
+  const Error lost{en::say("the two long edges of the face were not found"),
+                   en::say("the image"),
+                   en::say("light the finger as in its recording; check that the image shows the "
+                           "face from base to tip, with the finger along the image's width")};
   const auto rough = find_rough_edges(grey, edges.noise_sd);
   if (!rough) return lost;
   edges.bright_inside = rough->bright_inside;

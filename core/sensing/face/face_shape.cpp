@@ -28,12 +28,10 @@ double outermost(const FaceEnd& end, double upper_v, double lower_v, int outward
 }
 
 Error no_shape(Message what) {
-  return {
-      std::move(what),
-      en::say("the face's edges"),
-      en::say(
-          "a picture in which both long edges of the bright face are visible and lit evenly; check "
-          "that the lamps are on and that the lens is clean")};
+  return {std::move(what),
+          en::say("the face's edges"),
+          en::say("an image in which both long edges of the bright face are visible and lit "
+                  "evenly; check that the lamps are on and that the lens is clean")};
 }
 
 }  // namespace

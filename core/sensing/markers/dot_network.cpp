@@ -40,7 +40,7 @@ class QuietOpenCv {
 Error unusable(Message what, const std::filesystem::path& onnx) {
   return Error{std::move(what),
                onnx,
-               en::say("a network exported with fixed sizes, one picture at a time and opset 11 or "
+               en::say("a network exported with fixed sizes, one image at a time and opset 11 or "
                        "12, or --marker-network own")};
 }
 
@@ -100,12 +100,12 @@ Result<cv::Mat> DotNetwork::Impl::run(const cv::Mat& input) {
       outputs.begin(), outputs.end(), [&](const cv::Mat& m) { return is_output(m, input); });
   if (output == outputs.end())
     return unusable(
-        en::say("this network makes {} of {}, which are neither dots nor boxes",
+        en::say("this network outputs {} for {}, which are neither dots nor boxes",
                 outputs.empty() ? std::string("nothing") : shape_text(shape_of(outputs.front())),
                 shape_text(shape_of(input))),
         onnx);
   if (!is_finite(*output))
-    return unusable(en::say("this network gives numbers that are not finite"), onnx);
+    return unusable(en::say("this network outputs numbers that are not finite"), onnx);
   return *output;
 }
 
@@ -114,12 +114,12 @@ Status DotNetwork::Impl::check() {
   const auto expected = NetworkCheck::load(yaml.replace_extension(".yaml"));
   if (!expected) return expected.error();
   if (kind == NetworkKind::kDots && !*expected)
-    return Error{en::say("the file that says what this network must give is not there"),
+    return Error{en::say("the file with this network's expected output is missing"),
                  yaml,
-                 en::say("training it again, which writes both")};
+                 en::say("training it again, which writes both files")};
   const cv::Size own = *expected ? (*expected)->image_size : size;
   if (kind == NetworkKind::kBoxes && own != size)
-    return Error{en::say("the picture must be as large as what the network takes, {} x {}",
+    return Error{en::say("the image must have the size of the network's input, {} x {}",
                          size.width,
                          size.height),
                  yaml,
@@ -140,7 +140,7 @@ Result<DotNetwork> DotNetwork::load(const std::filesystem::path& onnx) {
   if (header->inputs.size() != 1 || in.size() != 4 || !is_fixed || in[0] != 1 ||
       (in[1] != 1 && in[1] != 3) || std::min(in[2], in[3]) < kMinSide ||
       std::max(in[2], in[3]) > kMaxInputSide)
-    return unusable(en::say("this network takes {}, not one picture of 1 or 3 channels and a fixed "
+    return unusable(en::say("this network takes {}, not one image of 1 or 3 channels and a fixed "
                             "size of {} to {} px a side",
                             shape_text(in),
                             kMinSide,
@@ -163,7 +163,7 @@ Result<DotNetwork> DotNetwork::load(const std::filesystem::path& onnx) {
     impl->net.enableFusion(impl->kind == NetworkKind::kDots);
   } catch (const std::exception&) {
     return unusable(
-        en::say("OpenCV cannot read this network (opset {}; it knows those up to 12 well)",
+        en::say("OpenCV cannot read this network (opset {}; it supports those up to 12 well)",
                 header->opset),
         onnx);
   }
@@ -212,15 +212,15 @@ Status NetworkCheck::holds(const cv::Mat& got, const std::filesystem::path& onnx
   };
   if (count != output.size())
     return refused(
-        en::say("the network gives {} numbers where its .yaml has {}", count, output.size()));
+        en::say("the network outputs {} numbers where its .yaml has {}", count, output.size()));
   const auto* values = got.ptr<float>();
   double max_error = 0;
   for (std::size_t k = 0; k < count; ++k)
     max_error = std::max(max_error, std::abs(static_cast<double>(values[k * step]) - output[k]));
   if (max_error <= tolerance) return {};
   return refused(
-      en::say("on a known picture the network gives numbers that are up to {:.3g} off what its "
-              ".yaml says, and {:.3g} is allowed",
+      en::say("for a known image the network's numbers deviate by up to {:.3g} from its .yaml, and "
+              "{:.3g} is allowed",
               max_error,
               tolerance));
 }
@@ -491,9 +491,10 @@ Result<OnnxHeader> read_onnx_header(std::string_view bytes, const Where& where) 
   });
   if (!is_complete || !graph.is_sound || graph.nodes == 0 || graph.header.inputs.empty() ||
       graph.header.outputs.empty())
-    return Error{en::say("this is no network in the ONNX format, or only part of one, or damaged"),
-                 where,
-                 en::say("copying or exporting the file again")};
+    return Error{
+        en::say("this is not a network in the ONNX format, or it is incomplete or damaged"),
+        where,
+        en::say("copying or exporting the file again")};
   return std::move(graph.header);
 }
 

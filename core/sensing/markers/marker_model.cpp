@@ -218,7 +218,7 @@ Result<MarkerModel> MarkerModel::learn(const Eigen::MatrixXd& layouts,
   model.layouts_ = without_gaps(layouts);
   const Eigen::Index n = model.layouts_.rows(), size = layouts.cols();
   if (n < 2 || size < 4 || size % 4 != 0)
-    return Error{en::say("only {} recorded pictures show every marker; at least 2 are needed", n),
+    return Error{en::say("only {} recorded images show every marker; at least 2 are needed", n),
                  en::say("marker model"),
                  en::say("record the finger bending with both side faces in view and evenly lit")};
   if (static_cast<Eigen::Index>(typical_dots.size()) * 2 != size)

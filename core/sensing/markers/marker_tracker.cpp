@@ -72,7 +72,7 @@ std::optional<Markers> numbered(const FoundDots& found,
   if (markers && model.residual_px(*markers) > kMaxResidualPx) markers.reset();
   if (!markers && problem)
     *problem = en::say(
-        "{} dots were found beside the face, but no third of the {} markers among them fits a pose "
+        "{} dots were found next to the face, but less than a third of the {} markers fit any pose "
         "of the reference recording",
         found.dots.size(),
         model.present_count());
@@ -118,7 +118,7 @@ class SortedRowFinder : public MarkerFinder {
       last_ = *markers;
     else if (problem)
       *problem = found.problem.empty()
-                     ? en::say("{} dots were found beside the face: too few to sort into two rows",
+                     ? en::say("{} dots were found next to the face: too few to sort into two rows",
                                found.dots.size())
                      : en::say("{}.", found.problem);
     return markers;

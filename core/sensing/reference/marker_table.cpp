@@ -15,7 +15,7 @@ constexpr std::string_view kColumns = "frame,number,u,v,seen,radius,contrast";
 constexpr double kMarkerSdPx = 0.1;  // of recorded markers, as measured
 
 Message advice() {
-  return en::say("make the reference anew from the recording");
+  return en::say("create the reference again from the recording");
 }
 
 struct Line {
@@ -104,17 +104,18 @@ Result<MarkerTable> MarkerTable::load(const std::filesystem::path& file, int mar
       std::string_view rest = text->substr(4);
       if (!take(rest, frames, true) || frames != table.frames.size() || inside != 0 ||
           !lines.at_end())
-        return wrong(en::say(
-            "'{}' does not close a table of {} frames", printable(*text), table.frames.size()));
+        return wrong(en::say("'{}' is not the last line of a table with {} frames",
+                             printable(*text),
+                             table.frames.size()));
       break;
     }
     Line line;
     if (!parse(*text, line))
       return wrong(en::say(
-          "'{}' is not '{}' with possible values", printable(*text), std::string(kColumns)));
+          "'{}' does not hold valid values of '{}'", printable(*text), std::string(kColumns)));
     if (line.number != static_cast<int>(inside))
       return wrong(en::say(
-          "marker {} stands where marker {} of {} must", line.number, inside, marker_count));
+          "marker {} stands where marker {} of {} is expected", line.number, inside, marker_count));
     if (inside == 0) {
       if (!table.frames.empty() && line.frame <= table.frames.back())
         return wrong(en::say("frame {} comes after frame {}", line.frame, table.frames.back()));
@@ -128,14 +129,15 @@ Result<MarkerTable> MarkerTable::load(const std::filesystem::path& file, int mar
       table.typical.push_back({0, 0, line.radius, line.contrast, 0, false});
     } else if (table.typical[inside].radius_px != line.radius ||
                table.typical[inside].contrast != line.contrast) {
-      return wrong(en::say("marker {} has another radius or contrast than before", line.number));
+      return wrong(
+          en::say("marker {} has a different radius or contrast than before", line.number));
     }
     table.seen.back()[inside] = static_cast<char>(line.seen);
     positions.push_back(line.u);
     positions.push_back(line.v);
     inside = (inside + 1) % count;
   }
-  if (table.frames.empty()) return wrong(en::say("the table holds no frame"));
+  if (table.frames.empty()) return wrong(en::say("the table contains no frames"));
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   table.layouts = Eigen::Map<const Rows>(
       positions.data(), static_cast<Eigen::Index>(table.frames.size()), 2 * marker_count);

@@ -230,17 +230,17 @@ class Reader {
   [[nodiscard]] Error wrong(Message what) const {
     return {std::move(what),
             frames_.video.string(),
-            en::say("make the reference anew from the recording")};
+            en::say("create the reference again from the recording")};
   }
   [[nodiscard]] Error too_few(std::size_t found) const {
-    return wrong(en::say("the face was found in {} of {} recorded pictures; 2 are needed",
+    return wrong(en::say("the face was found in {} of {} recorded images; 2 are needed",
                          found,
                          frames_.table.frames.size()));
   }
   [[nodiscard]] Result<cv::Mat> image(std::size_t row) const {
     const auto number = static_cast<std::size_t>(frames_.table.frames[row]);
     if (number >= frames_.count)
-      return wrong(en::say("the marker table names frame {} but the recording ends after {} frames",
+      return wrong(en::say("the marker table lists frame {} but the recording ends after {} frames",
                            number,
                            frames_.count));
     auto grey = frames_.frame(number);
@@ -334,7 +334,7 @@ Result<RecordedFaces> read_recorded_faces(const RecordingInput& frames,
   } catch (const std::exception& problem) {
     return Error{en::say("the recording cannot be read ({})", std::string(problem.what())),
                  frames.video.string(),
-                 en::say("make the reference anew from the recording")};
+                 en::say("create the reference again from the recording")};
   }
 }
 

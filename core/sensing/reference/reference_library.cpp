@@ -20,7 +20,7 @@ namespace {
 constexpr double kMinWeight = 2e-3;
 
 Error wrong(Message what, const std::filesystem::path& file) {
-  return {std::move(what), file.string(), en::say("make the reference anew from the recording")};
+  return {std::move(what), file.string(), en::say("create the reference again from the recording")};
 }
 
 /// Cache folder of a recording's faces, and the key of all their inputs.
@@ -216,7 +216,7 @@ Result<ReferenceLibrary> ReferenceLibrary::load(const FingerSnapshot& snapshot,
   if (!finger.reference || finger.reference->video.empty() || finger.reference->markers.empty())
     return Error{en::say("the finger has no reference recording"),
                  (finger_folder / Finger::kFileName).string(),
-                 en::say("record the bending, untouched finger and make its reference")};
+                 en::say("record the untouched finger bending and create its reference")};
   const auto video_file = finger_folder / finger.reference->video;
   const auto table_file = finger_folder / finger.reference->markers;
   const auto key = made_from(video_file, table_file, snapshot, memory_limit_bytes);
@@ -338,11 +338,12 @@ Result<std::shared_ptr<const ReferenceLibrary::Content>> ReferenceLibrary::read(
     if (auto content = Content::from_cache(*key, *model, table, snapshot))
       return std::shared_ptr<const Content>(std::move(content));
   auto video = VideoFile::open(video_file, job);
-  if (!video) return wrong(en::say("the reference recording is missing or no video"), video_file);
+  if (!video)
+    return wrong(en::say("the reference recording is missing or not a video"), video_file);
   const auto frame = [&](std::size_t number) -> Result<cv::Mat> {
     const auto read = video->frame(number);
     if (!read) return read.error();
-    return image_for(snapshot, (*read)->grey, en::say("the recording's picture"), "", "");
+    return image_for(snapshot, (*read)->grey, en::say("the recording's image"), "", "");
   };
   auto faces = read_recorded_faces({frame, video->frame_count(), video_file, table},
                                    finger,
@@ -380,9 +381,9 @@ Result<ReferenceLibrary> ReferenceLibrary::from_frames(const RecordingFrameReade
 
 Result<ReferenceLibrary> ReferenceLibrary::single(const cv::Mat& grey) {
   if (grey.empty() || grey.type() != CV_8UC1)
-    return Error{en::say("the reference picture is not an 8-bit grey picture"),
+    return Error{en::say("the reference image is not an 8-bit grey image"),
                  en::say("reference"),
-                 en::say("save it as such")};
+                 en::say("save it in this format")};
   auto content = std::make_shared<Content>();
   content->size = grey.size();
   cv::Mat levels;
@@ -489,17 +490,17 @@ Reference ReferenceLibrary::reference_for(const Markers& markers,
 Result<cv::Mat> flat_reference(const FingerSnapshot& snapshot) {
   const Finger& finger = snapshot.finger;
   if (!finger.reference || finger.reference->image.empty())
-    return Error{en::say("the sensor has no untouched picture"),
+    return Error{en::say("the sensor has no untouched image"),
                  (snapshot.folder / Finger::kFileName).string(),
-                 en::say("give one with the calibration")};
+                 en::say("specify one for the calibration")};
   const auto file = snapshot.folder / finger.reference->image;
   const auto raw = read_grey_image(file);
   if (!raw) return raw.error();
   return image_for(snapshot,
                    *raw,
-                   en::say("the untouched picture"),
+                   en::say("the untouched image"),
                    file.string(),
-                   en::say("give the untouched picture anew"));
+                   en::say("specify the untouched image again"));
 }
 
 }  // namespace alltact

@@ -11,7 +11,7 @@ class Absorption final : public GeometryEffect {
  public:
   explicit Absorption(YamlSection& p) : per_mm_(p.number("per_mm", strength_up_to(1))) {}
 
-  Message sentence() const override { return en::say("The silicone absorbs light on its way"); }
+  Message sentence() const override { return en::say("The silicone absorbs part of the light"); }
 
   Status validate(const SceneFacts& scene) const override {
     if (!scene.has_effect("leds"))

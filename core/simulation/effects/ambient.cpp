@@ -10,11 +10,11 @@ class Ambient final : public GeometryEffect {
  public:
   explicit Ambient(YamlSection& p) : level_(Varying::read(p, "level", strength_up_to(1e4))) {}
 
-  Message sentence() const override { return en::say("Light of the room falls on the faces"); }
+  Message sentence() const override { return en::say("Room light falls on the faces"); }
 
   Status validate(const SceneFacts& scene) const override {
     if (!scene.has_effect("leds"))
-      return Error{en::say("room light comes on top of that of the lamps"),
+      return Error{en::say("room light adds to the light of the lamps"),
                    "",
                    en::say("name the effect leds too")};
     return {};

@@ -19,7 +19,7 @@ class AutomaticExposure final : public SensorEffect {
   }
 
   Message sentence() const override {
-    return en::say("The camera exposes by itself, by how bright the picture is");
+    return en::say("The camera adapts its exposure to the image brightness");
   }
 
   bool needs_full_image() const override { return true; }

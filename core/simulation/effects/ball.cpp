@@ -22,7 +22,7 @@ class Ball final : public GeometryEffect {
   Status validate(const SceneFacts& scene) const override {
     if (const Status status = check_press(scene, depth_, s_, y_); !status) return status;
     if (depth_.max_value() >= radius_.min_value())
-      return Error{en::say("the ball would sink in beyond its middle"),
+      return Error{en::say("the ball would sink in past its centre"),
                    "",
                    en::say("depth_mm below radius_mm")};
     return tip_deflection_.validate(scene);

@@ -39,17 +39,15 @@ class ElasticBody final : public GeometryEffect {
     elastic_.chain = read_chain(p);
   }
 
-  Message sentence() const override {
-    return en::say("The finger's body gives way to what pushes it");
-  }
+  Message sentence() const override { return en::say("The finger's body deforms under load"); }
   const ElasticFinger* elastic() const override { return &elastic_; }
 
   Status validate(const SceneFacts& scene) const override {
     if (scene.finger.face.kind == FaceKind::kFlat)
       return Error{
-          en::say("a flat sensor has no body that gives way"), "", en::say("leave body out")};
+          en::say("a flat sensor has no body that deforms"), "", en::say("leave body out")};
     if (!scene.has_effect("push"))
-      return Error{en::say("nothing pushes, so no body gives way"), "", en::say("name push too")};
+      return Error{en::say("nothing pushes, so no body deforms"), "", en::say("name push too")};
     const auto body = elastic_.body(scene.finger.face, scene.length_mm);
     return body ? Status() : body.error();
   }

@@ -18,9 +18,7 @@ class Bubble final : public RadianceEffect {
 
   Status validate(const SceneFacts& scene) const override {
     if (!scene.has_effect("layer"))
-      return Error{en::say("there is no layer for the bubble to be in"),
-                   "",
-                   en::say("name the effect layer too")};
+      return Error{en::say("the bubble needs a layer"), "", en::say("name the effect layer too")};
     if (2 * radius_.max_value() > scene.finger.face.layer_mm)
       return Error{en::say("the bubble is wider than the layer is thick"),
                    "",

@@ -67,12 +67,12 @@ class Bulge final : public GeometryEffect {
       steepness_ = p.number("steepness", {0.5, 20});
   }
 
-  Message sentence() const override { return en::say("The layer swells around what presses"); }
+  Message sentence() const override { return en::say("The layer bulges around the object"); }
 
   Status validate(const SceneFacts& scene) const override {
     if (scene.press_kinds.empty())
       return Error{
-          en::say("nothing presses, so nothing bulges"), "", en::say("name ball or relief too")};
+          en::say("nothing is pressed in, so nothing bulges"), "", en::say("add ball or relief")};
     return {};
   }
 

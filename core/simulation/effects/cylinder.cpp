@@ -27,7 +27,7 @@ class Cylinder final : public RigidPress {
     const double radius = p.number("radius_mm", strength_up_to(100));
     set_body(std::make_shared<CylinderBody>(radius, p.number("length_mm", strength_up_to(200))));
   }
-  Message sentence() const override { return en::say("A cylinder is pressed in lying"); }
+  Message sentence() const override { return en::say("A cylinder is pressed in sideways"); }
 };
 
 }  // namespace

@@ -31,14 +31,14 @@ class Defocus final : public SensorEffect {
   }
 
   Message sentence() const override {
-    return en::say("What is not at the distance of sharp focus is blurred");
+    return en::say("Objects outside the focus distance are blurred");
   }
 
   Status validate(const SceneFacts& scene) const override {
     if (sd_px_ == 0 && scene.finger.camera.model == CameraModel::kOrthographic)
-      return Error{en::say("an orthographic camera has no focal length to blur by"),
+      return Error{en::say("an orthographic camera has no focal length for blur"),
                    "",
-                   en::say("sd_px in place of focus_mm and aperture_mm")};
+                   en::say("sd_px instead of focus_mm and aperture_mm")};
     return {};
   }
 

@@ -13,7 +13,7 @@ class Drop final : public TransportEffect {
       : share_(p.number("share", {0, 1, true, true, true})),
         run_(p.integer_or("run", 1, 1, 1000)) {}
 
-  Message sentence() const override { return en::say("Frames get lost on their way"); }
+  Message sentence() const override { return en::say("Frames are lost in transmission"); }
   bool is_repeatable() const override { return true; }
 
   void arrival(const FrameContext& frame, Arrival& arrival) const override {

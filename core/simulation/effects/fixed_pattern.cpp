@@ -34,8 +34,7 @@ class FixedPattern final : public SensorEffect {
   }
 
   Message sentence() const override {
-    return en::say(
-        "Every pixel is a little brighter or darker than its neighbours, always the same way");
+    return en::say("Every pixel is always a little brighter or darker than its neighbours");
   }
 
   void row(const FrameContext& frame, RowView& row) const override {

@@ -19,7 +19,7 @@ class Gamma final : public SensorEffect {
   }
 
   Message sentence() const override {
-    return en::say("The camera bends its grey levels by a power law");
+    return en::say("The camera's grey levels follow a power law");
   }
 
   void row(const FrameContext&, RowView& row) const override {

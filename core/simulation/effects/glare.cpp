@@ -42,7 +42,7 @@ class Glare final : public RadianceEffect {
              1};
   }
 
-  Message sentence() const override { return en::say("A lamp mirrors in the face"); }
+  Message sentence() const override { return en::say("The face reflects a lamp"); }
 
   std::unique_ptr<const Rows> begin(const FrameContext&,
                                     const FrameGeometry& geometry) const override {

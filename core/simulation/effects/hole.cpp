@@ -15,9 +15,7 @@ class Hole final : public RadianceEffect {
         radius_(Varying::read(p, "radius_mm", strength_up_to(50))),
         level_(Varying::read(p, "level", strength_up_to(1e4))) {}
 
-  Message sentence() const override {
-    return en::say("The coat has a hole through which light comes");
-  }
+  Message sentence() const override { return en::say("Light comes through a hole in the coat"); }
   bool is_repeatable() const override { return true; }
 
   Status validate(const SceneFacts& scene) const override { return check_position(scene, s_, y_); }

@@ -257,7 +257,7 @@ class Interreflection final : public GeometryEffect {
 
   Status validate(const SceneFacts& scene) const override {
     if (scene.has_effect("sides") && scene.has_effect("leds")) return {};
-    return Error{en::say("the faces that light each other are the lit view face and side faces"),
+    return Error{en::say("only the lit view face and side faces light each other"),
                  "",
                  en::say("name the effects sides and leds too")};
   }

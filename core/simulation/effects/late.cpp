@@ -13,7 +13,7 @@ class Late final : public TransportEffect {
       : share_(p.number("share", strength_up_to(1))),
         by_ms_(Varying::read(p, "by_ms", strength_up_to(60000))) {}
 
-  Message sentence() const override { return en::say("Frames come late"); }
+  Message sentence() const override { return en::say("Frames arrive late"); }
   bool is_repeatable() const override { return true; }
 
   void arrival(const FrameContext& frame, Arrival& arrival) const override {

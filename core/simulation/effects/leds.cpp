@@ -231,7 +231,7 @@ class Leds final : public RadianceEffect {
     const int lobe = section.integer("lobe", 1, 8);
     while (1 << lamp.squarings < lobe) ++lamp.squarings;
     if (1 << lamp.squarings != lobe)
-      section.refuse("lobe", en::say("this lobe is not known"), en::say("1, 2, 4 or 8"));
+      section.refuse("lobe", en::say("unknown lobe"), en::say("1, 2, 4 or 8"));
     return lamp;
   }
 

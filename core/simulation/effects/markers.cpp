@@ -131,9 +131,8 @@ class Markers final : public GeometryEffect {
                    "",
                    en::say("finger.markers with per_row and polarity")};
     if (!scene.has_effect("sides"))
-      return Error{en::say("markers are engraved in the side faces"),
-                   "",
-                   en::say("name the effect sides too")};
+      return Error{
+          en::say("markers are engraved in the side faces"), "", en::say("add the effect sides")};
     return {};
   }
 

@@ -166,8 +166,8 @@ class Mesh final : public RigidPress {
     const double size = 2 * body->half_size_mm().maxCoeff();
     if (size > kMaxSize_mm || size < kMinSize_mm)
       p.refuse(p.has("scale") ? "scale" : "file",
-               en::say("the body would be {:g} mm large", size),
-               en::say("'scale' says how many mm a unit of the file is"));
+               en::say("the body would be {:g} mm in size", size),
+               en::say("'scale' specifies the mm per unit of the file"));
     set_body(std::move(body));
   }
   Message sentence() const override { return en::say("A body is pressed into the face"); }

@@ -11,12 +11,12 @@ class Mjpeg final : public TransportEffect {
  public:
   explicit Mjpeg(YamlSection& p) : quality_(p.integer("quality", 1, 100)) {}
 
-  Message sentence() const override { return en::say("The camera sends JPEG pictures"); }
+  Message sentence() const override { return en::say("The camera sends JPEG images"); }
 
   Status validate(const SceneFacts& scene) const override {
     if (!scene.has_effect("quantisation"))
       return Error{
-          en::say("JPEG needs whole grey levels"), "", en::say("name the effect quantisation too")};
+          en::say("JPEG needs integer grey levels"), "", en::say("add the effect quantisation")};
     return {};
   }
   void process_image(const FrameContext&, SentFrame& sent) const override {

@@ -13,9 +13,7 @@ class MotionBlur final : public SensorEffect {
       : exposure_s_(p.number("exposure_ms", strength_up_to(10000)) / 1000),
         moments_(p.integer_or("moments", 5, 2, 100)) {}
 
-  Message sentence() const override {
-    return en::say("The finger moves while a picture is exposed");
-  }
+  Message sentence() const override { return en::say("The finger moves during the exposure"); }
 
   Status validate(const SceneFacts& scene) const override {
     if (exposure_s_ * scene.frames_per_s > 1)

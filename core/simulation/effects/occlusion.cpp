@@ -17,7 +17,7 @@ class Occlusion final : public GeometryEffect {
       if (count_.max_value() < 0.5)
         p.refuse("count",
                  en::say("no dot would ever be hidden"),
-                 en::say("leave occlusion out, or 1 and more"));
+                 en::say("leave occlusion out, or use 1 or more"));
       return;
     }
     markers_ = read_marker_numbers(p);
@@ -28,8 +28,7 @@ class Occlusion final : public GeometryEffect {
 
   Status validate(const SceneFacts& scene) const override {
     if (!scene.has_effect("markers"))
-      return Error{
-          en::say("there are no dots to hide"), "", en::say("name the effect markers too")};
+      return Error{en::say("there are no dots to hide"), "", en::say("add the effect markers")};
     const auto n = static_cast<std::size_t>(scene.finger.marker_count());
     for (const std::size_t number : markers_)
       if (number >= n)

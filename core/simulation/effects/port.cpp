@@ -20,7 +20,7 @@ class Port final : public GeometryEffect {
 
   Status validate(const SceneFacts& scene) const override {
     if (scene.finger.camera.model == CameraModel::kOrthographic)
-      return Error{en::say("parallel rays pass a window unbent"), "", en::say("leave port out")};
+      return Error{en::say("a window does not bend parallel rays"), "", en::say("leave port out")};
     return {};
   }
   bool changes_lens() const override { return true; }

@@ -40,7 +40,7 @@ class PushedBall final : public GeometryEffect {
         along_(read_drag(p, "along_N")),
         across_(read_drag(p, "across_N")) {
     if (force_.max_value() == 0)
-      p.refuse("force_N", en::say("nothing pushes"), en::say("a force above 0, or no push"));
+      p.refuse("force_N", en::say("the force is 0"), en::say("a force above 0, or no push"));
     if (p.has("along_N") || p.has("across_N")) friction_ = p.number("friction", strength_up_to(10));
     if (face_ == PushedFace::kContact)
       layer_modulus_MPa_ =
@@ -57,7 +57,7 @@ class PushedBall final : public GeometryEffect {
     if (const Status status = check_contact(scene); !status) return status;
     if (scene.elastic == nullptr || scene.finger.face.kind == FaceKind::kFlat) return {};
     if (scene.elastic->chain.has_memory() && presence_.end < frames_)
-      return Error{en::say("a body that creeps or is damped remembers a push that is over"),
+      return Error{en::say("a body with creep or damping still moves after a push ends"),
                    "",
                    en::say("instead of 'until', a force_N that goes to 0")};
     return check_bending(scene);
@@ -94,7 +94,7 @@ class PushedBall final : public GeometryEffect {
     if (!p.has(key)) return Varying(0);
     const Varying drag = Varying::read(p, key, {-kMaxForce_N, kMaxForce_N});
     if (drag.min_value() == 0 && drag.max_value() == 0)
-      p.refuse(key, en::say("nothing drags"), en::say("another force, or leave it out"));
+      p.refuse(key, en::say("the drag is 0"), en::say("another force, or leave it out"));
     return drag;
   }
 
@@ -198,7 +198,7 @@ class PushedBall final : public GeometryEffect {
     const double half =
         std::min(shape.depth_mm(s_.min_value()), shape.depth_mm(s_.max_value())) / 2;
     if (y_.min_value() < -half || y_.max_value() > half)
-      return Error{en::say("y_mm is beside the face"), "", en::say("{:g} to {:g}", -half, half)};
+      return Error{en::say("y_mm is outside the face"), "", en::say("{:g} to {:g}", -half, half)};
     return {};
   }
 
@@ -211,7 +211,7 @@ class PushedBall final : public GeometryEffect {
       return depth ? Status() : depth.error();
     }
     if (scene.elastic == nullptr)
-      return Error{en::say("without its body the finger gives way on its contact face only"),
+      return Error{en::say("without its body the finger deforms on its contact face only"),
                    "",
                    en::say("name the effect body too")};
     const auto contact = HalfSpaceContact::create(scene.elastic->modulus_MPa,
@@ -238,9 +238,9 @@ class PushedBall final : public GeometryEffect {
             const PointForce force{face_, s_mm, y_mm, normal_N, held.x(), held.y()};
             const double share = finger.equilibrium({&force, 1}).share;
             if (share < 1)
-              return Error{en::say("the push bends the finger further than the model reaches"),
+              return Error{en::say("the push bends the finger beyond the model's range"),
                            "",
-                           en::say("up to {:.2g} of these forces, or a stiffer body", share)};
+                           en::say("up to {:.2g} times these forces, or a stiffer body", share)};
           }
     return {};
   }

@@ -20,7 +20,7 @@ class Quantisation final : public SensorEffect {
  public:
   explicit Quantisation(YamlSection&) {}
   Message sentence() const override {
-    return en::say("The sensor counts in whole grey levels from 0 to 255");
+    return en::say("The sensor outputs integer grey levels from 0 to 255");
   }
   bool outputs_bytes() const override { return true; }
   void row(const FrameContext&, RowView& row) const override {

@@ -14,7 +14,7 @@ class RollingShutter final : public SensorEffect {
         rows_at_once_(p.integer_or("rows_at_once", 1, 1, 1000)) {}
 
   Message sentence() const override {
-    return en::say("The rows of a picture are taken one after the other");
+    return en::say("The rows of an image are exposed one after the other");
   }
 
   Status validate(const SceneFacts& scene) const override {

@@ -120,13 +120,14 @@ class Rolloff final : public GeometryEffect {
   }
 
   Message sentence() const override {
-    return en::say("The face comes away softly from what presses");
+    return en::say("The face separates gradually from the object");
   }
 
   Status validate(const SceneFacts& scene) const override {
     if (scene.press_kinds.empty())
-      return Error{
-          en::say("nothing presses, so nothing rolls off"), "", en::say("name ball or relief too")};
+      return Error{en::say("nothing is pressed in, so nothing rolls off"),
+                   "",
+                   en::say("add ball or relief")};
     if (hertz_ && scene.presses(PressKind::kBody))
       return Error{
           en::say("kind hertz is for balls only"), "", en::say("kind: smooth with a length_mm")};

@@ -25,7 +25,7 @@ const EffectKind& effect_shot() {
             "shot",
             p.number("gain", strength_up_to(100)),
             add_shot,
-            en::say("Light comes in grains, which is noise that grows with brightness"));
+            en::say("Light arrives as photons; their noise grows with brightness"));
       },
       "gain: 0.03"};
   return kKind;

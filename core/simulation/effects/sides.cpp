@@ -109,7 +109,7 @@ class Sides final : public RadianceEffect {
       : albedo_(static_cast<float>(p.number("albedo", strength_up_to(1)))),
         depth_mm_(static_cast<float>(p.number("depth_mm", strength_up_to(1000)))) {}
 
-  Message sentence() const override { return en::say("The side faces of the body are seen"); }
+  Message sentence() const override { return en::say("The side faces of the body are visible"); }
 
   Status validate(const SceneFacts& scene) const override {
     if (scene.finger.face.kind == FaceKind::kFlat)

@@ -15,7 +15,7 @@ class Speck final : public RadianceEffect {
         radius_(Varying::read(p, "radius_mm", strength_up_to(50))),
         darkness_(p.number("darkness", strength_up_to(1))) {}
 
-  Message sentence() const override { return en::say("A speck of dirt lies on the face"); }
+  Message sentence() const override { return en::say("A speck of dirt is on the face"); }
   bool is_repeatable() const override { return true; }
 
   Status validate(const SceneFacts& scene) const override { return check_position(scene, s_, y_); }

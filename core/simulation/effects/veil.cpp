@@ -11,7 +11,7 @@ class Veil final : public SensorEffect {
   explicit Veil(YamlSection& p) : share_(p.number("share", {0, 1, true, true, true})) {}
 
   Message sentence() const override {
-    return en::say("Part of the light spreads over the whole picture");
+    return en::say("Part of the light spreads over the entire image");
   }
 
   bool needs_full_image() const override { return true; }

@@ -46,13 +46,13 @@ class Vignetting final : public RadianceEffect {
       const double r2 = static_cast<double>(i) / kVignettingSteps;
       if (1 + r2 * (k[0] + r2 * (k[1] + r2 * k[2])) <= 0)
         p.refuse("coefficients",
-                 en::say("no light would be left within the picture"),
+                 en::say("parts of the image would have no light"),
                  en::say("1 + a r^2 + b r^4 + c r^6 above 0 up to r = 1"));
     }
     polynomial_ = {static_cast<float>(k[0]), static_cast<float>(k[1]), static_cast<float>(k[2])};
   }
 
-  Message sentence() const override { return en::say("The picture is darker towards its corners"); }
+  Message sentence() const override { return en::say("The image is darker towards its corners"); }
 
   Status validate(const SceneFacts& scene) const override {
     if (cos4_ && scene.finger.camera.model == CameraModel::kOrthographic)

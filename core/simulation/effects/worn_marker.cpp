@@ -18,8 +18,7 @@ class WornMarker final : public GeometryEffect {
 
   Status validate(const SceneFacts& scene) const override {
     if (!scene.has_effect("markers"))
-      return Error{
-          en::say("there are no dots to wear off"), "", en::say("name the effect markers too")};
+      return Error{en::say("there are no dots to wear off"), "", en::say("add the effect markers")};
     const auto n = static_cast<std::size_t>(scene.finger.marker_count());
     for (const std::size_t number : markers_)
       if (number >= n)

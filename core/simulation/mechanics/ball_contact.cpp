@@ -44,7 +44,7 @@ Result<BondedLayerContact> BondedLayerContact::create(double modulus_MPa,
                                                       double radius_mm) {
   for (const double given : {modulus_MPa, layer_mm, radius_mm})
     if (!(given > 0 && std::isfinite(given)))
-      return Error{en::say("a modulus or a length of {:g} is not one of a layer", given),
+      return Error{en::say("a layer cannot have a modulus or a length of {:g}", given),
                    "",
                    en::say("numbers above 0")};
   return BondedLayerContact(modulus_MPa, layer_mm, radius_mm);
@@ -97,7 +97,7 @@ double BondedLayerContact::pressure_MPa(double indentation_mm, double r_mm) cons
 Result<double> BondedLayerContact::indentation_mm(double force) const {
   const double max_value = max_force_N();
   if (!(force >= 0 && force <= max_value))
-    return Error{en::say("{:g} N press the ball further into the layer than is known", force),
+    return Error{en::say("{:g} N press the ball into the layer beyond the known range", force),
                  "",
                  en::say("up to {:.3g} N, a larger ball or a harder layer", max_value)};
   if (force == 0) return 0.0;
@@ -276,7 +276,7 @@ Result<HalfSpaceContact> HalfSpaceContact::create(double modulus_MPa,
                                                   double friction) {
   for (const double given : {modulus_MPa, radius_mm, normal_N, friction})
     if (!(given > 0 && std::isfinite(given)))
-      return Error{en::say("{:g} is no modulus, radius, force or friction of a contact", given),
+      return Error{en::say("{:g} cannot be a contact's modulus, radius, force or friction", given),
                    "",
                    en::say("numbers above 0")};
   if (!tangential_N.allFinite())
@@ -288,7 +288,7 @@ Result<HalfSpaceContact> HalfSpaceContact::create(double modulus_MPa,
   const double a = std::cbrt(0.75 * normal_N * radius_mm / plane);
   if (a > kMaxContactShare * radius_mm) {
     const double max_value = std::pow(kMaxContactShare, 3) * radius_mm * radius_mm * plane / 0.75;
-    return Error{en::say("{:g} N press the ball further into the body than is known", normal_N),
+    return Error{en::say("{:g} N press the ball into the body beyond the known range", normal_N),
                  "",
                  en::say("up to {:.3g} N, a larger ball or a harder body", max_value)};
   }

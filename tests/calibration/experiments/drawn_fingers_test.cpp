@@ -117,7 +117,7 @@ TEST_F(DrawnFingers, SmallPicturesSayThatTheyDoNotTellAlongWhichThicknessLightGo
   ASSERT_TRUE(made) << made.error().sentence();
   const auto report = read_file(made->finger().folder / "calibration_report.json");
   ASSERT_TRUE(report);
-  EXPECT_THAT(*report, testing::HasSubstr("the presses do not tell whether brightness follows"));
+  EXPECT_THAT(*report, testing::HasSubstr("the presses do not show whether brightness follows"));
 }
 
 TEST_F(DrawnFingers, ForcesAreTheSameInEveryRoom) {

@@ -91,9 +91,9 @@ TEST(MeasuringPresets, ComeBackAsTheyWereKept) {
   EXPECT_TRUE(read.used.empty()) << "keeping is not using";
   const auto finest = preset_settings(finger.folder.path(), "finest");
   ASSERT_FALSE(finest.ok());
-  EXPECT_THAT(finest.error().sentence(), HasSubstr("nothing is more accurate on this finger"));
+  EXPECT_THAT(finest.error().sentence(), HasSubstr("no setting is more accurate on this finger"));
   EXPECT_THAT(preset_settings(finger.folder.path(), "slow").error().sentence(),
-              HasSubstr("'slow' is no preset"));
+              HasSubstr("'slow' is not a preset"));
 }
 
 TEST(MeasuringPresets, WhatIsUsedIsMeasuredWithUntilTheWayBack) {

@@ -147,7 +147,7 @@ TEST_F(ForceInFrames, AModelThatIsBrokenOrOfOtherMarkersIsNamedAndTheRestIsMeasu
     const FrameResult result = measured(broken, test::pose(3, kPoses));
     EXPECT_TRUE(result.markers);
     EXPECT_FALSE(result.force);
-    EXPECT_TRUE(is_told(result, "broken or cut off"));
+    EXPECT_TRUE(is_told(result, "damaged or truncated"));
   }
   ASSERT_TRUE(write_file_atomically(folder_ / file, good));
   EXPECT_TRUE((*store->snapshot())->force) << "it is read again once it is whole";
@@ -176,17 +176,17 @@ TEST_F(ForceInFrames, ATableOfOtherMarkersIsRefusedAndNothingIsLost) {
   EXPECT_NE(refused(fewer).find("10 markers, the finger has 12"), std::string::npos);
   ForceTable elsewhere = good;
   elsewhere.layouts.array() += 150;
-  EXPECT_NE(refused(elsewhere).find("another finger's"), std::string::npos);
+  EXPECT_NE(refused(elsewhere).find("belong to another finger"), std::string::npos);
   ForceTable turned = good;  // numbered from the tip
   for (int m = 0; m < 12; ++m) {
     const int other = m < 6 ? 5 - m : 17 - m;
     turned.layouts.middleCols(2 * m, 2) = good.layouts.middleCols(2 * other, 2);
     turned.seen.col(m) = good.seen.col(other);
   }
-  EXPECT_NE(refused(turned).find("another finger's"), std::string::npos);
+  EXPECT_NE(refused(turned).find("belong to another finger"), std::string::npos);
   const auto none = revert_force(folder_.path());
   ASSERT_FALSE(none);
-  EXPECT_NE(none.error().sentence().find("no force model to take back"), std::string::npos);
+  EXPECT_NE(none.error().sentence().find("no force model to revert"), std::string::npos);
   EXPECT_FALSE(stored_force_table(folder_.path()));
 }
 

@@ -105,17 +105,19 @@ TEST(ForceTable, BadTablesAreRefusedWithLineAndColumn) {
   expect_words(table_refusal(table_text("u0,v0,u1,w,fx_n,fy_n", keep)), "'v1' is missing");
   expect_words(table_refusal(table_text("u0,v0,u2,v2,fx_n,fy_n", keep)), "'u1' is missing");
   expect_words(table_refusal(table_text("u0,v0,u1,v1,fx_n,b", keep)), "'fy_n' is missing");
-  expect_words(table_refusal(table_text("u0,v0,u0,v1,fx_n,fy_n", keep)), "given twice");
-  expect_words(table_refusal(table_text("u0,v0,u1,v1,fx_n,fx_px", keep)), "given twice");
+  expect_words(table_refusal(table_text("u0,v0,u0,v1,fx_n,fy_n", keep)), "appears twice");
+  expect_words(table_refusal(table_text("u0,v0,u1,v1,fx_n,fx_px", keep)), "appears twice");
   expect_words(table_refusal(table_text("u0,v0,seen0,v1,fx_n,fy_n", keep)), "line 1");
-  expect_words(table_refusal(table_text(head, in_row_7("1,2,3,nan,5,6"))), "'nan' is no number");
+  expect_words(table_refusal(table_text(head, in_row_7("1,2,3,nan,5,6"))), "'nan' is not a number");
   expect_words(table_refusal(table_text(head, in_row_7("1,2,3,4,inf,6"))), "line 9, column fx_n");
-  expect_words(table_refusal(table_text(head, in_row_7("1,2,3,4,five,6"))), "'five' is no number");
-  expect_words(table_refusal(table_text(head, in_row_7("1,2,3,4,,6"))), "is no number");
+  expect_words(table_refusal(table_text(head, in_row_7("1,2,3,4,five,6"))),
+               "'five' is not a number");
+  expect_words(table_refusal(table_text(head, in_row_7("1,2,3,4,,6"))), "is not a number");
   expect_words(table_refusal(table_text(head, in_row_7("1,,3,4,5,6"))), "column v0");
   expect_words(table_refusal(table_text(head, in_row_7("1,2,3,4,5"))), "has 5 cells, not 6");
   expect_words(table_refusal(table_text(head, in_row_7(",,,,5,6"))), "no marker was seen");
-  expect_words(table_refusal(table_text(head, in_row_7("1e300,2,3,4,5,6"))), "beyond all");
+  expect_words(table_refusal(table_text(head, in_row_7("1e300,2,3,4,5,6"))),
+               "beyond the measurable range");
   expect_words(
       table_refusal(table_text(
           head, [](int row, std::string& line) { line = fmt::format("{},2,3,4,1,{}", row, row); })),
@@ -161,7 +163,7 @@ TEST(CollectForce, ReadingsAreInterpolatedAtTheFramesTimes) {
   const auto collected = collect_force(forty_frames(true), *gauge);
   ASSERT_TRUE(collected) << collected.error().sentence();
   ASSERT_EQ(collected->remarks.size(), 1U) << "a steady pull tells no delay";
-  EXPECT_NE(collected->remarks[0].english().find("could not be told"), std::string::npos);
+  EXPECT_NE(collected->remarks[0].english().find("could not be estimated"), std::string::npos);
   EXPECT_EQ(collected->frames, 40U);
   EXPECT_EQ(collected->left_out, 10U) << "those of the first second";
   const ForceTable& table = collected->table;
@@ -335,7 +337,7 @@ TEST(CollectForce, BadGaugesAreRefused) {
   has(refusal("t_s,fx_n,fy_n\n"), "no reading");
   has(refusal("t_s,fx_n\n1,2\n"), "'fy_n' is missing");
   has(refusal("fx_n,fy_n\n1,2\n"), "neither");
-  has(refusal("t_s,fx_n,fy_n\n1,2,x\n"), "'x' is no force");
+  has(refusal("t_s,fx_n,fy_n\n1,2,x\n"), "'x' is not a force");
   has(refusal("t_s,fx_n,fy_n\n2,2,3\n1,2,3\n"), "comes after");
   has(refusal("t_s,fx_n,fy_n\n1,2\n"), "has 2 cells, not 3");
   EXPECT_FALSE(ForceGauge::parse_truth("{}", "truth.json"));

@@ -153,7 +153,7 @@ TEST(GaugeClock, WhatTheMotionDoesNotTellIsAssumedAndSaid) {
   EXPECT_EQ(settled(frames_of(presses, 500, 40, 0.1, 1), gauge_of(others, {}, 2), remarks).source,
             GaugeClock::Source::kAssumed);
   ASSERT_EQ(remarks.size(), 1U);
-  EXPECT_NE(remarks[0].english().find("could not be told"), std::string::npos);
+  EXPECT_NE(remarks[0].english().find("could not be estimated"), std::string::npos);
   // One that never moves.
   auto still = frames_of(presses, 500, 40, 0, 1);
   for (MarkerFrame& frame : still) frame.markers = still.front().markers;

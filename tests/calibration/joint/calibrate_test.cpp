@@ -267,7 +267,7 @@ TEST(Calibrate, TheSamePictureTwiceCountsOnce) {
   EXPECT_EQ(once.mapping.a_mm, twice.mapping.a_mm);
   EXPECT_EQ(once.mapping.b, twice.mapping.b);
   ASSERT_EQ(twice.left_out.size(), 1U);
-  EXPECT_NE(twice.left_out[0].english().find("same picture as p1"), std::string::npos);
+  EXPECT_NE(twice.left_out[0].english().find("same image as p1"), std::string::npos);
 }
 
 TEST(Calibrate, UnusablePressesAreNamedAndTheRestIsUsed) {

@@ -197,7 +197,7 @@ TEST(SteppedPunch, WhatIsNoStepIsRefusedByItsReason) {
   Punch flat{200, 150};
   flat.step_mm = 0.0;
   EXPECT_THAT(sentence(make_punch_press(scene, kLayer, flat, 1.0, random, "flat")),
-              HasSubstr("no step is to be seen"));
+              HasSubstr("no step is visible"));
   Punch small{200, 150};
   small.half_length_mm = small.half_width_mm = 1.0;
   EXPECT_THAT(sentence(make_punch_press(scene, kLayer, small, 1.0, random, "small")),
@@ -213,7 +213,7 @@ TEST(SteppedPunch, AloneIsNoCalibration) {
                               {},
                               Job{});
   ASSERT_FALSE(done.ok());
-  EXPECT_THAT(done.error().sentence(), HasSubstr("pressing a ball as well"));
+  EXPECT_THAT(done.error().sentence(), HasSubstr("pressing a ball at least once as well"));
 }
 
 TEST(MeasuredCosts, HaveTheDerivativesThatDifferencesShow) {

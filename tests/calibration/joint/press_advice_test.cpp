@@ -75,7 +75,7 @@ TEST(PressAdvice, AnEmptyThirdOfTheFaceComesFirst) {
   ASSERT_TRUE(calibration.next_press);
   EXPECT_FALSE(calibration.next_press->enough);
   EXPECT_THAT(calibration.next_press->sentence.english(),
-              testing::HasSubstr("no press tells whether"));
+              testing::HasSubstr("no press shows whether"));
   // The face is 20 mm long and was pressed between 4 and 7 mm.
   EXPECT_GT(calibration.next_press->along_mm, 20.0 / 3);
 }
@@ -115,7 +115,7 @@ TEST(PressAdvice, TheWeakestDirectionIsNamed) {
   EXPECT_THAT(scale.sentence.english(), testing::HasSubstr("the scale"));
   const WeakestDirection bend = weakest_direction(curve, Eigen::Vector2d(1e-8, 1e-2).asDiagonal());
   EXPECT_FALSE(bend.is_scale);
-  EXPECT_THAT(bend.sentence.english(), testing::HasSubstr("shallow and deep"));
+  EXPECT_THAT(bend.sentence.english(), testing::HasSubstr("shallow to deep"));
 }
 
 }  // namespace

@@ -123,9 +123,8 @@ TEST(CalibrateLens, ABoardBentInAllViewsIsNoticed) {
   const LensCalibration found = calibrated(scene.views);
   EXPECT_THAT(found.remarks,
               testing::Contains(Property(&Message::english, HasSubstr("bent by about"))));
-  EXPECT_THAT(
-      calibrated(usual_scene(9).views).remarks,
-      testing::Not(testing::Contains(Property(&Message::english, HasSubstr("not the flat")))));
+  EXPECT_THAT(calibrated(usual_scene(9).views).remarks,
+              testing::Not(testing::Contains(Property(&Message::english, HasSubstr("not flat")))));
 }
 
 TEST(CalibrateLens, RepeatsAreNoNewViews) {
@@ -135,7 +134,7 @@ TEST(CalibrateLens, RepeatsAreNoNewViews) {
   const auto alike = calibrate_lens(same, {640, 480}, {}, {});
   ASSERT_FALSE(alike);
   EXPECT_THAT(alike.error().what.english(),
-              HasSubstr("all 5 views show the board in the same place"));
+              HasSubstr("all 5 views show the board in the same position"));
   same.resize(2);
   const auto few = calibrate_lens(same, {640, 480}, {}, {});
   ASSERT_FALSE(few);

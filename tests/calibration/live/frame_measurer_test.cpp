@@ -95,7 +95,7 @@ TEST_F(FrameMeasurerTest, ThePaperTakesNothingOfOurCalibration) {
   ASSERT_TRUE(frame.ok()) << "ours is shown all the same";
   EXPECT_FALSE(frame->other);
   ASSERT_TRUE(frame->other_problem) << "no press is kept that it could calibrate with";
-  EXPECT_NE(frame->other_problem->what.english().find("keeps no presses"), std::string::npos);
+  EXPECT_NE(frame->other_problem->what.english().find("has no stored presses"), std::string::npos);
 }
 
 TEST_F(FrameMeasurerTest, CompletesALiveFrameAsIfItWereRecorded) {
@@ -131,7 +131,7 @@ TEST_F(FrameMeasurerTest, SaysWhyNothingIsMeasured) {
   EXPECT_NE(measurer_.open_recording(folder_ / "gone.mkv", job_)
                 .error()
                 .sentence()
-                .find("not there any more"),
+                .find("no longer exists"),
             std::string::npos);
   EXPECT_NE(measurer_.load_finger({}, job_).error().sentence().find("no finger is open"),
             std::string::npos);

@@ -114,7 +114,7 @@ TEST(BallFinder, LettersAndBarsAreRefused) {
   cv::Mat t = noise(scene.camera.size(), 0.01);
   t(cv::Rect(140, 90, 120, 30)) += 0.3F;
   t(cv::Rect(185, 120, 30, 90)) += 0.3F;
-  expect_refusal(flat_press(t, scene), scene, "no disc");
+  expect_refusal(flat_press(t, scene), scene, "not a disc");
   cv::Mat bar = noise(scene.camera.size(), 0.01);
   bar(cv::Rect(150, 140, 110, 25)) += 0.3F;
   const auto ball = find_ball(flat_press(bar, scene), scene.face);

@@ -118,7 +118,7 @@ TEST(BurstSource, AveragesWhatIsHeldStill) {
   EXPECT_EQ(cv::norm((*third)->grey, single->grey), 0.0);
   EXPECT_EQ(*source.next(), nullptr);
   EXPECT_THAT(source.made_of().front().english(),
-              HasSubstr("press_1: the mean of 20 frames held still, of 31"));
+              HasSubstr("press_1: the mean of 20 still frames, of 31"));
 }
 
 TEST(BurstSource, AFingerThatNeverHoldsStillIsRefused) {

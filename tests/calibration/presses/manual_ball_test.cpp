@@ -79,8 +79,7 @@ TEST(PlacedBall, ABallThatDoesNotTouchIsLeftOutWithTheReason) {
   const Calibration calibration = solve(made);
   EXPECT_EQ(calibration.balls.size(), 4U);
   ASSERT_EQ(calibration.left_out.size(), 1U);
-  EXPECT_THAT(calibration.left_out[0].english(),
-              HasSubstr("p1: the ball that was put there by hand"));
+  EXPECT_THAT(calibration.left_out[0].english(), HasSubstr("p1: the ball that was set by hand"));
 }
 
 TEST(PlacedBall, LiesOnTheFaceAsItWasPressedIn) {

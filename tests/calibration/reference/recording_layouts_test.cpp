@@ -199,7 +199,7 @@ TEST(NumberRecording, OneDotARowTellsNoPoseWhereOneIsHiddenSoTheShapeDoes) {
   const auto numbered = number_recording(recorded.frames, {1, Polarity::kAuto});
   ASSERT_TRUE(numbered.ok());
   EXPECT_TRUE(numbered->positions);
-  EXPECT_EQ(numbered->no_markers.english(), "of 2 markers none may be hidden");
+  EXPECT_EQ(numbered->no_markers.english(), "with 2 markers, none may be hidden");
 }
 
 TEST(NumberRecording, InAnyOrderWithDotsHiddenInEveryFrameAndFalseOnesAmongThem) {

@@ -175,7 +175,7 @@ TEST(InstallReference, WhatTheCameraWasSetToIsKeptAndComparedWithThePresses) {
   ASSERT_TRUE(other.ok()) << other.error().sentence();
   EXPECT_EQ(finger.provenance.at("reference_settings"), "Camera=usb-1; Gain=5");
   ASSERT_EQ(other->warnings.size(), 1U);
-  EXPECT_NE(other->warnings[0].english().find("other settings: Gain was 3 and is 5."),
+  EXPECT_NE(other->warnings[0].english().find("different settings: Gain changed from 3 to 5."),
             std::string::npos);
   EXPECT_TRUE(install("Camera=usb-1; Gain=3")->warnings.empty());
   EXPECT_TRUE(install(nullptr)->warnings.empty());

@@ -341,7 +341,7 @@ TEST(StudyFront, FastChoicesThatLoseThePlaceAreNotCalledBest) {
   EXPECT_EQ(fastest_within(study, 0.03), 0U);
   const StudyBalance balance = balance_of(study, study.rows[1]);
   ASSERT_EQ(balance.loses.size(), 1U);
-  EXPECT_THAT(balance.loses[0].english(), HasSubstr("places told 0.100 instead of 0.010 mm off"));
+  EXPECT_THAT(balance.loses[0].english(), HasSubstr("position error 0.100 instead of 0.010 mm"));
   ASSERT_EQ(balance.brings.size(), 1U);
   EXPECT_THAT(balance.brings[0].english(), HasSubstr("0.60 times as long"));
 }

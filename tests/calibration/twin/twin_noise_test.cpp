@@ -47,7 +47,7 @@ TEST(TwinNoise, OfOnePictureHoldsThePatternAndSaysSo) {
   EXPECT_EQ(noise.shot_gain, 0);
   EXPECT_EQ(noise.prnu, 0);
   EXPECT_NEAR(noise.read_sd, 1.0, 0.03);
-  EXPECT_NE(noise.from.english().find("cannot be told"), std::string::npos);
+  EXPECT_NE(noise.from.english().find("cannot be separated"), std::string::npos);
 }
 
 TEST(TwinNoise, DotsAndScratchesAreNoNoise) {

@@ -181,7 +181,7 @@ TEST(Verdict, ScatteredLightLowersTheWordByWhatItIsOff) {
   evidence.halo_mm = 0.09;
   const Verdict worth = verdict(evidence);
   EXPECT_EQ(worth.grade, Grade::kUsable);
-  EXPECT_THAT(worth.sentence.english(), HasSubstr("mostly depth read beside contacts"));
+  EXPECT_THAT(worth.sentence.english(), HasSubstr("mostly depth measured next to contacts"));
 }
 
 TEST(Verdict, StudentsFactorIsThatOfTables) {

@@ -89,7 +89,7 @@ TEST_F(FolderChanges, NeverReachOutOfTheirFolder) {
     put(".change.list", std::string("alltact-change/1\nfrom .change-1\n") + line + "\nend\n");
     const Status status = complete_change(folder_.path());
     ASSERT_FALSE(status) << line;
-    EXPECT_THAT(status.error().sentence(), HasSubstr("no list of files to be changed"));
+    EXPECT_THAT(status.error().sentence(), HasSubstr("not a list of files to be changed"));
   }
   put(".change.list", "alltact-change/1\nfrom .change-1\ntake a\n");
   EXPECT_FALSE(complete_change(folder_.path())) << "cut off";

@@ -295,9 +295,9 @@ TEST(Message, ErrorsNameThePlaceAndWhatCanBeTried) {
   EXPECT_EQ(
       (Error{what, std::string("camera.fx"), en::say("add {}", std::string("it"))}.sentence()),
       "camera.fx: it is missing. Try: add it.");
-  const Error error{what, en::say("the picture"), ""};
+  const Error error{what, en::say("the image"), ""};
   EXPECT_EQ(error.message().in([](const Message& message) -> std::string {
-    return message.words() == "the picture"     ? "das Bild"
+    return message.words() == "the image"       ? "das Bild"
            : message.words() == "it is missing" ? "es fehlt"
                                                 : message.words();
   }),

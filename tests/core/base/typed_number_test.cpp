@@ -45,13 +45,13 @@ TEST(TypedNumber, TheSentenceSaysWhatToWrite) {
   EXPECT_EQ(sentence_for("4,500", DecimalMark::kPoint),
             "'4,500' can mean 4.5 or 4500: write 4.5 or 4500.");
   EXPECT_EQ(sentence_for("1.234,5", DecimalMark::kComma),
-            "'1.234,5' holds a mark between thousands: write 1234.5.");
+            "'1.234,5' contains a thousands separator: write 1234.5.");
   EXPECT_EQ(sentence_for("1'000", DecimalMark::kPoint),
-            "'1'000' holds a mark between thousands: write 1000.");
+            "'1'000' contains a thousands separator: write 1000.");
   EXPECT_EQ(sentence_for("4.5 cm", DecimalMark::kPoint),
             "'4.5 cm' is in 'cm': give the number in mm.");
   EXPECT_EQ(sentence_for("4.5 cm", DecimalMark::kPoint, ""),
-            "'4.5 cm' has 'cm' behind the number: leave that out.");
+            "'4.5 cm' has 'cm' after the number: remove it.");
   EXPECT_EQ(sentence_for("four", DecimalMark::kPoint), "'four' is not a number.");
   EXPECT_EQ(sentence_for(" ", DecimalMark::kPoint), "a number is missing.");
 }

@@ -57,7 +57,7 @@ TEST(YamlReader, TakesBothDecimalMarksAndRefusesThousands) {
                          YamlSection face = top.section("face");
                          any(face);
                        }),
-              HasSubstr("face.layer_mm: a comma parts the entries here, and '6' is none"));
+              HasSubstr("face.layer_mm: a comma separates entries here, and '6' is none"));
 }
 
 TEST(YamlReader, SaysFileLineKeyAndWhatWouldBeRight) {
@@ -69,7 +69,7 @@ TEST(YamlReader, SaysFileLineKeyAndWhatWouldBeRight) {
   EXPECT_EQ(reported("share: half", read_share),
             "a/b.yaml:1: share: must be a number above 0 and up to 1, not 'half'. Try: a number "
             "such as 24.0, with a point and without a unit.");
-  EXPECT_THAT(reported("share: 0", read_share), HasSubstr("what is absent is not named"));
+  EXPECT_THAT(reported("share: 0", read_share), HasSubstr("leave out what is absent"));
   EXPECT_THAT(reported("share: 1\nshare: 1", read_share),
               HasSubstr("b.yaml:2: share: is given twice"));
   EXPECT_THAT(reported("- 1", read_share), HasSubstr("not a list"));
@@ -100,8 +100,7 @@ TEST(YamlReader, ListsAreOfTheRightLengthAndEveryNumberInItsLimits) {
   for (const char* good : {"1", "8", "+3", "4.0"})
     EXPECT_EQ(reported(fmt::format("count: {}", good), count), "read") << good;
   for (const char* bad : {"0", "9", "2.5", "'3'", "1e99", "0x4", "3 mm", ".nan", "[3]", "~"})
-    EXPECT_THAT(reported(fmt::format("count: {}", bad), count),
-                HasSubstr("whole number from 1 to 8"))
+    EXPECT_THAT(reported(fmt::format("count: {}", bad), count), HasSubstr("integer from 1 to 8"))
         << bad;
 }
 
@@ -137,8 +136,8 @@ TEST(YamlReader, NamesTheNearestKeyAndWord) {
   EXPECT_THAT(reported("fy: 1", reader), HasSubstr("Try: add 'fx: ...'"));  // no slip
   YamlFile file("b.yaml");
   ASSERT_TRUE(file.read("layer_nm: 1", reader));
-  EXPECT_THAT(file.warnings()[0].english(), HasSubstr("kept as it is. Try: 'layer_mm'"));
-  EXPECT_THAT(reported("shaer: 1", read_share), HasSubstr("Try: write 'share' for 'shaer'"));
+  EXPECT_THAT(file.warnings()[0].english(), HasSubstr("it stays unchanged. Try: 'layer_mm'"));
+  EXPECT_THAT(reported("shaer: 1", read_share), HasSubstr("Try: write 'share' instead of 'shaer'"));
 }
 
 TEST(YamlReader, ASlipOfOneLetterIsNamed) {
@@ -201,9 +200,9 @@ TEST(YamlReader, HostileTextsAreRefused) {
     for (const std::string& text : hostile_texts())
       EXPECT_THAT(reported(text, reader, policy), HasSubstr("a/b.yaml")) << text.substr(0, 80);
   const auto texts = hostile_texts();
-  EXPECT_THAT(reported(texts[0], reader), HasSubstr("too large or too odd to be kept"));
+  EXPECT_THAT(reported(texts[0], reader), HasSubstr("too large or too unusual to be stored"));
   EXPECT_THAT(reported(texts[1], reader), HasSubstr("too large to be read"));
-  EXPECT_THAT(reported(texts[2], reader), HasSubstr("too large or too odd to be kept"));
+  EXPECT_THAT(reported(texts[2], reader), HasSubstr("too large or too unusual to be stored"));
   EXPECT_THAT(reported("\"\\e\": \"\\\x1b\"", reader), Not(HasSubstr("\x1b")));
   const auto within = [](YamlSection& top) {
     (void)top.section("\x1f").number("share", kFraction);

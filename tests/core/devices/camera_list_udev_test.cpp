@@ -137,8 +137,8 @@ TEST(CameraList, SaysWhatIsWrongWithThoseThatCannotBeUsed) {
   EXPECT_THAT(found[0].problem->sentence(),
               AllOf(HasSubstr("access is not allowed"), HasSubstr("70-alltact.rules")));
   EXPECT_THAT(found[1].problem->sentence(), HasSubstr("another program is using it"));
-  EXPECT_THAT(found[2].problem->sentence(), HasSubstr("no format that can be read"));
-  EXPECT_THAT(found[3].problem->sentence(), HasSubstr("in several planes, which cannot be read"));
+  EXPECT_THAT(found[2].problem->sentence(), HasSubstr("no supported format"));
+  EXPECT_THAT(found[3].problem->sentence(), HasSubstr("in several planes, which is not supported"));
   EXPECT_TRUE(busy.is_streaming()) << "looking does not disturb";
   const auto several = find_camera("SAME", found);
   ASSERT_FALSE(several.ok());

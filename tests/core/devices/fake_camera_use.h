@@ -16,7 +16,7 @@ using Clock = std::chrono::steady_clock;
 inline CameraAccess place_of(FakeCamera& fake, const std::string& node = "/dev/video0") {
   return {&fake, "usb-Fake-index0", [&fake, node]() -> Result<std::string> {
             if (fake.is_plugged()) return node;
-            return Error{en::say("the camera is not there"), node, en::say("plug it in")};
+            return Error{en::say("the camera is not connected"), node, en::say("plug it in")};
           }};
 }
 

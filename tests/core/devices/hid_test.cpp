@@ -243,7 +243,7 @@ TEST(LedDimmer, AnMcp2221aKeepsItsOtherPinsAndTakesItsThirtyTwoSteps) {
     refused[1] = 1;
     return refused;
   };
-  EXPECT_THAT(dimmer->set(0).error().what.english(), HasSubstr("did not answer as it should"));
+  EXPECT_THAT(dimmer->set(0).error().what.english(), HasSubstr("did not answer as expected"));
   EXPECT_DOUBLE_EQ(dimmer->setting().level, 1.0);
 }
 

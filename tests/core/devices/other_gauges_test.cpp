@@ -103,7 +103,7 @@ TEST(TypedGauge, WhatIsNoReadingIsSaidAndCostsNothing) {
     const GaugeUpdate news = typed(typing, gauge, bad);
     EXPECT_TRUE(news.samples.empty()) << bad;
     ASSERT_EQ(news.remarks.size(), 1U) << bad;
-    EXPECT_THAT(news.remarks[0].english(), HasSubstr("is no reading")) << bad;
+    EXPECT_THAT(news.remarks[0].english(), HasSubstr("is not a reading")) << bad;
   }
   for (const char* doubtful : {"1,200\n", "y 1,200 N\n", "1.200,5\n", "1'200\n"}) {
     const GaugeUpdate news = typed(typing, gauge, doubtful);
@@ -191,7 +191,7 @@ TEST(GaugeReport, ATableDescribesItToo) {
   EXPECT_THAT(refusal("at,type\n1,s17\n"), HasSubstr("gauge.csv, line 2"));
   EXPECT_THAT(refusal("at,type\n1\n"), HasSubstr("has 1 cells, not 2"));
   EXPECT_THAT(refusal("type\ns16\n"), HasSubstr("'at' is missing"));
-  EXPECT_THAT(refusal("at,type\n"), HasSubstr("describes no report"));
+  EXPECT_THAT(refusal("at,type\n"), HasSubstr("does not describe a gauge's report"));
 }
 
 /// Reports in their order; then the device is gone.

@@ -78,7 +78,7 @@ TEST(SerialPort, IsSetUpAs8N1WithoutAnyTranslation) {
 TEST(SerialPort, WhatIsNoLineIsRefusedWithASentence) {
   EXPECT_NE(SerialPort::open("/dev/ttyNone", 9600).error().sentence().find("no such serial line"),
             std::string::npos);
-  EXPECT_NE(SerialPort::open("/dev/null", 9600).error().sentence().find("is no serial line"),
+  EXPECT_NE(SerialPort::open("/dev/null", 9600).error().sentence().find("is not a serial line"),
             std::string::npos);
   const SerialLine line;
   EXPECT_NE(SerialPort::open(line.node(), 9601).error().sentence().find("9601 baud"),
@@ -227,21 +227,21 @@ TEST(OpenGauge, WhatDoesNotGoTogetherIsRefused) {
     return choice;
   };
   const std::string serial = "serial:/dev/ttyNone", hid = "hid:1:2";
-  has(with("scale", &GaugeChoice::unit, "N"), "'scale' is no gauge");
-  has(with("typed", &GaugeChoice::model, "mark10"), "of a serial gauge");
-  has(with("typed", &GaugeChoice::baud, 9600), "of a serial gauge");
-  has(with("typed", &GaugeChoice::unit, "mm"), "no unit of force");
-  has(with("typed", &GaugeChoice::direction, "up"), "no direction");
-  has(with("typed", &GaugeChoice::report, "at=1"), "no HID device");
-  has(with(hid, &GaugeChoice::direction, "x"), "not told where");
-  has(with(hid, &GaugeChoice::report, "at=x"), "describes no report");
+  has(with("scale", &GaugeChoice::unit, "N"), "'scale' is not a gauge");
+  has(with("typed", &GaugeChoice::model, "mark10"), "only to a serial gauge");
+  has(with("typed", &GaugeChoice::baud, 9600), "only to a serial gauge");
+  has(with("typed", &GaugeChoice::unit, "mm"), "is not a unit of force");
+  has(with("typed", &GaugeChoice::direction, "up"), "is not a direction");
+  has(with("typed", &GaugeChoice::report, "at=1"), "not a HID device");
+  has(with(hid, &GaugeChoice::direction, "x"), "the position of the force");
+  has(with(hid, &GaugeChoice::report, "at=x"), "does not describe a gauge's report");
   GaugeChoice choice = with(hid, &GaugeChoice::report, "at=1");
   choice.unit = "g";
-  has(choice, "with its report");
+  has(choice, "belongs in its report");
   choice.unit = "", choice.direction = "x/y";
   has(choice, "2 directions for 1");
   has(with(serial, &GaugeChoice::model, "balance"), "no gauge 'balance'");
-  has(with(serial, &GaugeChoice::ask, "\\q"), "no text with");
+  has(with(serial, &GaugeChoice::ask, "\\q"), "is not a text with");
   const auto absent = gauge_opener(with(serial, &GaugeChoice::unit, "N"));
   ASSERT_TRUE(absent);
   EXPECT_NE((*absent)().error().sentence().find("no such serial line"), std::string::npos);

@@ -138,8 +138,9 @@ TEST(V4l2Camera, ASignalThatCannotBeReadIsToldAndWaitedFor) {
     const auto status = camera->status();
     return status.trouble ? status.trouble->sentence() : std::string();
   };
-  EXPECT_TRUE(comes_true([&] { return trouble().find("no such format") != std::string::npos; }))
-      << trouble();
+  EXPECT_TRUE(comes_true([&] {
+    return trouble().find("no such readable format") != std::string::npos;
+  })) << trouble();
   fake.change_source(64, 48);
   EXPECT_TRUE(comes_true([&] { return camera->status().state == CameraState::kStreaming; }));
 }
@@ -190,7 +191,7 @@ TEST(V4l2Camera, RepeatedPicturesAreCountedAndSaidOnce) {
     ASSERT_TRUE(produce(2));
     EXPECT_EQ(camera->status().counts.repeated, 3U) << fourcc;
     EXPECT_THAT(remarks_of(*camera),
-                testing::ElementsAre(HasSubstr("sent a picture twice (frame_00002)")));
+                testing::ElementsAre(HasSubstr("sent an image twice (frame_00002)")));
   }
 }
 
@@ -232,7 +233,7 @@ TEST(V4l2Camera, AClockThatIsSetBackDuringARecordingIsSaidAndLosesNothing) {
   }
   EXPECT_EQ(camera->status().counts.mistimed, 10U);
   EXPECT_THAT(remarks_of(*camera),
-              testing::ElementsAre(HasSubstr("The camera's clock was set by -30.0 s")));
+              testing::ElementsAre(HasSubstr("The camera's clock was changed by -30.0 s")));
   ASSERT_TRUE((*recorder)->finish("done").ok());
   const auto journal = read_journal(journal_of(folder / "x.mkv"));
   ASSERT_TRUE(journal.ok()) << journal.error().sentence();

@@ -68,7 +68,7 @@ TEST(V4l2Camera, TheLockHoldsWhatOthersChangeWhetherTheyTellOrNot) {
   EXPECT_TRUE(comes_true([&] { return camera->status().counts.restored == 2; }));
   EXPECT_THAT(remarks_of(*camera),
               Contains("'Exposure Time, Absolute' was changed from 250 to 999 by something else; "
-                       "it was put back."));
+                       "it was restored."));
   // Our own change is no such thing.
   ASSERT_TRUE(camera->set_control({V4L2_CID_GAIN, "Gain", 20}).ok());
   std::this_thread::sleep_for(1500ms);
@@ -109,8 +109,8 @@ TEST(V4l2Camera, ControlsCarryRangesMenusAndWhoHasThemInHand) {
     return camera->set_control({id, name, value}).error().sentence();
   };
   EXPECT_THAT(sentence(V4L2_CID_WHITE_BALANCE_TEMPERATURE, "Temperature", 3000),
-              HasSubstr("automatic mode has it in hand"));
-  EXPECT_THAT(sentence(V4L2_CID_GAIN, "Gain", 1000), HasSubstr("the camera took 100 instead"));
+              HasSubstr("automatic mode controls it"));
+  EXPECT_THAT(sentence(V4L2_CID_GAIN, "Gain", 1000), HasSubstr("the camera uses 100 instead"));
   EXPECT_THAT(sentence(V4L2_CID_EXPOSURE_AUTO, "Auto", 9), HasSubstr("refuses this value"));
 }
 
@@ -132,7 +132,7 @@ TEST(ChooseFormat, TakesTheLargestThatIsFastEnoughAndLosesLeast) {
   EXPECT_EQ(chosen({"", 640, 480, 0}), "640x480 GREY at 30 frames per second");
   EXPECT_EQ(chosen({"YUYV", 0, 0, 0}), "640x480 YUYV at 30 frames per second");
   EXPECT_EQ(chosen({"YUYV", 1920, 1080, 0}), "1920x1080 YUYV at 5 frames per second");
-  EXPECT_THAT(chosen({"H264", 0, 0, 0}), HasSubstr("no such format"));
+  EXPECT_THAT(chosen({"H264", 0, 0, 0}), HasSubstr("no such readable format"));
 }
 
 TEST(V4l2Camera, AutomaticModesThatAreOnAreNamedUntilTheLockSwitchesThemOff) {

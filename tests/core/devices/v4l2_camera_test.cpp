@@ -117,12 +117,13 @@ TEST(V4l2Camera, WhatCannotBeOpenedIsRefusedByName) {
   fake.fail(VIDIOC_QBUF, EIO);
   EXPECT_THAT(refusal(fake), HasSubstr("USB connection is disturbed"));
   fake.fail(VIDIOC_QUERYCAP, ENOTTY);
-  EXPECT_THAT(refusal(fake), HasSubstr("does not answer as a camera"));
+  EXPECT_THAT(refusal(fake), HasSubstr("does not answer like a camera"));
   fake.refuse_size(true);
-  EXPECT_THAT(refusal(fake), AllOf(HasSubstr("asked for 64x48"), HasSubstr("chose 160x120")));
+  EXPECT_THAT(refusal(fake),
+              AllOf(HasSubstr("64x48"), HasSubstr("was requested, but the camera chose 160x120")));
   fake.refuse_size(false);
   EXPECT_THAT(refusal(fake, {"MJPG", 1920, 1080, 0}),
-              AllOf(HasSubstr("no such format"), HasSubstr("64x48 GREY at 200 frames")));
+              AllOf(HasSubstr("no such readable format"), HasSubstr("64x48 GREY at 200 frames")));
   EXPECT_EQ(fake.open_handles(), 0) << "nothing is left open";
   EXPECT_EQ(refusal(fake), "opened") << "after all that";
 }
@@ -131,7 +132,7 @@ TEST(V4l2Camera, ANodeThatCarriesMetadataIsNoCamera) {
   FakeOptions options = raw(true);
   options.is_metadata = true;
   FakeCamera fake(options);
-  EXPECT_THAT(refusal(fake), HasSubstr("gives no pictures"));
+  EXPECT_THAT(refusal(fake), HasSubstr("delivers no readable images"));
 }
 
 TEST(V4l2Camera, PassingFaultsDoNotStopTheFrames) {
@@ -155,7 +156,7 @@ TEST(V4l2Camera, PassingFaultsDoNotStopTheFrames) {
   ASSERT_TRUE(comes_true([&] { return camera->status().counts.restarts >= 4; }));
   EXPECT_TRUE(goes_on());
   EXPECT_FALSE(camera->status().trouble.has_value());
-  EXPECT_THAT(remarks_of(*camera), Contains("Pictures come again."));
+  EXPECT_THAT(remarks_of(*camera), Contains("Images arrive again."));
 }
 
 TEST(V4l2Camera, SilenceIsAFaultWithASentenceAndTheStreamIsStartedAgain) {
@@ -169,7 +170,7 @@ TEST(V4l2Camera, SilenceIsAFaultWithASentenceAndTheStreamIsStartedAgain) {
     const auto item = queue->next(3s);
     ASSERT_TRUE(item.has_value());
     if (item->ok()) continue;
-    EXPECT_THAT(item->error().sentence(), HasSubstr("no picture came for 0."));
+    EXPECT_THAT(item->error().sentence(), HasSubstr("no image arrived for 0."));
     break;
   }
   EXPECT_LT(Clock::now() - begin, 1s);

@@ -158,7 +158,7 @@ TEST(Gripper, AFingersOwnFileCanSayWhereItsCameraWas) {
   finger->gripper_from_camera.reset();
   ASSERT_TRUE(finger->save(folder / "left"));
   EXPECT_THAT(Gripper::load(folder.path()).error().sentence(),
-              HasSubstr("does not say where the camera sits in the gripper"));
+              HasSubstr("does not specify the camera's pose in the gripper"));
   std::filesystem::remove_all(folder / "left");
   EXPECT_THAT(Gripper::load(folder.path()).error().sentence(), HasSubstr("finger.yaml"));
 }

@@ -227,7 +227,7 @@ TEST(Linkage, AtAndBeyondItsEndsItSaysSo) {
             "rod and crank do not meet at 40 turns: they do from 15 (rod and crank are folded into "
             "one line) to 35 (rod and crank are stretched into one line). Try: a motor position "
             "between these.");
-  EXPECT_THAT(linkage->angle_at(std::nan("")).error().sentence(), HasSubstr("no number"));
+  EXPECT_THAT(linkage->angle_at(std::nan("")).error().sentence(), HasSubstr("not a number"));
   const auto at_the_end = linkage->angle_at(35);
   ASSERT_TRUE(at_the_end);
   EXPECT_TRUE(std::isinf(at_the_end->rad_per_turn));

@@ -80,9 +80,9 @@ TEST(RecordedContacts, WhatCannotBeIsRefusedByFileAndLine) {
     const auto read = parse_recorded_contacts("{\"frame\": \"a\"}\n" + text, "results.jsonl");
     return read ? std::string("accepted") : read.error().sentence();
   };
-  EXPECT_THAT(refusal("{\"frame\": \"b\""), HasSubstr("results.jsonl:2: is no JSON"));
-  EXPECT_THAT(refusal("[1]"), HasSubstr("results.jsonl:2: is no JSON object"));
-  EXPECT_THAT(refusal("{\"frame\": 3}"), HasSubstr("'frame' must be a text"));
+  EXPECT_THAT(refusal("{\"frame\": \"b\""), HasSubstr("results.jsonl:2: is not JSON"));
+  EXPECT_THAT(refusal("[1]"), HasSubstr("results.jsonl:2: is not a JSON object"));
+  EXPECT_THAT(refusal("{\"frame\": 3}"), HasSubstr("'frame' must be text"));
   EXPECT_THAT(refusal("{\"frame\": \"b\", \"time_ns\": 0.5}"), HasSubstr("'time_ns'"));
   EXPECT_THAT(refusal("{\"frame\": \"b\", \"regions\": 3}"), HasSubstr("'regions'"));
   EXPECT_THAT(refusal("{\"frame\": \"b\", \"regions\": [3]}"), HasSubstr("a region"));
@@ -95,8 +95,8 @@ TEST(RecordedContacts, WhatCannotBeIsRefusedByFileAndLine) {
   EXPECT_THAT(region(", \"axis\": [1, 0, 0], \"angle_sd_deg\": -1"), HasSubstr("0 or above"));
   EXPECT_THAT(region(", \"normal\": [0, 0, \"x\"]"), HasSubstr("'normal' must be a number"));
   EXPECT_THAT(region(", \"place_covariance_mm2\": [1, 0, 0, -1, 0, 1]"),
-              HasSubstr("is no covariance"));
-  EXPECT_THAT(region(", \"place_covariance_mm2\": [1e999, 0, 0, 1, 0, 1]"), HasSubstr("no JSON"));
+              HasSubstr("is not a covariance"));
+  EXPECT_THAT(region(", \"place_covariance_mm2\": [1e999, 0, 0, 1, 0, 1]"), HasSubstr("not JSON"));
 }
 
 TEST(RecordedContacts, EveryTruncationAndDamageIsReadOrRefused) {

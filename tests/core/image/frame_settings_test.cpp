@@ -18,16 +18,16 @@ TEST(FrameSettings, EntriesStandInTheirOrderAndCannotRunIntoEachOther) {
   add_setting(text, "Camera", "usb-1");
   add_setting(text, "A=b; c", "1; D=2\n");
   EXPECT_EQ(text, "Camera=usb-1; A b  c=1  D=2 ");
-  EXPECT_EQ(differences(text, "Camera=usb-2; D=3").english(), "Camera was usb-1 and is usb-2");
+  EXPECT_EQ(differences(text, "Camera=usb-2; D=3").english(), "Camera changed from usb-1 to usb-2");
 }
 
 TEST(FrameSettings, OnlyWhatBothTellCanDiffer) {
   EXPECT_EQ(differences("Gain=3; Focus=200", "Focus=200; Gain=3").english(), "");
   EXPECT_EQ(differences("Gain=3; Focus=200", "Gain=5; Focus=0; Zoom=1").english(),
-            "Focus was 200 and is 0, Gain was 3 and is 5");
+            "Focus changed from 200 to 0, Gain changed from 3 to 5");
   EXPECT_EQ(differences("", "Gain=5").english(), "");
   EXPECT_EQ(differences("Gain=5", "").english(), "");
-  EXPECT_EQ(differences("nonsense; =; x", "nonsense; =1; x=2").english(), " was  and is 1");
+  EXPECT_EQ(differences("nonsense; =; x", "nonsense; =1; x=2").english(), " changed from  to 1");
 }
 
 TEST(FrameSettings, ARecordingsAreThoseOfItsFirstFrameAndTheFirstChangeIsKept) {
@@ -36,7 +36,7 @@ TEST(FrameSettings, ARecordingsAreThoseOfItsFirstFrameAndTheFirstChangeIsKept) {
   EXPECT_EQ(seen.first(), "");
   for (const char* text : {"Gain=3", "Gain=3", "Gain=4", "Gain=9"}) seen.add(*frame_with(text));
   EXPECT_EQ(seen.first(), "Gain=3");
-  EXPECT_EQ(seen.change().english(), "Gain was 3 and is 4");
+  EXPECT_EQ(seen.change().english(), "Gain changed from 3 to 4");
 }
 
 /// Gives these frames, then an error, then the end.

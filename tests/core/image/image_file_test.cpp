@@ -145,7 +145,7 @@ TEST_F(Picture, OtherKindsOfPixelsAreRefused) {
               HasSubstr("all black"));
   EXPECT_EQ(refusal(encoded(".png", cv::Mat(20, 20, CV_8UC1, cv::Scalar(5)))), "accepted");
   EXPECT_THAT(refusal(""), HasSubstr("empty"));
-  EXPECT_THAT(refusal("just some words, no picture"), HasSubstr("no picture"));
+  EXPECT_THAT(refusal("just some words, no picture"), HasSubstr("not an image"));
   EXPECT_THAT(read_grey_image(folder_ / "none.png").error().sentence(), HasSubstr("none.png"));
   EXPECT_FALSE(read_grey_image(folder_.path()).ok());
 }

@@ -115,9 +115,9 @@ TEST(Recorder, PuttingALongRecordingBackIsReported) {
   std::vector<double> told;
   const Job job([&](double fraction, const Message& what) {
     told.push_back(fraction);
-    EXPECT_THAT(what.english(), HasSubstr("putting the removed recording back"));
+    EXPECT_THAT(what.english(), HasSubstr("restoring the removed recording"));
   });
-  EXPECT_THAT(recorder->finish("done", job).error().sentence(), HasSubstr("was put back"));
+  EXPECT_THAT(recorder->finish("done", job).error().sentence(), HasSubstr("was restored"));
   ASSERT_GT(recorder->counts().bytes, 40'000'000U);
   if (told.empty()) GTEST_SKIP() << "this disk shares instead of copying";
   EXPECT_GE(told.size(), 3U);
@@ -131,7 +131,7 @@ TEST(Recorder, PuttingBackCanBeStoppedAndKeepsWhatIsThere) {
   Job* running = nullptr;
   std::chrono::steady_clock::time_point stopped;
   Job job([&](double, const Message& what) {
-    if (what.english().find("back: 0 of") != std::string::npos) return;  // the journal
+    if (what.english().find("recording: 0 of") != std::string::npos) return;  // the journal
     stopped = std::chrono::steady_clock::now();
     running->request_stop();
   });
@@ -154,7 +154,7 @@ TEST(Recorder, AJobThatWasStoppedBeforeStillPutsTheRecordingBack) {
   Job job;
   job.request_stop();  // Ctrl-C is how recordings end
   EXPECT_THAT(recorder->finish("stopped by hand", job).error().sentence(),
-              HasSubstr("was put back"));
+              HasSubstr("was restored"));
   EXPECT_EQ(VideoFile::open(folder / "day/v.mkv")->frame_count(), 3U);
 }
 

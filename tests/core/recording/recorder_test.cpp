@@ -113,7 +113,7 @@ TEST(Recorder, NeverWritesOverARecording) {
   };
   const RecorderSettings settings = settings_for(VideoCodec::kAuto);
   std::ofstream(folder / "old.mkv") << "precious";
-  EXPECT_THAT(refusal(folder / "old.mkv", settings), HasSubstr("there is a file already"));
+  EXPECT_THAT(refusal(folder / "old.mkv", settings), HasSubstr("the file exists already"));
   EXPECT_EQ(text_of(folder / "old.mkv"), "precious");
   EXPECT_THAT(refusal(folder / "v.avi", settings), HasSubstr("ends in .mkv"));
   EXPECT_THAT(refusal(folder / "none/v.mkv", settings), HasSubstr("its folder does not exist"));
@@ -128,7 +128,7 @@ TEST(Recorder, WithoutAFrameNothingIsLeft) {
   auto recorder = started(folder / "v.mkv", settings_for(VideoCodec::kAuto));
   const Status status = recorder->finish("done");
   ASSERT_FALSE(status.ok());
-  EXPECT_THAT(status.error().sentence(), HasSubstr("no frame came"));
+  EXPECT_THAT(status.error().sentence(), HasSubstr("no frame arrived"));
   EXPECT_TRUE(fs::is_empty(folder.path()));
 }
 
@@ -144,7 +144,7 @@ TEST(Recorder, AFrameThatDoesNotFitEndsItWhole) {
   ASSERT_FALSE(status.ok());
   EXPECT_THAT(status.error().sentence(), HasSubstr("32 x 32, those before were 64 x 48"));
   EXPECT_EQ(exact_frames(folder / "v.mkv", false), 5U);
-  EXPECT_THAT(text_of(folder / "v.frames.csv"), HasSubstr("# ended: test camera: the picture is"));
+  EXPECT_THAT(text_of(folder / "v.frames.csv"), HasSubstr("# ended: test camera: the image is"));
 }
 
 TEST(Recorder, CanBeReadWhileItRecordsAndIsNotMendedThen) {
@@ -155,7 +155,7 @@ TEST(Recorder, CanBeReadWhileItRecordsAndIsNotMendedThen) {
   while (recorder->counts().recorded < 10) std::this_thread::yield();
   const Result<bool> mended = repair_recording(file, Job());
   ASSERT_FALSE(mended.ok());
-  EXPECT_THAT(mended.error().sentence(), HasSubstr("being recorded or mended right now"));
+  EXPECT_THAT(mended.error().sentence(), HasSubstr("being recorded or repaired right now"));
   EXPECT_EQ(exact_frames(file, false), 10U);
   for (std::uint32_t i = 10; i < 20; ++i)
     ASSERT_TRUE(recorder->add_waiting(camera_frame(i, false)));

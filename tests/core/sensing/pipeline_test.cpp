@@ -145,7 +145,7 @@ TEST(PipelineOfAFlatSensor, TellsItsShapeWithTheReferenceAlone) {
   const auto refused = pipeline(frame_of(smaller(free)));
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error().advice.english(),
-            "a picture at the size that the finger was calibrated with");
+            "an image of the size that the finger was calibrated with");
 }
 
 }  // namespace

@@ -246,11 +246,11 @@ TEST_F(Meshes, RefusesWhatIsNoBody) {
   write_stl(folder_ / "nan.stl", broken);
   std::ofstream(folder_ / "text.stl") << "this is no mesh";
   std::ofstream(folder_ / "ball.ply") << "ply";
-  EXPECT_THAT(refused("file: ball.stl"), HasSubstr("there is no such mesh"));
+  EXPECT_THAT(refused("file: ball.stl"), HasSubstr("the mesh does not exist"));
   EXPECT_THAT(refused("file: ball.stl"), HasSubstr("scene.yaml:10"));
   EXPECT_THAT(refused("file: hole.stl"), HasSubstr("the mesh has holes: 3 edges"));
-  EXPECT_THAT(refused("file: small.stl"), HasSubstr("'scale' says how many mm"));
-  EXPECT_THAT(refused("file: ball.ply"), HasSubstr("this is not known as a mesh"));
+  EXPECT_THAT(refused("file: small.stl"), HasSubstr("'scale' specifies the mm per unit"));
+  EXPECT_THAT(refused("file: ball.ply"), HasSubstr("this mesh format is unknown"));
   for (const char* file : {"none.stl", "text.stl", "nan.stl"})
     EXPECT_THAT(refused(std::string("file: ") + file), HasSubstr("mesh")) << file;
   EXPECT_EQ(refused("file: nut_m6.stl"), "");  // comes with the program

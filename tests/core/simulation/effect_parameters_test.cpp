@@ -42,7 +42,7 @@ TEST(EffectParameters, AreThoseOfTheReader) {
   EXPECT_EQ(of("read", "sd").values, "a number above 0 and up to 100");
   EXPECT_EQ(of("layer", "along").values, "one of normal, z");
   EXPECT_FALSE(of("layer", "absorb_per_mm").in_example);
-  EXPECT_EQ(of("mjpeg", "quality").values, "a whole number from 1 to 100");
+  EXPECT_EQ(of("mjpeg", "quality").values, "an integer from 1 to 100");
   EXPECT_EQ(of("bend", "q1_mm").values, "{from: ..., to: ...}, each a number from -100 to 100");
   EXPECT_EQ(of("scratch", "to_mm").values, "a list, each a number from -1000 to 1000");
   EXPECT_THAT(of("leak", "lux").values, HasSubstr("together with grey_per_lux"));

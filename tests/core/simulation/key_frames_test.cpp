@@ -91,14 +91,14 @@ TEST(KeyFrames, WrongOnesAreRefusedWithFileLineAndKey) {
   const std::string list = "\n    - {at: 1 s, is: 1}\n    - ";
   ASSERT_EQ(problem(list + "{at: 2 s, is: 1, by: smooth}"), "");
   EXPECT_THAT(problem(list + "{at: 20, is: 1}"),
-              HasSubstr("test.yaml:5: ball.x_mm[1].at: the key frame before it is a later one. "
-                        "Try: key frames in the order of their times"));
+              HasSubstr("test.yaml:5: ball.x_mm[1].at: the key frame before it has a later time. "
+                        "Try: key frames in order of time"));
   EXPECT_THAT(problem(list + "{at: 30, is: 1}"),
-              HasSubstr("test.yaml:5: ball.x_mm[1].at: the key frame before it stands there too"));
+              HasSubstr("test.yaml:5: ball.x_mm[1].at: the key frame before it has the same time"));
   EXPECT_THAT(problem(list + "{at: 2 s}"),
               HasSubstr("test.yaml:5: ball.x_mm[1].is: is missing. Try: add 'is: ...'"));
   EXPECT_THAT(problem(list + "{is: 2}"), HasSubstr("ball.x_mm[1].at: is missing"));
-  EXPECT_THAT(problem(list + "{at: 2 s, is: 0}"), HasSubstr("what is absent is not named"));
+  EXPECT_THAT(problem(list + "{at: 2 s, is: 0}"), HasSubstr("leave out what is absent"));
   EXPECT_THAT(problem(list + "{at: 2 s, is: 51}"), HasSubstr("ball.x_mm[1].is: must be"));
   EXPECT_THAT(problem(list + "{at: 2 s, is: 1, by: smoth}"),
               HasSubstr("ball.x_mm[1].by: 'smoth' is not known here. Try: 'smooth'"));

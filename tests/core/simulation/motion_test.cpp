@@ -46,7 +46,8 @@ TEST(MotionAlongAPath, LeadsNowhereOutOfRange) {
   EXPECT_THAT(refused("q1_mm: [{at: 0, is: 0}, {at: 2, is: 5.5}]"),
               HasSubstr("q1_mm = 5.5 is outside the effect's range. Try: -5 to 5."));
   EXPECT_THAT(refused("q1_mm: [{at: 0, is: -6}, {at: 2, is: 5}]"), HasSubstr("q1_mm = -6 is"));
-  EXPECT_THAT(refused("sway_mm: 1"), HasSubstr("the motion moves 'sway_mm', but no effect"));
+  EXPECT_THAT(refused("sway_mm: 1"),
+              HasSubstr("the motion moves 'sway_mm', but the scene has no such effect"));
 }
 
 }  // namespace

@@ -122,14 +122,14 @@ TEST(Presence, WhatCannotBeAloneIsRefusedForTheFramesInWhichItWouldBe) {
       "  - {use: ball, radius_mm: 4, s_mm: 30, y_mm: 0, depth_mm: 1, from: 1}\n";
   EXPECT_EQ(refusal(scene_text(ball + "  - {use: rolloff, kind: hertz, from: 1}\n")), "");
   EXPECT_THAT(refusal(scene_text(ball + "  - {use: rolloff, kind: hertz}\n")),
-              HasSubstr("rolloff: nothing presses, so nothing rolls off, in frames 0 to 0"));
+              HasSubstr("rolloff: nothing is pressed in, so nothing rolls off, in frames 0 to 0"));
   EXPECT_THAT(
       refusal(scene_text("  - {use: quantisation, until: 2}\n  - {use: mjpeg, quality: 80}\n")),
       HasSubstr("in frames 2 to 2"));
-  EXPECT_THAT(refusal(scene_text("  - {use: read, sd: 1, until: 2}\n"
-                                 "  - {use: read, sd: 2, from: 1}\n")),
-              HasSubstr("test.yaml:11: read#2.use: the effect 'read' is named twice for frames 1 "
-                        "to 1"));
+  EXPECT_THAT(
+      refusal(scene_text("  - {use: read, sd: 1, until: 2}\n"
+                         "  - {use: read, sd: 2, from: 1}\n")),
+      HasSubstr("test.yaml:11: read#2.use: the effect 'read' is listed twice for frames 1 to 1"));
   const Plan partly = plan_of(scene_text("  - {use: quantisation, from: 1}\n"));
   EXPECT_THAT(partly.check_grey_levels("x").error().sentence(), HasSubstr("in frames 0 to 0"));
 }

@@ -8,16 +8,16 @@ namespace {
 TEST(RefusedScene, TimesThatEndBeforeTheyBegin) {
   expect_refused({
       {effects({"use: shot, gain: 1, from: 2, until: 2"}),
-       "10: shot.until: it would never be there, for it begins with frame 2. Try: a later frame, "
+       "10: shot.until: it would never be active, for it begins with frame 2. Try: a later frame, "
        "or leave the effect out."},
       {effects({"use: shot, gain: 1, from: 2, until: 1"}),
-       "10: shot.until: it would never be there, for it begins with frame 2. Try: a later frame, "
+       "10: shot.until: it would never be active, for it begins with frame 2. Try: a later frame, "
        "or leave the effect out."},
       {effects({"use: shot, gain: 1, until: 1, from: 2"}),
-       "10: shot.until: it would never be there, for it begins with frame 2. Try: a later frame, "
+       "10: shot.until: it would never be active, for it begins with frame 2. Try: a later frame, "
        "or leave the effect out."},
       {effects({"use: shot, gain: 1, from: 1, from: 2"}),
-       "10: effects[0].from: is given twice. Try: leave one of the two."},
+       "10: effects[0].from: is given twice. Try: delete one of the two."},
       {effects({"use: shot, gain: 1, from: 5"}),
        "10: shot.from: the scene ends before that. Try: one of its frames, 0 to 2."},
       {effects({"use: shot, gain: 1, from: -1 s"}),
@@ -41,32 +41,32 @@ TEST(RefusedScene, TimesThatEndBeforeTheyBegin) {
       {effects({"use: ball, radius_mm: 4, s_mm: {from: 30, until: 40}, y_mm: 0, depth_mm: 1"}),
        "10: ball.s_mm.to: is missing. Try: add 'to: ...' under 'ball.s_mm:'."},
       {effects({"use: gamma, gamma: 2, until: 2", "use: gamma, gamma: 2, from: 1"}),
-       "11: gamma#2.use: the effect 'gamma' is named twice for frames 1 to 1. Try: let one end "
-       "with 'until' before the other begins with 'from'."},
+       "11: gamma#2.use: the effect 'gamma' is listed twice for frames 1 to 1. Try: end one with "
+       "'until' before the other begins with 'from'."},
   });
 }
 
 TEST(RefusedScene, KeyFramesAndRangesOutOfOrder) {
   expect_refused({
       {effects({"use: ball, radius_mm: 4, s_mm: [], y_mm: 0, depth_mm: 1"}),
-       "10: ball.s_mm: the list is empty. Try: one number a frame."},
+       "10: ball.s_mm: the list is empty. Try: one number per frame."},
       {effects({"use: ball, radius_mm: 4, s_mm: {from: 30, to: 20}, y_mm: 0, depth_mm: 1"}),
-       "10: ball.s_mm.from: 'from' is not below 'to'. Try: a range that grows."},
+       "10: ball.s_mm.from: 'from' is not below 'to'. Try: an increasing range."},
       {effects({"use: ball, radius_mm: 4, s_mm: {from: 30, to: 30}, y_mm: 0, depth_mm: 1"}),
-       "10: ball.s_mm.from: 'from' is not below 'to'. Try: a range that grows."},
+       "10: ball.s_mm.from: 'from' is not below 'to'. Try: an increasing range."},
       {effects(
            {"use: ball, radius_mm: 4, s_mm: {from: 30, to: 40, by: smooth}, y_mm: 0, depth_mm: 1"}),
        "10: ball.s_mm.by: unknown key 'by'. Try: one of from, to."},
       {effects({"use: ball, radius_mm: 4, s_mm: [{at: 2, is: 30}, {at: 1, is: 40}], y_mm: 0, "
                 "depth_mm: 1"}),
-       "10: ball.s_mm[1].at: the key frame before it is a later one. Try: key frames in the order "
-       "of their times."},
+       "10: ball.s_mm[1].at: the key frame before it has a later time. Try: key frames in order of "
+       "time."},
       {effects({"use: ball, radius_mm: 4, s_mm: [{at: 1, is: 30}, {at: 1, is: 40}], y_mm: 0, "
                 "depth_mm: 1"}),
-       "10: ball.s_mm[1].at: the key frame before it stands there too. Try: a later time, or leave "
-       "one of the two out."},
+       "10: ball.s_mm[1].at: the key frame before it has the same time. Try: a later time, or "
+       "leave one of the two out."},
       {effects({"use: ball, radius_mm: 4, s_mm: [{at: 1, is: 30, is: 40}], y_mm: 0, depth_mm: 1"}),
-       "10: ball.s_mm[0].is: is given twice. Try: leave one of the two."},
+       "10: ball.s_mm[0].is: is given twice. Try: delete one of the two."},
       {effects({"use: ball, radius_mm: 4, s_mm: [{at: 1, is: 30}, 40], y_mm: 0, depth_mm: 1"}),
        "10: ball.s_mm[1]: must be a block of 'key: value' lines, not '40'. Try: compare with "
        "another file of this kind."},
@@ -84,7 +84,7 @@ TEST(RefusedScene, KeyFramesAndRangesOutOfOrder) {
        "10: bend.q1_mm: must be a block of 'key: value' lines, not '3'. Try: compare with another "
        "file of this kind."},
       {effects({"use: bend, q1_mm: {from: 1, to: -1}, q2_mm: {from: -1, to: 1}"}),
-       "10: bend.q1_mm.from: 'from' is not below 'to'. Try: a range that grows."},
+       "10: bend.q1_mm.from: 'from' is not below 'to'. Try: an increasing range."},
       {effects({"use: bend, q1_mm: {from: -1, to: 200}, q2_mm: {from: -1, to: 1}"}),
        "10: bend.q1_mm.to: must be a number from -100 and up to 100, not '200'."},
   });
@@ -93,14 +93,14 @@ TEST(RefusedScene, KeyFramesAndRangesOutOfOrder) {
 TEST(RefusedScene, EffectsThatContradictThemselvesOrOthers) {
   expect_refused({
       {effects({"use: ball, radius_mm: 4, s_mm: 40, y_mm: 30, depth_mm: 1"}),
-       "10: ball: y_mm is beside the face. Try: -12 to 12."},
+       "10: ball: y_mm is outside the face. Try: -12 to 12."},
       {effects({"use: ball, radius_mm: 4, s_mm: 140, y_mm: 0, depth_mm: 1"}),
        "10: ball: s_mm is beyond the ends of the face. Try: 0 to 116."},
       {effects({"use: ball, radius_mm: 4, s_mm: 40, y_mm: 0, depth_mm: 1.5"}),
-       "10: ball: depth_mm = 1.5 goes through the layer of 1.5 mm. Try: less than "
+       "10: ball: depth_mm = 1.5 reaches through the layer of 1.5 mm. Try: less than "
        "finger.face.layer_mm."},
       {effects({"use: ball, radius_mm: 0.5, s_mm: 40, y_mm: 0, depth_mm: 1"}),
-       "10: ball: the ball would sink in beyond its middle. Try: depth_mm below radius_mm."},
+       "10: ball: the ball would sink in past its centre. Try: depth_mm below radius_mm."},
       {effects({"use: dead-pixels"}),
        "10: dead-pixels: there is neither dead nor hot. Try: name one of them."},
       {effects({"use: fixed-pattern"}),
@@ -123,7 +123,7 @@ TEST(RefusedScene, EffectsThatContradictThemselvesOrOthers) {
        "10: vignetting.coefficients: unknown key 'coefficients'. Try: one of use, from, until, "
        "kind."},
       {effects({"use: vignetting, kind: polynomial, coefficients: [-2]"}),
-       "10: vignetting.coefficients: no light would be left within the picture. Try: 1 + a r^2 + b "
+       "10: vignetting.coefficients: parts of the image would have no light. Try: 1 + a r^2 + b "
        "r^4 + c r^6 above 0 up to r = 1."},
       {effects({"use: vignetting, kind: cos"}),
        "10: vignetting.kind: 'cos' is not known here. Try: 'cos4', or else one of cos4, "
@@ -139,7 +139,7 @@ TEST(RefusedScene, EffectsThatContradictThemselvesOrOthers) {
                 "use: occlusion, count: 2, markers: [1]"}),
        "12: occlusion.markers: unknown key 'markers'. Try: one of use, from, until, count."},
       {effects({"use: occlusion, markers: [1.5]"}),
-       "10: occlusion.markers: 1.5 is not a marker's number. Try: 0, 1, 2, ...."},
+       "10: occlusion.markers: 1.5 is not a marker number. Try: 0, 1, 2, ...."},
       {effects({"use: sides, albedo: 0.1, depth_mm: 9",
                 "use: markers, radius_mm: 1, setback_mm: 4, first: 0.1, last: 0.9, albedo: 1",
                 "use: occlusion, markers: [1, 1]"}),
@@ -159,23 +159,23 @@ TEST(RefusedScene, EffectsThatContradictThemselvesOrOthers) {
                 "use: worn-marker, markers: [1, 1], wear: 0.5"}),
        "12: worn-marker.markers: marker 1 is listed twice. Try: each number once."},
       {effects({"use: late, share: 0, by_ms: 3"}),
-       "10: late.share: 0 would mean that this is absent, and what is absent is not named. Try: "
-       "leave it out, or give a number above 0 and up to 1."},
+       "10: late.share: 0 means that it is absent; leave out what is absent. Try: leave it out, or "
+       "enter a number above 0 and up to 1."},
       {effects({"use: drop, share: 1"}),
        "10: drop.share: must be a number above 0 and below 1, not '1'."},
       {effects({"use: drop, share: 0.5, run: 0"}),
-       "10: drop.run: must be a whole number from 1 to 1000, not '0'."},
+       "10: drop.run: must be an integer from 1 to 1000, not '0'."},
       {effects({"use: drop, share: 0.5, run: 1.5"}),
-       "10: drop.run: must be a whole number from 1 to 1000, not '1.5'."},
+       "10: drop.run: must be an integer from 1 to 1000, not '1.5'."},
       {effects({"use: quantisation", "use: mjpeg, quality: 0"}),
-       "11: mjpeg.quality: must be a whole number from 1 to 100, not '0'."},
+       "11: mjpeg.quality: must be an integer from 1 to 100, not '0'."},
       {effects({"use: mjpeg, quality: 80"}),
-       "10: mjpeg: JPEG needs whole grey levels. Try: name the effect quantisation too."},
+       "10: mjpeg: JPEG needs integer grey levels. Try: add the effect quantisation."},
       {effects({"use: layer, scatter_per_mm: 0.6, along: x"}),
        "10: layer.along: 'x' is not known here. Try: one of normal, z."},
       {effects({"use: layer, scatter_per_mm: 0.6, along: normal, absorb_per_mm: 0"}),
-       "10: layer.absorb_per_mm: 0 would mean that this is absent, and what is absent is not "
-       "named. Try: leave it out, or give a number above 0 and up to 100."},
+       "10: layer.absorb_per_mm: 0 means that it is absent; leave out what is absent. Try: leave "
+       "it out, or enter a number above 0 and up to 100."},
       {effects({"use: leds, lamps: []"}),
        "10: leds.lamps: there is no lamp. Try: - {at_mm: [x, y, z], power: p}."},
       {effects({"use: leds, lamps: [{at_mm: [0, 0], power: 1}]"}),
@@ -188,22 +188,22 @@ TEST(RefusedScene, EffectsThatContradictThemselvesOrOthers) {
       {effects({"use: leds, lamps: [{at_mm: [0, 0, 0], power: 1, aim_mm: [0,0,0], lobe: 2}]"}),
        "10: leds.lamps[0].aim_mm: the lamp aims at itself. Try: another point."},
       {effects({"use: leds, lamps: [{at_mm: [0, 0, 0], power: 1, aim_mm: [0,0,9], lobe: 3}]"}),
-       "10: leds.lamps[0].lobe: this lobe is not known. Try: 1, 2, 4 or 8."},
+       "10: leds.lamps[0].lobe: unknown lobe. Try: 1, 2, 4 or 8."},
       {effects({"use: leds, lamps: [{at_mm: [0, 0, 0], power: 1}, {at_mm: [0, 0, 0], power: 1, "
                 "colour: red}]"}),
        "10: leds.lamps[1].colour: unknown key 'colour'. Try: one of at_mm, power, aim_mm."},
       {effects({"use: leds, lamps: [{at_mm: [0, 0, 0], power: 1}, {at_mm: [0, 0, 0], powr: 1}]"}),
-       "10: leds.lamps[1].power: is missing. Try: write 'power' for 'powr'."},
+       "10: leds.lamps[1].power: is missing. Try: write 'power' instead of 'powr'."},
       {effects({"use: markers, radius_mm: 1, setback_mm: 4, first: 0.9, last: 0.1, albedo: 1"}),
        "10: markers.first: 'first' is not below 'last'. Try: e.g. 0.1 and 0.9."},
       {effects({"use: markers, radius_mm: 5, setback_mm: 4, first: 0.1, last: 0.9, albedo: 1"}),
        "10: markers.radius_mm: the dots would cut the face's edge. Try: less than setback_mm."},
       {effects({"use: markers, radius_mm: 1, setback_mm: 4, first: 0.1, last: 0.9, albedo: 1"}),
-       "10: markers: markers are engraved in the side faces. Try: name the effect sides too."},
+       "10: markers: markers are engraved in the side faces. Try: add the effect sides."},
       {effects({"use: rolloff, kind: smooth"}),
        "10: rolloff.length_mm: is missing. Try: add 'length_mm: ...' under 'rolloff:'."},
       {effects({"use: rolloff, kind: hertz"}),
-       "10: rolloff: nothing presses, so nothing rolls off. Try: name ball or relief too."},
+       "10: rolloff: nothing is pressed in, so nothing rolls off. Try: add ball or relief."},
       {effects({"use: relief, shape: picture, s_mm: 30, y_mm: 0, depth_mm: 1, mm_per_px: 1, "
                 "height_mm: 1, file: none.png"}),
        "10: relief.file: could not read the file: it does not exist. Try: check the path for "
@@ -218,7 +218,7 @@ TEST(RefusedScene, EffectsThatContradictThemselvesOrOthers) {
        "10: motion-blur: the shutter would be open for longer than a frame lasts. Try: exposure_ms "
        "up to 33.3333."},
       {effects({"use: motion-blur, exposure_ms: 5, moments: 1"}),
-       "10: motion-blur.moments: must be a whole number from 2 to 100, not '1'."},
+       "10: motion-blur.moments: must be an integer from 2 to 100, not '1'."},
       {effects({"use: rolling-shutter, readout_ms: 50"}),
        "10: rolling-shutter: reading the rows would take longer than a frame lasts. Try: "
        "readout_ms up to 33.3333."},
@@ -229,14 +229,14 @@ TEST(RefusedScene, EffectsThatContradictThemselvesOrOthers) {
       {effects({"use: flicker, kind: mains, hz: 100, exposure_ms: 1, depth: 1"}),
        "10: flicker: there is no lamp that could flicker. Try: name the effect leds too."},
       {effects({"use: warming, loss: 0.1, after_s: 0"}),
-       "10: warming.after_s: 0 would mean that this is absent, and what is absent is not named. "
-       "Try: leave it out, or give a number above 0 and up to 1e+06."},
+       "10: warming.after_s: 0 means that it is absent; leave out what is absent. Try: leave it "
+       "out, or enter a number above 0 and up to 1e+06."},
       {effects({"use: uneven-layer, share: 0.5, length_mm: 3"}),
        "10: uneven-layer.share: must be a number above 0 and up to 0.1, not '0.5'."},
       {effects({"use: bubble, s_mm: 40, y_mm: 0, radius_mm: 1"}),
-       "10: bubble: there is no layer for the bubble to be in. Try: name the effect layer too."},
+       "10: bubble: the bubble needs a layer. Try: name the effect layer too."},
       {effects({"use: gamma, gamma: 2", "use: gamma, gamma: 2"}),
-       "11: gamma#2.use: the effect 'gamma' is named twice. Try: remove one of them."},
+       "11: gamma#2.use: the effect 'gamma' is listed twice. Try: remove one of them."},
   });
 }
 

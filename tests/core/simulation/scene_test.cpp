@@ -51,7 +51,7 @@ TEST(Scene, WhatIsMisspeltIsRefusedWithTheNearestName) {
   const std::string rest = "  - {use: quantisation}\n";
   for (const auto& [wrong, meant] : {std::pair{"{use: roll_off, kind: hertz}", "'rolloff'"},
                                      {"{use: reed, sd: 1}", "'read'"},
-                                     {"{use: read, sdd: 1}", "write 'sd' for 'sdd'"},
+                                     {"{use: read, sdd: 1}", "write 'sd' instead of 'sdd'"},
                                      {"{use: read, sd: 1, untill: 2}", "'until'"},
                                      {"{use: read, sd: 1, form: 2}", "'from'"},
                                      {"{use: drop, share: 0.1, rum: 2}", "'run'"}}) {
@@ -66,18 +66,18 @@ TEST(Scene, StrengthZeroIsRefusedWithASentence) {
   for (const char* effect : {"  - {use: read, sd: 0}\n",
                              "  - {use: shot, gain: 0.0}\n",
                              "  - {use: layer, scatter_per_mm: 0, along: z}\n"})
-    EXPECT_THAT(refusal(scene_text(effect)), HasSubstr("what is absent is not named")) << effect;
+    EXPECT_THAT(refusal(scene_text(effect)), HasSubstr("leave out what is absent")) << effect;
 }
 
 TEST(Scene, EffectsThatCannotBeTogetherOrAloneAreRefused) {
   EXPECT_THAT(refusal(scene_text("  - {use: read, sd: 1}\n  - {use: read, sd: 2}\n")),
-              HasSubstr("named twice"));
+              HasSubstr("listed twice"));
   EXPECT_THAT(refusal(scene_text("  - {use: bulge, share: 0.1, width_mm: 1}\n")),
-              HasSubstr("nothing presses"));
+              HasSubstr("nothing is pressed in"));
   EXPECT_THAT(refusal(scene_text("  - {use: mjpeg, quality: 80}\n")), HasSubstr("quantisation"));
   EXPECT_THAT(
       refusal(scene_text("  - {use: ball, radius_mm: 4, s_mm: 30, y_mm: 0, depth_mm: 1.5}\n")),
-      HasSubstr("goes through the layer"));
+      HasSubstr("reaches through the layer"));
   EXPECT_THAT(
       refusal(scene_text("  - {use: ball, radius_mm: 4, s_mm: 300, y_mm: 0, depth_mm: 1}\n")),
       HasSubstr("beyond the ends"));

@@ -162,7 +162,7 @@ TEST(Several, TwoOfWhatThereCanBeOneOfAreRefused) {
     EXPECT_THAT(refusal_to_read(scene_text(line + line)), HasSubstr("test.yaml:11: ")) << effect;
     EXPECT_THAT(refusal_to_read(scene_text(line + line)), HasSubstr("#2.use: the effect"))
         << effect;
-    EXPECT_THAT(refusal_to_read(scene_text(line + line)), HasSubstr("is named twice. Try:"))
+    EXPECT_THAT(refusal_to_read(scene_text(line + line)), HasSubstr("is listed twice. Try:"))
         << effect;
     const std::string early = fmt::format("  - {{use: {}, until: 1}}\n", effect);
     const std::string late = fmt::format("  - {{use: {}, from: 1}}\n", effect);

@@ -137,7 +137,7 @@ TEST(SimulatedSource, FaultsThatCannotBeAreRefused) {
   std::ofstream(no_bytes.file) << scene_text("");
   const auto source = open_source({no_bytes.file});
   ASSERT_FALSE(source.ok());
-  EXPECT_THAT(source.error().sentence(), HasSubstr("name the effect quantisation"));
+  EXPECT_THAT(source.error().sentence(), HasSubstr("add the effect quantisation"));
 }
 
 TEST(SimulatedSource, AtTheCamerasPaceItNeverEndsAndIsNeverEarly) {

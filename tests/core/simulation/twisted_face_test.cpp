@@ -265,7 +265,7 @@ TEST(Twist, ByThreadsIsTheSame) {
 TEST(Twist, RefusesWhatCannotBe) {
   EXPECT_THAT(refusal(text_of({0, 0, 0, 31}, "")), testing::HasSubstr("twist_deg"));
   EXPECT_THAT(refusal(scene_text("  - {use: port, gap_mm: 1, plate_mm: 2, until: 1}\n")),
-              testing::HasSubstr("a lens does not change while it looks"));
+              testing::HasSubstr("a lens does not change over time"));
   EXPECT_THAT(refusal(scene_text("  - {use: port, gap_mm: 1, plate_mm: 2, plate_index: 4}\n")),
               testing::HasSubstr("plate_index"));
   // Folds over within the picture.

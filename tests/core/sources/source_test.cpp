@@ -198,10 +198,10 @@ TEST(Source, SaysWhatIsWrongWithAnInput) {
   write_video(folder / "v.mkv", cv::VideoWriter::fourcc('F', 'F', 'V', '1'), 1, false);
   EXPECT_THAT(refusal({}), HasSubstr("no input"));
   EXPECT_THAT(refusal({folder / "none.png"}), HasSubstr("none.png: there is no such file"));
-  EXPECT_THAT(refusal({folder / "empty"}), HasSubstr("holds no pictures"));
+  EXPECT_THAT(refusal({folder / "empty"}), HasSubstr("contains no images"));
   EXPECT_THAT(refusal({folder / "bad.mkv"}), HasSubstr("bad.mkv: the video cannot be opened"));
   EXPECT_THAT(refusal({folder / "empty.mkv"}), HasSubstr("the video cannot be opened"));
-  EXPECT_THAT(refusal({folder / "notes.txt"}), HasSubstr("neither a picture"));
+  EXPECT_THAT(refusal({folder / "notes.txt"}), HasSubstr("neither an image"));
   EXPECT_THAT(refusal({folder / "a.png", folder / "v.mkv"}), HasSubstr("cannot be mixed"));
   EXPECT_EQ(refusal({folder / "v.mkv"}), "opened");
 }

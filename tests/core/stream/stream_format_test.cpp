@@ -81,7 +81,7 @@ TEST(StreamFormat, ARequestNamesParts) {
     EXPECT_FALSE(stream_request(wrong)) << wrong;
   const auto slip = stream_request("alltact-stream/1 dept16");
   ASSERT_FALSE(slip);
-  EXPECT_THAT(slip.error().sentence(), HasSubstr("'dept16', but 'depth16'"));
+  EXPECT_THAT(slip.error().sentence(), HasSubstr("'dept16', only 'depth16'"));
   EXPECT_THAT(stream_request("alltact-stream/1 \x1b[2J").error().sentence(), HasSubstr("\\x1b[2J"));
 }
 

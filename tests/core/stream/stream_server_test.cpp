@@ -241,11 +241,11 @@ TEST_F(StreamServerTest, GarbageIsRefusedWithTheReason) {
     peer.say(line);
     return refusal(peer);
   };
-  EXPECT_THAT(answer_to("GET / HTTP/1.1\r\n"), HasSubstr("'GET / HTTP/1.1' does not ask for"));
+  EXPECT_THAT(answer_to("GET / HTTP/1.1\r\n"), HasSubstr("'GET / HTTP/1.1' does not request"));
   EXPECT_THAT(answer_to("alltact-stream/1 colour\n"), HasSubstr("no part 'colour'"));
   EXPECT_THAT(answer_to(std::string(400, 'a')), HasSubstr("longer than 256 bytes"));
   EXPECT_THAT(answer_to(std::string(300, '\0') + "\n"), HasSubstr("longer than 256 bytes"));
-  EXPECT_THAT(answer_to("alltact-stream/1\nand more"), HasSubstr("after the line"));
+  EXPECT_THAT(answer_to("alltact-stream/1\nand more"), HasSubstr("data followed the line"));
   EXPECT_TRUE(wait_until([&] { return server_->counts().refused == 5; }));
   EXPECT_TRUE(still_serves());
 }
@@ -253,14 +253,14 @@ TEST_F(StreamServerTest, GarbageIsRefusedWithTheReason) {
 TEST_F(StreamServerTest, MoreAfterTheLineEndsTheConnection) {
   const auto peer = listener("");
   peer->say("alltact-stream/1 picture\n");
-  EXPECT_THAT(refusal(*peer), HasSubstr("after the line"));
+  EXPECT_THAT(refusal(*peer), HasSubstr("data followed the line"));
 }
 
 TEST_F(StreamServerTest, HalfARequestIsNotWaitedForForEver) {
   const Peer closed(path_), silent(path_), begun(path_);
   closed.say("alltact-str");
   closed.say_no_more();
-  EXPECT_THAT(refusal(closed), HasSubstr("not whole"));
+  EXPECT_THAT(refusal(closed), HasSubstr("incomplete"));
   begun.say("alltact-stream/1 pict");
   EXPECT_TRUE(still_serves());
   EXPECT_THAT(refusal(silent), HasSubstr("no line came within 5 seconds"));
@@ -282,7 +282,7 @@ TEST_F(StreamServerTest, OneThatWillSayNothingMoreIsServed) {
 TEST_F(StreamServerTest, TooManyAreTold) {
   std::vector<std::unique_ptr<Peer>> all;
   for (std::size_t i = 0; i < StreamServer::kMaxClients; ++i) all.push_back(listener(""));
-  EXPECT_THAT(refusal(Peer(path_)), HasSubstr("16 programs are served already"));
+  EXPECT_THAT(refusal(Peer(path_)), HasSubstr("16 programs are already served"));
   all.pop_back();
   ASSERT_TRUE(wait_until([&] { return server_->counts().clients == all.size(); }));
   EXPECT_TRUE(still_serves());
@@ -323,8 +323,8 @@ TEST_F(StreamServerTest, AnotherUserIsRefused) {
     if (!peer.is_in()) _exit(3);
     const auto heard = peer.hear();
     if (!heard || heard->type() != StreamType::kRefused) _exit(4);
-    _exit(heard->told.at("error").get<std::string>().find("another user") != std::string::npos ? 0
-                                                                                               : 5);
+    _exit(heard->told.at("error").get<std::string>().find("other users") != std::string::npos ? 0
+                                                                                              : 5);
   }
   int status = 0;
   ASSERT_EQ(waitpid(child, &status, 0), child);
@@ -336,7 +336,7 @@ TEST_F(StreamServerTest, AnotherUserIsRefused) {
 TEST_F(StreamServerTest, TwoOnOnePathAreToldApart) {
   const auto second = StreamServer::start(path_, "serving another");
   ASSERT_FALSE(second);
-  EXPECT_THAT(second.error().sentence(), HasSubstr("another program serves here already"));
+  EXPECT_THAT(second.error().sentence(), HasSubstr("another program already serves here"));
   EXPECT_THAT(second.error().sentence(), HasSubstr("serving a test, process"));
   EXPECT_TRUE(still_serves());
 }
@@ -364,7 +364,7 @@ TEST(StreamSocket, WhatIsNoSocketIsLeftAlone) {
   std::ofstream(folder / "notes") << "dear diary";
   const auto refused = ListeningSocket::listen(folder / "notes", "serving");
   ASSERT_FALSE(refused);
-  EXPECT_THAT(refused.error().sentence(), HasSubstr("no socket"));
+  EXPECT_THAT(refused.error().sentence(), HasSubstr("not a socket"));
   EXPECT_EQ(fs::file_size(folder / "notes"), 10U);
 }
 
@@ -379,7 +379,7 @@ TEST(StreamSocket, FoldersOfOthersAreRefused) {
   ASSERT_EQ(chown(folder.path().c_str(), 65534, 65534), 0);
   const auto theirs = ListeningSocket::listen(folder / "f.sock", "serving");
   ASSERT_FALSE(theirs);
-  EXPECT_THAT(theirs.error().sentence(), HasSubstr("belongs to somebody else"));
+  EXPECT_THAT(theirs.error().sentence(), HasSubstr("belongs to another user"));
 }
 
 TEST(StreamSocket, APathThatIsTooLongIsSaidToBe) {

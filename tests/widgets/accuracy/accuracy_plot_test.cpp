@@ -168,7 +168,7 @@ TEST_F(AccuracyFigure, IsToldInWords) {
   plot.pick(3);
   QAccessibleInterface* seen = QAccessible::queryAccessibleInterface(&plot);
   ASSERT_NE(seen, nullptr);
-  EXPECT_EQ(seen->text(QAccessible::Name), "What accuracy costs in time");
+  EXPECT_EQ(seen->text(QAccessible::Name), "Error versus time per image");
   EXPECT_EQ(seen->role(), QAccessible::Chart);
   EXPECT_TRUE(seen->text(QAccessible::Value).contains(points_[3].words));
 }
@@ -219,7 +219,7 @@ TEST(SettingsWords, SayEveryValueThatAStudyTries) {
   PipelineSettings two;
   two.smoothing_px = 0;
   two.reference = ReferenceMethod::kNearest;
-  EXPECT_EQ(difference_words(two, usual), "compared with the nearest picture, no smoothing");
+  EXPECT_EQ(difference_words(two, usual), "compared with the nearest image, no smoothing");
 }
 
 }  // namespace

@@ -82,7 +82,7 @@ TEST(PressThumbnail, ABallThatIsOutsideLeavesTheWholePicture) {
 TEST(RefusalWord, IsShort) {
   for (const Message& what :
        {en::say("only specks are dark, none larger than {} pixels", 9),
-        en::say("the middle of the dark disc lies off the face"),
+        en::say("the middle of the dark disc is outside the face"),
         en::say("two contacts were found, the second with {:.0f} % of the first", 30.0),
         en::say("something that nobody has thought of so far, told at great length")}) {
     const QString word = refusal_word(Error{what, "", ""});

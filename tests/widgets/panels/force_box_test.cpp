@@ -68,7 +68,7 @@ TEST_F(ForceBoxTest, TellsAxesWithIntervals) {
   EXPECT_THAT(text("Force now"), HasSubstr("1.01 ± 0.25 N"));  // 2 + sin 30
   EXPECT_THAT(text("Force now"), HasSubstr("-1.00 ± 0.13 N"));
   EXPECT_THAT(text("Force now"), Not(HasSubstr("Fz")));
-  EXPECT_THAT(text("From which zero forces count"), HasSubstr("the model's own"));
+  EXPECT_THAT(text("Zero of the forces"), HasSubstr("the model's own"));
   EXPECT_TRUE(button("Re-zero").isEnabled());
   EXPECT_FALSE(button("As measured").isEnabled());
 }
@@ -83,7 +83,7 @@ TEST_F(ForceBoxTest, CountsFromAZeroAndSaysSinceWhen) {
   EXPECT_THAT(text("Force now"), HasSubstr("-0.99 ± 0.35 N"));  // 0.25 times the root of 2
   EXPECT_THAT(text("Force now"), HasSubstr("0.00 ± 0.18 N"));
   EXPECT_THAT(text("Force now"), Not(HasSubstr("-0.00")));
-  EXPECT_THAT(text("From which zero forces count"), HasSubstr("14:05:09"));
+  EXPECT_THAT(text("Zero of the forces"), HasSubstr("14:05:09"));
   EXPECT_TRUE(button("As measured").isEnabled());
   EXPECT_LE(box_.plot().span_N().first, -1.35);
   EXPECT_GE(box_.plot().span_N().second, 1.35);

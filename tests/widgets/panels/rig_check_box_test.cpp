@@ -50,7 +50,7 @@ TEST(RigCheckBox, NamesWhatIsToBeDoneAndTheControlToLock) {
   EXPECT_THAT(box.findChild<QToolButton*>()->text().toStdString(), HasSubstr("2"));
   box.show_findings({}, {exposure(1)});
   QTest::qWait(20);
-  EXPECT_THAT(words_of(box), HasSubstr("nothing sets itself"));
+  EXPECT_THAT(words_of(box), HasSubstr("all modes are manual"));
   box.set_needed(false);
   EXPECT_EQ(words_of(box), "") << "folded away";
 }

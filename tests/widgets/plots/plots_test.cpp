@@ -354,8 +354,8 @@ TEST(ConvergencePlot, ShowsBothFiguresOfEveryRoundAndGrows) {
     }
     if (i == 0) before = residual;
   }
-  EXPECT_TRUE(
-      plot.accessibleDescription().startsWith(QStringLiteral("After 6 round(s) 0.0083 mm")));
+  EXPECT_TRUE(plot.accessibleDescription().startsWith(
+      QStringLiteral("Residual after 6 round(s): 0.0083 mm")));
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ ExperimentReport some_report() {
                           {en::say("told"), "%", 99.96, {}, {}, true}};
   ExperimentPlot bars =
       compared_bars(shown("bars"), shown("N"), {shown("a"), shown("b")}, {1, 2}, {3, 4});
-  bars.series.push_back(level_line(shown("aim"), ExperimentSeries::Style::kAim, 2.5, -0.5, 1.5));
+  bars.series.push_back(level_line(shown("target"), ExperimentSeries::Style::kAim, 2.5, -0.5, 1.5));
   pose.outcome.plots = {bars};
   pose.outcome.remarks = {en::say("what a figure does not say")};
   ExperimentDone thread{all[1], {}, 0.5};
@@ -70,7 +70,7 @@ TEST(ExperimentPages, PutOursBesideThePapers) {
   ASSERT_TRUE(files);
   EXPECT_EQ(files->at(0).name, "x.html");
   const std::string& html = files->at(0).content;
-  for (const char* words : {"Ours are simulated",
+  for (const char* words : {"Our values are simulated",
                             "the paper's were measured",
                             "1 of 2 figures with an aim",
                             "Angle &lt;mean&gt;, within ±20",

@@ -89,7 +89,7 @@ TEST_F(Notices, UnfoldToAllInFull) {
   EXPECT_TRUE(fold->text().contains('1')) << "one more";
   press("Show all in full");
   EXPECT_EQ(rows(), 2);
-  press("Show the newest alone");
+  press("Show only the newest");
   EXPECT_EQ(rows(), 1);
 }
 

@@ -124,7 +124,7 @@ TEST(ForceModelFile, EveryPartOfAFileIsRefused) {
   for (std::size_t length = 0; length < json.size(); ++length) {
     const auto model = ForceModel::parse(json.substr(0, length), "model.json");
     ASSERT_FALSE(model) << length;
-    EXPECT_NE(model.error().sentence().find("broken or cut off"), std::string::npos);
+    EXPECT_NE(model.error().sentence().find("damaged or truncated"), std::string::npos);
   }
 }
 
@@ -168,10 +168,10 @@ TEST(ForceModelFile, WrongShapesAndNumbersAreRefusedWithTheirPlace) {
   told(refusal_of([](ModelJson& json) { json["format"] = "alltact-force/9"; }),
        "cannot be read by this");
   told(refusal_of([](ModelJson& json) { json["kind"] = "oracle"; }), "mean, ridge, quadratic");
-  told(refusal_of([](ModelJson& json) { json["kind"] = "network"; }), "has not the shape");
-  told(refusal_of([](ModelJson& json) { json["axes"] = 3; }), "has not the shape");
+  told(refusal_of([](ModelJson& json) { json["kind"] = "network"; }), "does not have the shape");
+  told(refusal_of([](ModelJson& json) { json["axes"] = 3; }), "does not have the shape");
   told(refusal_of([](ModelJson& json) { json["axes"] = 1; }), "must be 2 or 3");
-  told(refusal_of([](ModelJson& json) { json["marker_count"] = 3; }), "has not the shape");
+  told(refusal_of([](ModelJson& json) { json["marker_count"] = 3; }), "does not have the shape");
   told(refusal_of([](ModelJson& json) { json["marker_count"] = 1e9; }), "marker_count");
   told(refusal_of([](ModelJson& json) { json["members"] = ModelJson::array(); }), "members");
   told(refusal_of([](ModelJson& json) { json["members"][0]["regressors"] = ModelJson::array(); }),
@@ -182,14 +182,14 @@ TEST(ForceModelFile, WrongShapesAndNumbersAreRefusedWithTheirPlace) {
        "members[1].regressors");
   told(refusal_of(
            [](ModelJson& json) { json["members"][1]["regressors"][0][0]["bias"].push_back(1.0); }),
-       "has not the shape");
+       "does not have the shape");
   told(refusal_of([](ModelJson& json) { json["members"][0]["flags"] = {7}; }), "flags");
   told(refusal_of([](ModelJson& json) { json["members"][0]["squared"] = 5; }), "squared");
   told(refusal_of([](ModelJson& json) { json["scores"]["floor_N"][0] = 0; }), "above 0");
   told(refusal_of([](ModelJson& json) { json["scores"]["rms"] = {1}; }), "scores");
   told(refusal_of([](ModelJson& json) { json["range"]["noise_px"] = -1; }), "above 0");
   told(refusal_of([](ModelJson& json) { json["range"]["mean_px"][0] = 1e20; }),
-       "no possible number");
+       "not a valid number");
   told(refusal_of([](ModelJson& json) { json["creep_s"] = -1; }), "creep_s");
 }
 

@@ -171,27 +171,27 @@ TEST(Push, SaysWhatIsWrong) {
   EXPECT_THAT(reported(pushing("s_mm: 60, radius_mm: 4, force_N: 1", "back")),
               HasSubstr("test.yaml:10: push: without its body"));
   EXPECT_THAT(reported(pushing("s_mm: 60, radius_mm: 4, force_N: 0")),
-              HasSubstr("push.force_N: nothing"));
+              HasSubstr("push.force_N: the force is 0"));
   EXPECT_THAT(reported(pushing("s_mm: 60, radius_mm: 4, force_N: -1")), HasSubstr("push.force_N"));
   EXPECT_THAT(reported(pushing("s_mm: 60, radius_mm: 4, force_N: 99")),
-              HasSubstr("further into the layer"));
+              HasSubstr("into the layer beyond the known range"));
   EXPECT_THAT(reported(pushing("s_mm: 130, radius_mm: 4, force_N: 1")),
               HasSubstr("beyond the ends"));
   EXPECT_THAT(reported(pushing("s_mm: 60, y_mm: 13, radius_mm: 4, force_N: 1")),
-              HasSubstr("beside"));
+              HasSubstr("outside the face"));
   EXPECT_THAT(
       reported(pushing("s_mm: 110, y_mm: 9, radius_mm: 4, force_N: 1", "upper") + kPushedBody),
-      HasSubstr("beside the face"));
+      HasSubstr("outside the face"));
   EXPECT_THAT(reported(pushing("s_mm: 60, radius_mm: 4, force_N: 50", "upper") + kPushedBody),
-              HasSubstr("further into the body"));
+              HasSubstr("into the body beyond the known range"));
   EXPECT_THAT(reported(pushing("s_mm: 110, radius_mm: 40, force_N: 90", "back") + kPushedBody),
-              HasSubstr("bends the finger further"));
+              HasSubstr("bends the finger beyond"));
   EXPECT_THAT(reported(pushing("s_mm: 60, radius_mm: 4, force_N: 1, along_N: 1")),
               HasSubstr("friction"));
   EXPECT_THAT(reported(pushing("s_mm: 60, radius_mm: 4, force_N: 1, friction: 1")),
               HasSubstr("friction"));
   EXPECT_THAT(reported(pushing("s_mm: 60, radius_mm: 4, force_N: 1, along_N: 0, friction: 1")),
-              HasSubstr("push.along_N: nothing drags"));
+              HasSubstr("push.along_N: the drag is 0"));
   EXPECT_THAT(reported(pushing("s_mm: 60, radius_mm: 4, force_N: 1", "front")),
               HasSubstr("push.face"));
   EXPECT_THAT(reported(pushing("s_mm: 60, radius_mm: 4, force_N: 1, layer_shore_a: 5", "back") +
@@ -200,7 +200,7 @@ TEST(Push, SaysWhatIsWrong) {
   EXPECT_THAT(
       reported(pushing("s_mm: 60, radius_mm: 4, force_N: 1, until: 2") +
                kPushedBody.substr(0, kPushedBody.size() - 2) + ", damping_s: 1, until: 2}\n"),
-      HasSubstr("remembers a push"));
+      HasSubstr("still moves after a push"));
   EXPECT_THAT(reported(push + "  - {use: body, shore_a: 400, wall_mm: 4, base_depth_mm: 34, "
                               "tip_depth_mm: 12, coupling: 0.6}\n"),
               HasSubstr("test.yaml:11: body.shore_a"));

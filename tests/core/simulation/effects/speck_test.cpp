@@ -41,7 +41,7 @@ TEST(Speck, LiesOnTheFaceOfABentFinger) {
   EXPECT_EQ(got(v - 20, u), 1.0F);
   EXPECT_THAT(
       refusal(scene_text("  - {use: speck, s_mm: 40, y_mm: 13, radius_mm: 3, darkness: 1}\n")),
-      HasSubstr("beside the face"));
+      HasSubstr("outside the face"));
 }
 
 }  // namespace

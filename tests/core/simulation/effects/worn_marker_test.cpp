@@ -33,7 +33,7 @@ TEST(WornMarker, FadesTheDotsItNames) {
       refusal(scene_text(sides + dots + "  - {use: worn-marker, markers: [12], wear: 1}\n")),
       HasSubstr("there is no marker 12"));
   EXPECT_THAT(refusal(scene_text(sides + "  - {use: worn-marker, markers: [1], wear: 1}\n")),
-              HasSubstr("markers too"));
+              HasSubstr("add the effect markers"));
 }
 
 }  // namespace

@@ -306,7 +306,7 @@ TEST(FinRayBody, RefusesWhatIsNone) {
   FinRayGeometry g = even(0.5);
   EXPECT_FALSE(FinRayBody::create(g, 0));
   g.coupling = 1.5;
-  EXPECT_THAT(FinRayBody::create(g, 1).error().sentence(), HasSubstr("not a share"));
+  EXPECT_THAT(FinRayBody::create(g, 1).error().sentence(), HasSubstr("not a fraction"));
   g = even(0.5);
   g.tip_depth_mm = 7;
   EXPECT_EQ(FinRayBody::create(g, 1).error().sentence(),
