@@ -2846,8 +2846,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Helligkeitsunterschied x (ohne Einheit)</translation>
     </message>
     <message>
-        <source>Brightness difference x (fraction of the untouched brightness)</source>
-        <translation>Helligkeitsunterschied x (Anteil der unberührten Helligkeit)</translation>
+        <source>Brightness difference x (relative to untouched)</source>
+        <translation>Helligkeitsunterschied x (relativ zu unberührt)</translation>
     </message>
     <message>
         <source>Depth (mm)</source>
@@ -5284,8 +5284,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Bild der Aufnahme</translation>
     </message>
     <message>
-        <source>Frame number</source>
-        <translation>Bildnummer</translation>
+        <source>Current frame</source>
+        <translation>Aktuelles Bild</translation>
     </message>
     <message>
         <source>of %1</source>
@@ -11175,10 +11175,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>removing the line, or entering what was measured</source>
         <translation>die Zeile entfernen, oder eintragen, was gemessen wurde</translation>
-    </message>
-    <message>
-        <source>&apos;{}&apos; is not a number</source>
-        <translation>&apos;{}&apos; ist keine Zahl</translation>
     </message>
     <message>
         <source>&apos;{}&apos; is beyond the measurable range</source>

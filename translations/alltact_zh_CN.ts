@@ -2833,8 +2833,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>亮度差 x（无单位）</translation>
     </message>
     <message>
-        <source>Brightness difference x (fraction of the untouched brightness)</source>
-        <translation>亮度差 x（占未触碰亮度的比例）</translation>
+        <source>Brightness difference x (relative to untouched)</source>
+        <translation>亮度差 x（相对于未触碰）</translation>
     </message>
     <message>
         <source>Depth (mm)</source>
@@ -5243,8 +5243,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>录像的帧</translation>
     </message>
     <message>
-        <source>Frame number</source>
-        <translation>帧号</translation>
+        <source>Current frame</source>
+        <translation>当前帧</translation>
     </message>
     <message>
         <source>of %1</source>
@@ -11130,10 +11130,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>removing the line, or entering what was measured</source>
         <translation>删除此行，或填入测得的值</translation>
-    </message>
-    <message>
-        <source>&apos;{}&apos; is not a number</source>
-        <translation>&apos;{}&apos; 不是数</translation>
     </message>
     <message>
         <source>&apos;{}&apos; is beyond the measurable range</source>

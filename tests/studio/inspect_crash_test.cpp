@@ -50,7 +50,7 @@ TEST_F(InspectAfterACrash, WhatWasInspectedComesBack) {
   InspectOptions expected = kept().inspect.options;
   if (!VtkView::is_supported()) expected.shown_as = ShownAs::kHeightMap;
   EXPECT_EQ(place.options(), expected);
-  EXPECT_EQ(studio.find<QSpinBox>("Frame number")->value(), 5);
+  EXPECT_EQ(studio.find<QSpinBox>("Current frame")->value(), 5);
   EXPECT_EQ(studio.window().undo_stack().count(), 1);
   studio.window().undo_stack().undo();
   EXPECT_TRUE(place.options().recording.empty());

@@ -52,7 +52,7 @@ TimeLine::TimeLine(QWidget* parent)
   });
   say([this] {
     slider_->setAccessibleName(tr("Frame of the recording"));
-    number_->setAccessibleName(tr("Frame number"));
+    number_->setAccessibleName(tr("Current frame"));
     of_->setText(tr("of %1").arg(QLocale().toString(static_cast<qulonglong>(count_))));
     name_->setAccessibleName(tr("Frame name"));
     earlier_->setAccessibleName(tr("Previous contact or problem"));

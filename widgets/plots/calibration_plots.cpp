@@ -81,7 +81,7 @@ bool MappingPlot::draw() {
   }
   chart().xAxis->setLabel(
       data_.is_small ? tr("Brightness difference x (no unit)")
-                     : tr("Brightness difference x (fraction of the untouched brightness)"));
+                     : tr("Brightness difference x (relative to untouched)"));
   chart().yAxis->setLabel(data_.is_small               ? tr("Depth (mm)")
                           : data_.depth_axis.isEmpty() ? tr("Press depth (mm)")
                                                        : data_.depth_axis);
