@@ -12746,7 +12746,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message numerus="yes">
         <source>{} more presses</source>
-        <comment>{} press more</comment>
+        <comment>{} more press</comment>
         <translation>
             <numerusform>{} Eindruck mehr</numerusform>
             <numerusform>{} Eindrücke mehr</numerusform>
@@ -12822,7 +12822,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message numerus="yes">
         <source>no depth in {} images</source>
-        <comment>no depth in {} picture</comment>
+        <comment>no depth in {} image</comment>
         <translation>
             <numerusform>keine Tiefe in {} Bild</numerusform>
             <numerusform>keine Tiefe in {} Bildern</numerusform>
@@ -13194,7 +13194,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message numerus="yes">
         <source>{} presses are distinct, the others are their copies</source>
-        <comment>{} press is a different one, the others its copies</comment>
+        <comment>{} press is distinct, the others are its copies</comment>
         <translation>
             <numerusform>{} Eindruck ist eigenständig, die anderen sind Kopien davon</numerusform>
             <numerusform>{} Eindrücke sind eigenständig, die anderen sind Kopien davon</numerusform>
@@ -13450,7 +13450,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message numerus="yes">
         <source>{1:.3f} mm depth error on {0} presses {4} (passes up to {2:.3f} mm), light {3:+.1f} %</source>
-        <comment>{1:.3f} mm of depth error on {0} press {4} (passes up to {2:.3f} mm), light {3:+.1f} %</comment>
+        <comment>{1:.3f} mm depth error on {0} press {4} (passes up to {2:.3f} mm), light {3:+.1f} %</comment>
         <translation>
             <numerusform>{1} mm Tiefenfehler bei {0} Eindruck {4} (bestanden bis {2} mm), Licht {3} %</numerusform>
             <numerusform>{1} mm Tiefenfehler bei {0} Eindrücken {4} (bestanden bis {2} mm), Licht {3} %</numerusform>

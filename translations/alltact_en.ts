@@ -394,7 +394,7 @@
     </message>
     <message numerus="yes">
         <source>{} more presses</source>
-        <comment>{} press more</comment>
+        <comment>{} more press</comment>
         <translation>
             <numerusform>{} more press</numerusform>
             <numerusform>{} more presses</numerusform>
@@ -402,7 +402,7 @@
     </message>
     <message numerus="yes">
         <source>no depth in {} images</source>
-        <comment>no depth in {} picture</comment>
+        <comment>no depth in {} image</comment>
         <translation>
             <numerusform>no depth in {} image</numerusform>
             <numerusform>no depth in {} images</numerusform>
@@ -434,7 +434,7 @@
     </message>
     <message numerus="yes">
         <source>{} presses are distinct, the others are their copies</source>
-        <comment>{} press is a different one, the others its copies</comment>
+        <comment>{} press is distinct, the others are its copies</comment>
         <translation>
             <numerusform>{} press is distinct, the others are its copies</numerusform>
             <numerusform>{} presses are distinct, the others are their copies</numerusform>
@@ -450,7 +450,7 @@
     </message>
     <message numerus="yes">
         <source>{1:.3f} mm depth error on {0} presses {4} (passes up to {2:.3f} mm), light {3:+.1f} %</source>
-        <comment>{1:.3f} mm of depth error on {0} press {4} (passes up to {2:.3f} mm), light {3:+.1f} %</comment>
+        <comment>{1:.3f} mm depth error on {0} press {4} (passes up to {2:.3f} mm), light {3:+.1f} %</comment>
         <translation>
             <numerusform>{1:.3f} mm depth error on {0} press {4} (passes up to {2:.3f} mm), light {3:+.1f} %</numerusform>
             <numerusform>{1:.3f} mm depth error on {0} presses {4} (passes up to {2:.3f} mm), light {3:+.1f} %</numerusform>

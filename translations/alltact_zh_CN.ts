@@ -12700,7 +12700,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message numerus="yes">
         <source>{} more presses</source>
-        <comment>{} press more</comment>
+        <comment>{} more press</comment>
         <translation>
             <numerusform>多 {} 次按压</numerusform>
         </translation>
@@ -12775,7 +12775,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message numerus="yes">
         <source>no depth in {} images</source>
-        <comment>no depth in {} picture</comment>
+        <comment>no depth in {} image</comment>
         <translation>
             <numerusform>{} 张图像中没有深度</numerusform>
         </translation>
@@ -13143,7 +13143,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message numerus="yes">
         <source>{} presses are distinct, the others are their copies</source>
-        <comment>{} press is a different one, the others its copies</comment>
+        <comment>{} press is distinct, the others are its copies</comment>
         <translation>
             <numerusform>{} 次按压各不相同，其余为其副本</numerusform>
         </translation>
@@ -13397,7 +13397,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message numerus="yes">
         <source>{1:.3f} mm depth error on {0} presses {4} (passes up to {2:.3f} mm), light {3:+.1f} %</source>
-        <comment>{1:.3f} mm of depth error on {0} press {4} (passes up to {2:.3f} mm), light {3:+.1f} %</comment>
+        <comment>{1:.3f} mm depth error on {0} press {4} (passes up to {2:.3f} mm), light {3:+.1f} %</comment>
         <translation>
             <numerusform>{0} 次按压（{4}）的深度误差为 {1} mm（不超过 {2} mm 即通过），光照 {3} %</numerusform>
         </translation>

@@ -281,7 +281,7 @@ Message sentence_of(const PressCheck& check) {
       en::count("at {0} positions", "at {0} position", static_cast<long>(check.positions));
   const Message figures = en::count(
       "{1:.3f} mm depth error on {0} presses {4} (passes up to {2:.3f} mm), light {3:+.1f} %",
-      "{1:.3f} mm of depth error on {0} press {4} (passes up to {2:.3f} mm), light {3:+.1f} %",
+      "{1:.3f} mm depth error on {0} press {4} (passes up to {2:.3f} mm), light {3:+.1f} %",
       check.presses.size(),
       check.error_mm,
       check.drifting_above_mm,

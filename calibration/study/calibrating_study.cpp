@@ -579,7 +579,7 @@ std::vector<Message> benefit_of_more_data(const CalibratingStudy& study,
   }
   if (more_presses != nullptr)
     sentences.push_back(benefit_of(
-        en::count("{} more presses", "{} press more", more_presses->choice.presses - from.presses),
+        en::count("{} more presses", "{} more press", more_presses->choice.presses - from.presses),
         *now,
         *more_presses));
   if (more_images != nullptr)

@@ -195,7 +195,7 @@ StudyBalance balance_of(const AccuracyStudy& study, const StudyRow& row) {
     add_to_balance(figure, balance);
   const int missing = row.frames_missing - base.frames_missing;
   if (missing > 0)
-    balance.loses.push_back(en::count("no depth in {} images", "no depth in {} picture", missing));
+    balance.loses.push_back(en::count("no depth in {} images", "no depth in {} image", missing));
   return balance;
 }
 

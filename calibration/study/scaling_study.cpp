@@ -443,7 +443,7 @@ class ScalingRun {
                               after > before ? after - before : 0});
     }
     curve.note = en::count("{} presses are distinct, the others are their copies",
-                           "{} press is a different one, the others its copies",
+                           "{} press is distinct, the others are its copies",
                            std::ssize(some));
     return curve;
   }

@@ -281,7 +281,7 @@ TEST(RecordGauge, WhatCannotBeReadIsSaidBeforeAnythingIsRecorded) {
   refused({"--gauge", "serial:/dev/ttyNone"}, 1, "no such serial line");
   refused({"--gauge", "hid:ffff:ffff", "--gauge-report", "at=1"}, 1, "HID device");
   refused({"--gauge", "scale"}, 1, "'scale' is not a gauge");
-  refused({"--gauge", "typed", "--gauge-model", "mark10"}, 1, "of a serial gauge");
+  refused({"--gauge", "typed", "--gauge-model", "mark10"}, 1, "only to a serial gauge");
   refused({"--gauge-unit", "g"}, 2, "--gauge");
   refused({"--gauge", "serial:/dev/ttyS0", "--gauge-baud", "123"}, 2, "123");
 }

@@ -60,7 +60,7 @@ TEST_F(ControlPanelTest, SaysSoWhereTheSourceIsNoCamera) {
   EXPECT_EQ(panel_.findChildren<QSlider*>().size(), 0);
   bool is_said = false;
   for (const QLabel* label : panel_.findChildren<QLabel*>())
-    is_said = is_said || (label->isVisible() && label->text().contains("no camera"));
+    is_said = is_said || (label->isVisible() && label->text().contains("not a camera"));
   EXPECT_TRUE(is_said);
 }
 

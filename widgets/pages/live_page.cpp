@@ -235,6 +235,30 @@ void LivePage::show_times() {
                                  : QStringLiteral("<table>%1</table>").arg(rows));
 }
 
+namespace {
+
+/// A camera's name may be wider than its button: its middle is cut, for cameras of one maker differ
+/// at the end.
+class CameraButton : public QPushButton {
+ public:
+  explicit CameraButton(const QString& name) : name_(name) { setAccessibleName(name); }
+  [[nodiscard]] QSize minimumSizeHint() const override {
+    return {0, QPushButton::minimumSizeHint().height()};
+  }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override {
+    QPushButton::resizeEvent(event);
+    const int frame_px = 2 * style()->pixelMetric(QStyle::PM_ButtonMargin);
+    setText(fontMetrics().elidedText(name_, Qt::ElideMiddle, std::max(0, width() - frame_px)));
+  }
+
+ private:
+  QString name_;
+};
+
+}  // namespace
+
 StartPanel::StartPanel(QWidget* parent)
     : Translated(parent),
       title_(new QLabel),
@@ -351,7 +375,7 @@ void StartPanel::show_cameras() {
   if (found_.empty()) cameras_->addWidget(new QLabel(tr("No camera is plugged in.")));
   for (const FoundCamera& camera : found_) {
     const QString name = QString::fromStdString(camera.identity.stable_name());
-    auto* button = new QPushButton(tr("Camera %1").arg(camera_label(camera, found_)));
+    auto* button = new CameraButton(tr("Camera %1").arg(camera_label(camera, found_)));
     button->setToolTip(name);
     connect(button, &QPushButton::clicked, this, [this, name] { Q_EMIT camera_requested(name); });
     cameras_->addWidget(button);

@@ -85,14 +85,14 @@ TEST(CalibrationInputs, SpoiltValuesAreNamed) {
   EXPECT_THAT(with("6.25", "0"), HasSubstr("other_balls_mm"));
   EXPECT_THAT(with("6.25", "6.25, 3"), HasSubstr("2 entries for 1 presses"));
   EXPECT_THAT(with("other_balls: [press_0]", "other_balls: [press_7]"),
-              HasSubstr("'press_7' is not among the presses"));
+              HasSubstr("'press_7' is annotated, but is not among the presses"));
   EXPECT_THAT(with("degree: 3", "degree: 33"), HasSubstr("0 to 8"));
   EXPECT_THAT(with("along: normal", "along: x"), HasSubstr("auto or z or normal"));
   EXPECT_THAT(with("0123456789abcdef", "0123456789abcde"), HasSubstr("finger"));
   EXPECT_THAT(with("[press_0, ", "[../press_0, "), HasSubstr("not an image name"));
   EXPECT_THAT(with("[press_0, ", "[\"12\", "), HasSubstr("twice"));
   EXPECT_THAT(with("[press_0, ", "["), HasSubstr("3 entries for 2 presses"));
-  EXPECT_THAT(with("excluded: [\"12\"", "excluded: [\"13\""), HasSubstr("'13' is not among"));
+  EXPECT_THAT(with("excluded: [\"12\"", "excluded: [\"13\""), HasSubstr("'13' is annotated, but is not among"));
 }
 
 TEST(CalibrationInputs, KeysOfAnotherVersionAreKeptAndToldOf) {

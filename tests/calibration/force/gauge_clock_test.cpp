@@ -115,7 +115,7 @@ TEST(GaugeClock, DelaysOfDrawnFingersAreFoundWithinTheirSd) {
     EXPECT_GT(clock.r2, 0.8) << world;
     squares += std::pow((clock.shift_s - how.delay_s) / std::max(clock.sd_s, 5e-4), 2);
     ASSERT_EQ(remarks.size(), 1U);
-    EXPECT_NE(remarks[0].english().find(how.delay_s > 0 ? "after the" : "before the"),
+    EXPECT_NE(remarks[0].english().find(how.delay_s > 0 ? "later than the" : "earlier than the"),
               std::string::npos)
         << remarks[0].english();
   }
