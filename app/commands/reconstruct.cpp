@@ -411,7 +411,7 @@ Status reconstruct_all(Source& source,
     video = std::move(*made);
   }
   std::set<std::string> names;
-  ContactLines contacts(source.is_continuous());
+  LastingContacts contacts(source.is_continuous());
   const double count =
       static_cast<double>(std::min(source.count().value_or(0), frames.end) - frames.first);
   BatchWork work;
@@ -434,7 +434,7 @@ Status reconstruct_all(Source& source,
     if (options.part)
       progress.parts.push_back(line.to_json());
     else
-      progress.lines += contacts(line) + "\n";
+      progress.lines += contacts.complete_line(line) + "\n";
     progress.index = index + 1 - frames.first;
     progress.failed += line.is_measured ? 0 : 1;
     progress.total_ms += line.total_ms;

@@ -1,7 +1,7 @@
 #include "app/commands/commands.h"
 #include "app/console/command_names.h"
 #include "app/console/flags.h"
-#include "calibration/twin/twin_inputs.h"
+#include "calibration/twin/twin.h"
 #include "core/base/atomic_file.h"
 #include "core/base/message.h"
 #include "core/finger/finger_yaml.h"
@@ -82,11 +82,11 @@ Console::Json finger_json(const Finger& finger) {
 /// One line for each effect, in the order they run.
 void explain(const Scene& scene, const Plan& plan, Console& console) {
   console.say(fmt::format(
-      "{}: {} frames, {:g} per second.", scene.name(), plan.frame_count(), plan.frames_per_s()));
-  console.say(scene.why());
+      "{}: {} frames, {:g} per second.", scene.name, plan.frame_count(), plan.frames_per_s()));
+  console.say(scene.why);
   Console::Json& answer = console.answer();
-  answer["scene"] = scene.name();
-  answer["why"] = scene.why();
+  answer["scene"] = scene.name;
+  answer["why"] = scene.why;
   answer["frames"] = plan.frame_count();
   answer["frames_per_s"] = plan.frames_per_s();
   Console::Json& effects = answer["effects"] = Console::Json::array();
@@ -194,7 +194,7 @@ Status run_simulate(const SimulateOptions& options, Console& console) {
   if (const Status status = prepare_folder(options.folder); !status) return status;
 
   Console::Json truth;
-  truth["scene"] = scene->name();
+  truth["scene"] = scene->name;
   truth["seed"] = options.seed;
   truth["effects"] = plan->effects();
   truth["finger"] = finger_json(plan->finger());
@@ -219,7 +219,7 @@ Status run_simulate(const SimulateOptions& options, Console& console) {
 
   console.say(fmt::format("{} frames of '{}' in {}, with the truth next to them.",
                           frames.size(),
-                          scene->name(),
+                          scene->name,
                           options.folder.string()));
   console.say("Command for its finger: " + new_command(plan->finger(), camera_file));
   console.answer()["frames"] = frames.size();

@@ -168,10 +168,8 @@ Status run_simulating_study(const StudyCommandOptions& options, Console& console
   if (!passing) return passing.error();
   const auto finger = simulated_finger(options, passing->path(), console);
   if (!finger) return finger.error();
-  SimulatingOptions how;
-  how.seed = options.seed;
-  how.frames = options.quick ? kQuickSceneFrames : kSceneFrames;
-  const auto study = study_simulating(*scene, *finger, how, console.job());
+  const int max_frames = options.quick ? kQuickSceneFrames : kSceneFrames;
+  const auto study = study_simulating(*scene, *finger, max_frames, options.seed, console.job());
   if (!study) return study.error();
   console.say(fmt::format("{}, {} images (simulated)", study->scene, study->rows.front().frames));
   return publish_study(*study, svg_of(*study), study->scene + "_simulating", options, console);

@@ -74,10 +74,10 @@ Result<int> measure_rooms(const ExperimentBench& bench, ErrorsOfRooms& rooms) {
 }
 
 /// Mean error of the depth in the last room.
-Result<double> depth_error_mm(const ExperimentBench& bench, LightChange light) {
+Result<double> depth_error_mm(const ExperimentBench& bench, bool correct_light) {
   ExperimentBench::Measuring measuring{
       {PipelineSettings{}}, TruthDetail::kAll, level_of_room(kRooms - 1)};
-  measuring.settings.front().light = light;
+  measuring.settings.front().correct_light = correct_light;
   Evaluator errors(bench.finger().camera);
   const auto frames =
       bench.measure("experiment_room_light",
@@ -144,9 +144,9 @@ Result<ExperimentOutcome> run_room_light(const ExperimentBench& bench) {
                                {},
                                {}});
   }
-  const auto corrected = depth_error_mm(bench, LightChange::kCorrected);
+  const auto corrected = depth_error_mm(bench, true);
   if (!corrected) return corrected.error();
-  const auto ignored = depth_error_mm(bench, LightChange::kIgnored);
+  const auto ignored = depth_error_mm(bench, false);
   if (!ignored) return ignored.error();
   outcome.figures.push_back({en::say("position, greatest change between rooms"),
                              "%",

@@ -45,11 +45,6 @@ ExperimentSeries frames_within(const Message& name, std::vector<double> distance
 
 constexpr const char* kReferencesScene = "experiment_references";
 
-int dots_seen(const Markers& markers) {
-  return static_cast<int>(
-      std::count_if(markers.begin(), markers.end(), [](const Marker& m) { return m.seen; }));
-}
-
 /// Distance of each frame's reference, and the result where it is far.
 struct NearReferences {
   static constexpr double kNear_px = 10;
@@ -60,7 +55,7 @@ struct NearReferences {
   void add(const ReferenceLibrary& library, const FrameResult& result) {
     ++frames;
     if (!result.reference || !result.markers) return;
-    const int dots = dots_seen(*result.markers);
+    const int dots = seen_count(*result.markers);
     const double mean_px = result.reference->distance_px;
     const double together_px = dots * library.combined_distance_px(*result.markers);
     combined_px.push_back(together_px);
@@ -152,7 +147,7 @@ Result<ExperimentOutcome> run_references(const ExperimentBench& bench) {
       [&](std::size_t which, const Truth& truth, const FrameResult& result) {
         if (kMethods[which] == ReferenceMethod::kLocal) near.add(bench.library(), result);
         if (result.reference && result.markers) {
-          const double sum_px = result.reference->distance_px * dots_seen(*result.markers);
+          const double sum_px = result.reference->distance_px * seen_count(*result.markers);
           close[which] += sum_px < kClose_px;
           distances_px[which].push_back(sum_px);
         }

@@ -9,6 +9,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/yaml.h"
 #include "core/finger/finger_store.h"
+#include "core/numerics/median.h"
 #include "core/sensing/pipeline.h"
 #include "core/simulation/plan.h"
 
@@ -99,14 +100,6 @@ double grey_square_of(const cv::Mat& a, const cv::Mat& b) {
   return norm * norm / static_cast<double>(a.total());
 }
 
-double middle_of(std::vector<double> values) {
-  if (values.empty()) return 0;
-  std::nth_element(values.begin(),
-                   values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
-                   values.end());
-  return values[values.size() / 2];
-}
-
 /// A frame of the full scene, and its comparison data.
 struct FullFrame {
   int number = 0;
@@ -119,12 +112,17 @@ class SimulatingRun {
   SimulatingRun(const EditedScene& scene,
                 const Plan& full,
                 std::optional<Pipeline> pipeline,
-                const SimulatingOptions& options)
-      : scene_(scene), full_(full), pipeline_(std::move(pipeline)), options_(options) {}
+                int max_frames,
+                std::uint64_t seed)
+      : scene_(scene),
+        full_(full),
+        pipeline_(std::move(pipeline)),
+        max_frames_(max_frames),
+        seed_(seed) {}
 
   /// The full scene; called first.
   [[nodiscard]] Result<SimulatingRow> measure_full() {
-    const int count = std::min(options_.frames, full_.frame_count());
+    const int count = std::min(max_frames_, full_.frame_count());
     SimulatingRow row;
     std::vector<float> errors;
     std::vector<double> times;
@@ -143,14 +141,14 @@ class SimulatingRun {
     }
     row.frames = count;
     row.depth = spread_of_errors(errors);
-    row.render_ms = middle_of(times);
+    row.render_ms = upper_median(times);
     return row;
   }
 
   [[nodiscard]] Result<SimulatingRow> measure_without(std::size_t effect) {
     SimulatingRow row;
     row.effect = scene_.names()[effect];
-    const auto plan = scene_.plan(effect, options_.seed);
+    const auto plan = scene_.plan(effect, seed_);
     if (!plan) {
       row.needed = plan.error().what;
       return row;
@@ -179,8 +177,8 @@ class SimulatingRun {
     if (row.frames > 0) row.grey_rms = std::sqrt(square / row.frames);
     if (const auto change = spread_of_errors(changes)) row.depth_change_mm = change->median_mm;
     row.depth = spread_of_errors(errors);
-    row.render_ms = middle_of(times);
-    row.time_ratio = middle_of(ratios);
+    row.render_ms = upper_median(times);
+    row.time_ratio = upper_median(ratios);
     return row;
   }
 
@@ -233,7 +231,8 @@ class SimulatingRun {
   const EditedScene& scene_;
   const Plan& full_;
   std::optional<Pipeline> pipeline_;
-  SimulatingOptions options_;
+  int max_frames_;
+  std::uint64_t seed_;
   std::vector<FullFrame> frames_;
 };
 
@@ -259,11 +258,12 @@ std::string micrometres_or_dash(const std::optional<double>& mm) {
 
 Result<SimulatingStudy> study_simulating(const std::filesystem::path& file,
                                          const FingerPtr& finger,
-                                         const SimulatingOptions& options,
+                                         int max_frames,
+                                         std::uint64_t seed,
                                          const Job& job) {
   const auto scene = EditedScene::read(file);
   if (!scene) return scene.error();
-  const auto full = scene->plan({}, options.seed);
+  const auto full = scene->plan({}, seed);
   if (!full) return full.error();
   if (const Status grey = full->check_grey_levels(file.string()); !grey) return grey.error();
   SimulatingStudy study;
@@ -275,7 +275,7 @@ Result<SimulatingStudy> study_simulating(const std::filesystem::path& file,
     if (!library) return library.error();
     pipeline = Pipeline::with_library(std::move(*library), *finger, PipelineSettings{});
   }
-  SimulatingRun run(*scene, *full, std::move(pipeline), options);
+  SimulatingRun run(*scene, *full, std::move(pipeline), max_frames, seed);
   auto first = run.measure_full();
   if (!first) return first.error();
   study.rows.push_back(std::move(*first));

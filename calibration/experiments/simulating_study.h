@@ -39,16 +39,13 @@ struct SimulatingStudy {
   std::vector<SimulatingRow> rows;   ///< the full scene first, then the effects in the file's order
 };
 
-struct SimulatingOptions {
-  int frames = 12;         ///< at most, evenly over the scene
-  std::uint64_t seed = 1;  ///< of the scene
-};
-
 /// Errors: those of the scene and of Plan::compile; stopped.
 ///   finger: that measures the images, calibrated, with its reference; null: none
+///   max_frames: evenly over the scene; seed: of the scene
 [[nodiscard]] Result<SimulatingStudy> study_simulating(const std::filesystem::path& scene,
                                                        const FingerPtr& finger,
-                                                       const SimulatingOptions& options,
+                                                       int max_frames,
+                                                       std::uint64_t seed,
                                                        const Job& job);
 
 /// A line a row, with a header line; the change without an effect, and the time that it saves.

@@ -1,11 +1,11 @@
 #include "calibration/force/collect_force.h"
 
 #include "calibration/force/force_table.h"
-#include "calibration/force/gauge_clock.h"
 #include "core/base/atomic_file.h"
 #include "core/base/message.h"
 #include "core/devices/gauge_log.h"
 #include "core/devices/gauge_source.h"
+#include "core/numerics/median.h"
 #include "core/open/open_source.h"
 #include "core/sensing/pipeline.h"
 
@@ -43,9 +43,7 @@ double noise_px(const std::vector<MarkerFrame>& frames) {
   for (std::size_t i = 1; i < frames.size(); ++i)
     if (const auto step = distance_px(frames[i - 1].markers, frames[i].markers))
       steps.push_back(*step);
-  if (steps.empty()) return 0;
-  std::nth_element(steps.begin(), steps.begin() + static_cast<long>(steps.size() / 2), steps.end());
-  return steps[steps.size() / 2];
+  return upper_median(steps);
 }
 
 /// Means of the markers over frames [first, last).
@@ -206,9 +204,7 @@ double median_sd_N(const std::vector<std::pair<const MarkerFrame*, GaugeReading>
   std::vector<double> sds;
   for (const auto& [frame, reading] : rows)
     if (std::isfinite(reading.sd_N)) sds.push_back(reading.sd_N);
-  if (sds.empty()) return std::numeric_limits<double>::quiet_NaN();
-  std::nth_element(sds.begin(), sds.begin() + static_cast<long>(sds.size() / 2), sds.end());
-  return sds[sds.size() / 2];
+  return sds.empty() ? std::numeric_limits<double>::quiet_NaN() : upper_median(sds);
 }
 
 std::vector<MarkerFrame> in_order(const std::vector<MarkerFrame>& frames) {
@@ -238,8 +234,7 @@ Result<CollectedForce> collect_force(const std::vector<MarkerFrame>& all,
   std::vector<std::pair<const MarkerFrame*, GaugeReading>> rows;
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const MarkerFrame& frame = frames[i];
-    const bool any = std::any_of(
-        frame.markers.begin(), frame.markers.end(), [](const Marker& m) { return m.seen; });
+    const bool any = seen_count(frame.markers) > 0;
     auto reading = any ? lookup(frame, i) : std::nullopt;
     if (reading && frame.markers.size() == frames.front().markers.size())
       rows.emplace_back(&frame, std::move(*reading));
@@ -276,8 +271,6 @@ Result<CollectedForce> collect_force(const std::vector<MarkerFrame>& all,
 // Reads the file of a force gauge.
 
 namespace {
-
-using GaugeJson = nlohmann::json;
 
 Message gauge_advice() {
   return en::say("a CSV whose first line names t_s (or frame), fx_n and fy_n");
@@ -345,18 +338,13 @@ class GaugeReader {
     if (Status head = read_head(); !head) return head.error();
     while (const auto line = next_line())
       if (Status status = read_line(lines_.cells(*line)); !status) return status.error();
-    const bool any = std::any_of(gauge_.readings.begin(),
-                                 gauge_.readings.end(),
-                                 [](const GaugeReading& reading) { return reading.has_force; });
-    gauge_.has_block = std::any_of(
-        gauge_.readings.begin(), gauge_.readings.end(), [](const GaugeReading& reading) {
-          return !reading.block.empty();
-        });
-    gauge_.has_indenter = std::any_of(
-        gauge_.readings.begin(), gauge_.readings.end(), [](const GaugeReading& reading) {
-          return !reading.indenter.empty();
-        });
-    if (!any) return Error{en::say("the gauge's file holds no reading"), origin_, gauge_advice()};
+    const auto any = [&](auto has) {
+      return std::any_of(gauge_.readings.begin(), gauge_.readings.end(), has);
+    };
+    gauge_.has_block = any([](const GaugeReading& one) { return !one.block.empty(); });
+    gauge_.has_indenter = any([](const GaugeReading& one) { return !one.indenter.empty(); });
+    if (!any([](const GaugeReading& one) { return one.has_force; }))
+      return Error{en::say("the gauge's file holds no reading"), origin_, gauge_advice()};
     return std::move(gauge_);
   }
 
@@ -472,7 +460,7 @@ class GaugeReader {
   ForceGauge gauge_;
 };
 
-std::optional<Eigen::Vector3d> vector_from(const GaugeJson& json) {
+std::optional<Eigen::Vector3d> vector_from(const nlohmann::json& json) {
   if (!json.is_array() || json.size() != 3) return std::nullopt;
   Eigen::Vector3d vector;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -483,7 +471,7 @@ std::optional<Eigen::Vector3d> vector_from(const GaugeJson& json) {
 }
 
 /// Adds a contact's force to the reading. False: it has none, or not in the format of `simulate`.
-bool add_contact(const GaugeJson& contact, double& greatest_N, GaugeReading& reading) {
+bool add_contact(const nlohmann::json& contact, double& greatest_N, GaugeReading& reading) {
   if (!contact.is_object() || !contact.contains("force_N")) return false;
   const auto force = vector_from(contact.at("force_N"));
   if (!force) return false;
@@ -511,13 +499,13 @@ Result<ForceGauge> ForceGauge::parse_truth(std::string_view text,
     return Error{
         std::move(what), origin, en::say("truth.json of a scene whose pushes have forces")};
   };
-  const GaugeJson json = GaugeJson::parse(text, nullptr, false);
+  const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
   if (!json.is_object() || !json.contains("frames") || !json.at("frames").is_array())
     return wrong(en::say("holds no frames of a simulation"));
   ForceGauge gauge;
   gauge.axes = 3;
   bool any_force = false;
-  for (const GaugeJson& frame : json.at("frames")) {
+  for (const nlohmann::json& frame : json.at("frames")) {
     if (!frame.is_object() || !frame.contains("frame") || !frame.at("frame").is_string())
       return wrong(en::say("holds a frame without a name"));
     GaugeReading reading;
@@ -525,7 +513,7 @@ Result<ForceGauge> ForceGauge::parse_truth(std::string_view text,
     double greatest_N = 0;
     bool is_complete = true;
     if (frame.contains("contacts") && frame.at("contacts").is_array())
-      for (const GaugeJson& contact : frame.at("contacts"))
+      for (const nlohmann::json& contact : frame.at("contacts"))
         is_complete = add_contact(contact, greatest_N, reading) && is_complete;
     any_force = any_force || greatest_N > 0;
     if (is_complete) gauge.readings.push_back(std::move(reading));
@@ -546,13 +534,11 @@ Result<ForceGauge> ForceGauge::load(const std::filesystem::path& file,
 
 namespace {
 
-using MarkerJson = nlohmann::json;
-
 /// nullopt: not in the format of `reconstruct` or `simulate`.
-std::optional<Markers> markers_from(const MarkerJson& list, const char* seen_key) {
+std::optional<Markers> markers_from(const nlohmann::json& list, const char* seen_key) {
   if (!list.is_array() || list.empty()) return std::nullopt;
   Markers markers;
-  for (const MarkerJson& entry : list) {
+  for (const nlohmann::json& entry : list) {
     if (!entry.is_object() || !entry.contains(seen_key) || !entry.at(seen_key).is_boolean())
       return std::nullopt;
     Marker marker;
@@ -567,12 +553,12 @@ std::optional<Markers> markers_from(const MarkerJson& list, const char* seen_key
   return markers;
 }
 
-std::optional<Eigen::Vector2d> region_position(const MarkerJson& line) {
+std::optional<Eigen::Vector2d> region_position(const nlohmann::json& line) {
   const auto regions = line.find("regions");
   if (regions == line.end() || !regions->is_array() || regions->empty()) return std::nullopt;
-  const MarkerJson& region = regions->front();
+  const nlohmann::json& region = regions->front();
   if (!region.is_object() || !region.contains("place_on_face_mm")) return std::nullopt;
-  const MarkerJson& position = region.at("place_on_face_mm");
+  const nlohmann::json& position = region.at("place_on_face_mm");
   if (!position.is_array() || position.size() != 2 || !position[0].is_number() ||
       !position[1].is_number())
     return std::nullopt;
@@ -580,14 +566,16 @@ std::optional<Eigen::Vector2d> region_position(const MarkerJson& line) {
 }
 
 /// Of results.jsonl: time_ns, where its source had times.
-std::optional<double> capture_time_s(const MarkerJson& line) {
+std::optional<double> capture_time_s(const nlohmann::json& line) {
   const auto time_ns = line.find("time_ns");
   if (time_ns == line.end() || !time_ns->is_number_integer()) return std::nullopt;
   return 1e-9 * static_cast<double>(time_ns->get<std::int64_t>());
 }
 
 /// Reads a line of results.jsonl or a frame of truth.json; ignores one without markers.
-void take_markers(const MarkerJson& line, const char* seen_key, std::vector<MarkerFrame>& frames) {
+void take_markers(const nlohmann::json& line,
+                  const char* seen_key,
+                  std::vector<MarkerFrame>& frames) {
   if (!line.is_object() || !line.contains("markers") || !line.contains("frame") ||
       !line.at("frame").is_string())
     return;
@@ -604,15 +592,16 @@ Result<std::vector<MarkerFrame>> frames_from_file(const std::filesystem::path& f
   if (!content) return content.error();
   std::vector<MarkerFrame> frames;
   if (file.extension() == ".json") {
-    const MarkerJson truth = MarkerJson::parse(*content, nullptr, false);
+    const nlohmann::json truth = nlohmann::json::parse(*content, nullptr, false);
     if (truth.is_object() && truth.contains("frames") && truth.at("frames").is_array())
-      for (const MarkerJson& frame : truth.at("frames")) take_markers(frame, "visible", frames);
+      for (const nlohmann::json& frame : truth.at("frames")) take_markers(frame, "visible", frames);
   } else {
     std::size_t begin = 0;
     while (begin < content->size()) {
       const std::size_t end = std::min(content->find('\n', begin), content->size());
-      take_markers(
-          MarkerJson::parse(content->substr(begin, end - begin), nullptr, false), "seen", frames);
+      take_markers(nlohmann::json::parse(content->substr(begin, end - begin), nullptr, false),
+                   "seen",
+                   frames);
       begin = end + 1;
     }
   }

@@ -110,11 +110,6 @@ Result<TableColumns> columns_of(const std::vector<std::string_view>& cells,
   return columns;
 }
 
-/// The checked cells of a table, row by row.
-struct TableRows {
-  std::vector<double> layouts, seen, force, position, time;
-};
-
 class TableReader {
  public:
   TableReader(std::string_view csv, const std::filesystem::path& origin)
@@ -159,12 +154,12 @@ class TableReader {
     for (std::size_t axis = 0; axis < columns_.force.size(); ++axis) {
       const auto force = number(cells, columns_.force[axis], kAxes[axis], kGreatestN);
       if (!force) return force.error();
-      rows_.force.push_back(*force);
+      force_.push_back(*force);
     }
     if (columns_.time >= 0) {
       const auto time = number(cells, columns_.time, "t_s", 1e12);
       if (!time) return time.error();
-      rows_.time.push_back(*time);
+      time_.push_back(*time);
     }
     if (Status status = read_position(cells); !status) return status;
     for (auto [at, list] : {std::pair{columns_.block, &table_.block},
@@ -198,8 +193,8 @@ class TableReader {
         u = *there_u, v = *there_v;
       }
       any = any || seen;
-      rows_.layouts.push_back(u), rows_.layouts.push_back(v);
-      rows_.seen.push_back(seen ? 1 : 0);
+      layouts_.push_back(u), layouts_.push_back(v);
+      seen_.push_back(seen ? 1 : 0);
     }
     return any ? Status() : wrong(en::say("no marker was seen"));
   }
@@ -216,7 +211,7 @@ class TableReader {
         if (!there) return there.error();
         position = *there;
       }
-      rows_.position.push_back(position);
+      position_.push_back(position);
     }
     return {};
   }
@@ -231,11 +226,11 @@ class TableReader {
     };
     table_.marker_count = static_cast<int>(columns_.u.size());
     table_.axes = static_cast<int>(columns_.force.size());
-    table_.layouts = matrix(rows_.layouts), table_.seen = matrix(rows_.seen);
-    table_.force_N = matrix(rows_.force);
-    if (!rows_.position.empty() && matrix(rows_.position).array().isFinite().any())
-      table_.position_mm = matrix(rows_.position);
-    if (!rows_.time.empty()) table_.time_s = matrix(rows_.time);
+    table_.layouts = matrix(layouts_), table_.seen = matrix(seen_);
+    table_.force_N = matrix(force_);
+    if (!position_.empty() && matrix(position_).array().isFinite().any())
+      table_.position_mm = matrix(position_);
+    if (!time_.empty()) table_.time_s = matrix(time_);
     table_.ignored_columns = columns_.ignored_columns;
     return std::move(table_);
   }
@@ -243,7 +238,7 @@ class TableReader {
   CsvLines lines_;
   std::filesystem::path origin_;
   TableColumns columns_;
-  TableRows rows_;
+  std::vector<double> layouts_, seen_, force_, position_, time_;  // checked cells, row by row
   ForceTable table_;
   Eigen::Index count_ = 0;
 };

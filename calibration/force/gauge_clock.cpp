@@ -1,5 +1,3 @@
-#include "calibration/force/gauge_clock.h"
-
 #include "calibration/force/collect_force.h"
 
 #include <algorithm>

@@ -593,7 +593,7 @@ Status study(const fs::path& file,
   const MarkerTable table = table_in_video(pass, made.numbered, selected);
   const RecordingFrameReader frame = [&](std::size_t number) { return video.frame(number); };
   const auto library = ReferenceLibrary::from_frames(
-      frame, pass.greys.size(), file, table, finger, camera, Job(job, 0.4, 0.6));
+      {frame, pass.greys.size(), file, table}, finger, camera, Job(job, 0.4, 0.6));
   if (!library) return library.error();
   std::vector<std::size_t> of_library;  // by the library's index, the number in the recording
   std::vector<Markers> markers;

@@ -205,11 +205,6 @@ Message too_few_dots(const std::vector<FrameDots>& frames, Polarity polarity, in
       per_row);
 }
 
-int seen_count(const Markers& markers) {
-  return static_cast<int>(
-      std::count_if(markers.begin(), markers.end(), [](const Marker& m) { return m.seen; }));
-}
-
 void number_all(const std::vector<FrameDots>& frames,
                 const MarkerModel& model,
                 NumberedRecording& out) {

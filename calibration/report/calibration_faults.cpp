@@ -125,7 +125,7 @@ Result<SimulatedCalibration> simulate_calibration(Fault fault,
   auto library = ReferenceLibrary::single(untouched->render(0));
   if (!library) return library.error();
   PipelineSettings settings;
-  settings.light = correct_light ? LightChange::kCorrected : LightChange::kIgnored;
+  settings.correct_light = correct_light;
   Pipeline pipeline = Pipeline::with_library(std::move(*library), *finger, settings);
 
   const double radius_mm = kBallRadiusMm * (fault == Fault::kBallRadius ? kRadiusError : 1.0);

@@ -42,9 +42,9 @@ double quantile_of(std::vector<double> values, double part) {
 }
 
 /// The settings that a library depends on (finger_as_measured()).
-using LibraryKey = std::pair<Resolution, Undistortion>;
+using LibraryKey = std::pair<Resolution, bool>;
 LibraryKey library_key_of(const PipelineSettings& settings) {
-  return {settings.resolution, settings.undistortion};
+  return {settings.resolution, settings.undistort};
 }
 
 /// What is known of a frame in addition to its image.

@@ -123,7 +123,7 @@ Result<RealPresses> RealPresses::open(const FingerPtr& finger, const Job& job) {
 
 Result<Pipeline> RealPresses::pipeline_of(const PipelineSettings& settings, const Job& job) const {
   const FingerSnapshot finger = finger_->without_mapping();
-  if (settings.resolution == Resolution::kFull && settings.undistortion == Undistortion::kExact)
+  if (settings.resolution == Resolution::kFull && settings.undistort)
     return Pipeline::with_library(library_, finger, settings);
   return Pipeline::create(finger, settings, job);
 }

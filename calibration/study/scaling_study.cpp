@@ -158,10 +158,10 @@ Result<ScaledFinger> scaled_finger(const FingerSnapshot& original,
   const auto image_of = [&](std::size_t number) -> Result<cv::Mat> { return images[number]; };
   auto library = recorded.table.frames.empty()
                      ? ReferenceLibrary::single(images.front())
-                     : ReferenceLibrary::from_frames(image_of,
-                                                     images.size(),
-                                                     original.folder,
-                                                     at_scale(recorded.table, by),
+                     : ReferenceLibrary::from_frames({image_of,
+                                                      images.size(),
+                                                      original.folder,
+                                                      at_scale(recorded.table, by)},
                                                      finger.finger,
                                                      finger.camera,
                                                      job);

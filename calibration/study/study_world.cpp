@@ -390,13 +390,11 @@ Result<UntouchedImages> untouched_of_recording(const FingerSnapshot& snapshot,
       if (!grey) return grey.error();
       return image_for(measuring, *grey, en::say("the recording's image"), "", "");
     };
-    return ReferenceLibrary::from_frames(image,
-                                         frames->count(),
-                                         file,
-                                         reduced_table(retained, measuring.reduced_by),
-                                         measuring.finger,
-                                         measuring.camera,
-                                         doing);
+    return ReferenceLibrary::from_frames(
+        {image, frames->count(), file, reduced_table(retained, measuring.reduced_by)},
+        measuring.finger,
+        measuring.camera,
+        doing);
   };
   auto library = library_of({}, job);
   if (!library) return library.error();

@@ -23,59 +23,58 @@ std::string with_sd(const TwinFigure& figure) {
                    : fmt::format("{:.4g}", figure.value);
 }
 
-class FigureWriter {
- public:
-  explicit FigureWriter(Twin& twin) : twin_(twin) {}
+/// `positive`: half its own size is a large uncertainty of the number.
+void add_figure(Twin& twin,
+                const std::string& key,
+                const Message& what,
+                double value,
+                const std::optional<double>& sd,
+                bool positive = true) {
+  TwinFigure figure{key, what, value, sd, ""};
+  if (!sd)
+    figure.remark = en::say("not observable: at its limit, or another number has the same effect");
+  else if (positive && *sd > kMaxRelativeSd * value)
+    figure.remark = en::say("hardly observable in these images");
+  twin.figures.push_back(std::move(figure));
+}
 
-  /// `positive`: half its own size is a large uncertainty of the number.
-  void add(const std::string& key,
-           const Message& what,
-           double value,
-           const std::optional<double>& sd,
-           bool positive = true) {
-    TwinFigure figure{key, what, value, sd, ""};
-    if (!sd)
-      figure.remark =
-          en::say("not observable: at its limit, or another number has the same effect");
-    else if (positive && *sd > kMaxRelativeSd * value)
-      figure.remark = en::say("hardly observable in these images");
-    twin_.figures.push_back(std::move(figure));
-  }
-  void comment(const std::string& effect, const std::string& what, std::size_t figures) {
-    std::string text = what;
-    for (std::size_t i = twin_.figures.size() - figures; i < twin_.figures.size(); ++i)
-      text += fmt::format("{} {} {}",
-                          i + figures == twin_.figures.size() ? ":" : ",",
-                          twin_.figures[i].key,
-                          with_sd(twin_.figures[i]));
-    twin_.scene.comments[effect] = text;
-  }
+/// Comments an effect of the scene with the last `count` figures.
+void comment_effect(Twin& twin,
+                    const std::string& effect,
+                    const std::string& what,
+                    std::size_t count) {
+  std::string text = what;
+  const std::size_t first = twin.figures.size() - count;
+  for (std::size_t i = first; i < twin.figures.size(); ++i)
+    text += fmt::format(
+        "{} {} {}", i == first ? ":" : ",", twin.figures[i].key, with_sd(twin.figures[i]));
+  twin.scene.comments[effect] = text;
+}
 
- private:
-  Twin& twin_;
-};
-
-void write_layer(const TwinContact& contact, FigureWriter& writer, Twin& twin) {
+void write_layer(const TwinContact& contact, Twin& twin) {
   const TwinScene& scene = twin.scene;
   const ContactSpread& sd = contact.spread;
-  writer.add("scatter_per_mm",
+  add_figure(twin,
+             "scatter_per_mm",
              en::say("scattering of the layer, per mm"),
              scene.layer.scatter_per_mm,
              sd.scatter_per_mm);
   std::size_t count = 1;
   if (scene.layer.coat > 0) {
-    writer.add(
-        "coat", en::say("reflection of the coat below the layer"), scene.layer.coat, sd.coat);
+    add_figure(
+        twin, "coat", en::say("reflection of the coat below the layer"), scene.layer.coat, sd.coat);
     ++count;
   } else {
     twin.remarks.push_back(
         en::say("the coat below the layer is assumed to be black: the presses show nothing else"));
   }
-  writer.comment("layer", "told by how the presses darken", count);
+  comment_effect(twin, "layer", "told by how the presses darken", count);
   twin.remarks.push_back(en::say(
       "absorption in the layer is not observable: scattering and coat change the same curve"));
-  writer.add("rolloff length_mm", en::say("roll-off length, mm"), scene.rolloff_mm, sd.rolloff_mm);
-  writer.comment(
+  add_figure(
+      twin, "rolloff length_mm", en::say("roll-off length, mm"), scene.rolloff_mm, sd.rolloff_mm);
+  comment_effect(
+      twin,
       "rolloff",
       fmt::format("told by the rims of the contacts, where kind {} leaves {:.2f} times as much",
                   contact.other_rolloff == TwinRolloff::kHertz ? "hertz" : "smooth",
@@ -83,67 +82,77 @@ void write_layer(const TwinContact& contact, FigureWriter& writer, Twin& twin) {
       1);
 }
 
-void write_halo(const TwinContact& contact, FigureWriter& writer, Twin& twin) {
+void write_halo(const TwinContact& contact, Twin& twin) {
   const TwinScene& scene = twin.scene;
   const ContactSpread& sd = contact.spread;
   if (scene.halo == TwinHalo::kNone) {
     twin.remarks.push_back(en::say("no swelling is visible around the contacts"));
   } else {
     std::size_t count = 2;
-    writer.add("bulge share",
+    add_figure(twin,
+               "bulge share",
                en::say("height of the swelling, fraction of the layer"),
                scene.halo_share,
                sd.halo_share);
-    writer.add("bulge width_mm",
+    add_figure(twin,
+               "bulge width_mm",
                en::say("its distance from the rim, mm"),
                scene.halo_width_mm,
                sd.halo_width_mm);
     if (scene.halo == TwinHalo::kExponential) {
-      writer.add("bulge steepness",
+      add_figure(twin,
+                 "bulge steepness",
                  en::say("steepness of its slope"),
                  scene.halo_steepness,
                  sd.halo_steepness);
       ++count;
     }
-    writer.comment("bulge", "told by the bright halos", count);
+    comment_effect(twin, "bulge", "told by the bright halos", count);
   }
   if (scene.blur_px > 0) {
-    writer.add("blur_px", en::say("blur, standard deviation in pixels"), scene.blur_px, sd.blur_px);
-    writer.comment("defocus", "told by the steepest edges of the presses", 1);
+    add_figure(
+        twin, "blur_px", en::say("blur, standard deviation in pixels"), scene.blur_px, sd.blur_px);
+    comment_effect(twin, "defocus", "told by the steepest edges of the presses", 1);
   } else {
     twin.remarks.push_back(en::say("no blur is visible apart from the roll-off"));
   }
 }
 
-void write_balls(const TwinContact& contact, FigureWriter& writer, const Twin& twin) {
+void write_balls(const TwinContact& contact, Twin& twin) {
   for (std::size_t i = 0; i < twin.scene.balls.size(); ++i) {
     const TwinBall& ball = twin.scene.balls[i];
     const ContactSpread::Ball& sd = contact.spread.balls[i];
-    writer.add(
-        ball.press + " depth_mm", en::say("{}: depth, mm", ball.press), ball.depth_mm, sd.depth_mm);
-    writer.add(ball.press + " s_mm",
+    add_figure(twin,
+               ball.press + " depth_mm",
+               en::say("{}: depth, mm", ball.press),
+               ball.depth_mm,
+               sd.depth_mm);
+    add_figure(twin,
+               ball.press + " s_mm",
                en::say("{}: position along the face, mm", ball.press),
                ball.s_mm,
                sd.s_mm,
                false);
-    writer.add(ball.press + " y_mm",
+    add_figure(twin,
+               ball.press + " y_mm",
                en::say("{}: position across the face, mm", ball.press),
                ball.y_mm,
                sd.y_mm,
                false);
     std::size_t count = 3;
     if (ball.light != 1) {
-      writer.add(ball.press + " light",
+      add_figure(twin,
+                 ball.press + " light",
                  en::say("{}: light, relative to its untouched image", ball.press),
                  ball.light,
                  sd.light);
       ++count;
     }
-    writer.comment("ball " + ball.press, ball.press, count);
+    comment_effect(twin, "ball " + ball.press, ball.press, count);
   }
 }
 
-void write_lamps(const TwinLamps& lamps, FigureWriter& writer, Twin& twin) {
+void write_lamps(const TwinLamps& lamps, Twin& twin) {
   int hardly = 0;
   double least = 0, most = 0;
   for (std::size_t i = 0; i < lamps.lamps.size(); ++i) {
@@ -151,14 +160,16 @@ void write_lamps(const TwinLamps& lamps, FigureWriter& writer, Twin& twin) {
     const double power = twin.scene.lamps[i].power;
     std::optional<double> sd = lamps.spread[i].power;
     if (sd) *sd *= power / lamps.lamps[i].power;
-    writer.add(fmt::format("lamp {} power", i + 1), en::say("lamp {}: power", i + 1), power, sd);
+    add_figure(
+        twin, fmt::format("lamp {} power", i + 1), en::say("lamp {}: power", i + 1), power, sd);
     const std::optional<Eigen::Vector3d>& at_sd = lamps.spread[i].at_mm;
     const double distance = twin.scene.face.kind == FaceKind::kFlat
                                 ? twin.scene.face.plane_z_mm - lamps.lamps[i].at_mm.z()
                                 : lamps.lamps[i].at_mm.norm();
     std::optional<double> distance_sd;
     if (at_sd) distance_sd = twin.scene.face.kind == FaceKind::kFlat ? at_sd->z() : at_sd->norm();
-    writer.add(fmt::format("lamp {} distance_mm", i + 1),
+    add_figure(twin,
+               fmt::format("lamp {} distance_mm", i + 1),
                twin.scene.face.kind == FaceKind::kFlat
                    ? en::say("lamp {}: distance from the face, mm", i + 1)
                    : en::say("lamp {}: distance from the camera, mm", i + 1),
@@ -181,23 +192,25 @@ void write_lamps(const TwinLamps& lamps, FigureWriter& writer, Twin& twin) {
               lamps.lamps.size()));
 }
 
-void write_noise(const TwinNoise& noise, FigureWriter& writer, Twin& twin) {
+void write_noise(const TwinNoise& noise, Twin& twin) {
   if (noise.read_sd > 0) {
-    writer.add("read sd", en::say("read noise, grey levels"), noise.read_sd, noise.read_sd_sd);
-    writer.comment("read", noise.from.english(), 1);
+    add_figure(
+        twin, "read sd", en::say("read noise, grey levels"), noise.read_sd, noise.read_sd_sd);
+    comment_effect(twin, "read", noise.from.english(), 1);
   }
   if (noise.shot_gain > 0) {
-    writer.add(
-        "shot gain", en::say("shot noise, grey levels"), noise.shot_gain, noise.shot_gain_sd);
-    writer.comment("shot", noise.from.english(), 1);
+    add_figure(
+        twin, "shot gain", en::say("shot noise, grey levels"), noise.shot_gain, noise.shot_gain_sd);
+    comment_effect(twin, "shot", noise.from.english(), 1);
   } else {
     twin.remarks.push_back(
         en::say("shot noise and read noise cannot be separated: the face is too evenly lit, or "
                 "shot noise is absent"));
   }
   if (noise.prnu > 0) {
-    writer.add("fixed-pattern prnu", en::say("fixed pattern, fraction"), noise.prnu, noise.prnu_sd);
-    writer.comment("fixed-pattern", noise.from.english(), 1);
+    add_figure(
+        twin, "fixed-pattern prnu", en::say("fixed pattern, fraction"), noise.prnu, noise.prnu_sd);
+    comment_effect(twin, "fixed-pattern", noise.from.english(), 1);
   }
   twin.remarks.push_back(noise.from);
 }
@@ -208,12 +221,11 @@ void write_figures(const TwinLamps& lamps,
                    const TwinContact& contact,
                    const TwinNoise& noise,
                    Twin& twin) {
-  FigureWriter writer(twin);
-  write_layer(contact, writer, twin);
-  write_halo(contact, writer, twin);
-  write_balls(contact, writer, twin);
-  write_lamps(lamps, writer, twin);
-  write_noise(noise, writer, twin);
+  write_layer(contact, twin);
+  write_halo(contact, twin);
+  write_balls(contact, twin);
+  write_lamps(lamps, twin);
+  write_noise(noise, twin);
   if (twin.scene.face.kind == FaceKind::kFinRay)
     twin.remarks.push_back(
         en::say("the scene contains the face only: no side faces, no dots, no twist"));

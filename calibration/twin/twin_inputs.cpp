@@ -1,4 +1,4 @@
-#include "calibration/twin/twin_inputs.h"
+#include "calibration/twin/twin.h"
 
 #include "calibration/finger/calibration_inputs.h"
 #include "calibration/finger/measuring_presets.h"

@@ -46,7 +46,7 @@ struct TwinScene {
   std::string name, why;
   CameraParameters camera;  ///< of a scene: not rotated, without a window
   Face face;
-  // Fin Ray: start of its untouched middle line, see Scene::Content.
+  // Fin Ray: start of its untouched middle line, see Scene.
   Eigen::Vector3d base_mm = Eigen::Vector3d::Zero();
   double incline_rad = 0, length_mm = 0;
   TwinPose rest;

@@ -14,6 +14,15 @@
 namespace alltact {
 namespace {
 
+/// Brings a pipeline to the state after the frames `before` a piece (null: could not be read).
+template <class Frames>
+void begin_piece(Pipeline& pipeline, const Frames& before, bool is_continuous) {
+  pipeline.forget();
+  if (!is_continuous) return;
+  for (const FramePtr& frame : before)
+    if (frame) pipeline.warm_up(frame);
+}
+
 /// Consecutive frames, and those before them.
 struct FramePiece {
   std::size_t number = 0;
@@ -92,7 +101,7 @@ class Batch {
     try {
       while (auto piece = read()) {
         std::vector<FrameLine> lines;
-        if (!is_sequential) begin(pipeline, *piece);
+        if (!is_sequential) begin_piece(pipeline, piece->before, source_.is_continuous());
         for (BatchFrame& frame : piece->frames) {
           if (!source_.is_continuous()) pipeline.forget();
           measure(pipeline, frame, is_sequential);
@@ -108,13 +117,6 @@ class Batch {
             "",
             en::say("reporting this as a defect")});
     }
-  }
-
-  void begin(Pipeline& pipeline, const FramePiece& piece) const {
-    pipeline.forget();
-    if (!source_.is_continuous()) return;
-    for (const FramePtr& frame : piece.before)
-      if (frame) pipeline.warm_up(frame);
   }
 
   static void measure(Pipeline& pipeline, BatchFrame& frame, bool is_sequential) {
@@ -289,10 +291,9 @@ std::optional<LastingContacts::Lasting> LastingContacts::operator()(
   return Lasting{before, estimate};
 }
 
-std::string ContactLines::operator()(const FrameLine& frame) {
+std::string LastingContacts::complete_line(const FrameLine& frame) {
   const auto& contacts = frame.contacts;
-  const auto lasting =
-      contacts ? lasting_(&contacts->seen, contacts->faces) : lasting_(nullptr, {});
+  const auto lasting = contacts ? (*this)(&contacts->seen, contacts->faces) : (*this)(nullptr, {});
   return lasting ? with_contact(frame.line, contacts->texts[lasting->which], lasting->estimate)
                  : frame.line;
 }
@@ -304,11 +305,8 @@ SequentialBatch::SequentialBatch(Pipeline pipeline, bool is_continuous)
       contacts_(is_continuous) {}
 
 void SequentialBatch::begin_piece() {
-  if (is_sequential_ || index_ % kPieceFrames != 0) return;
-  pipeline_.forget();
-  if (!is_continuous_) return;
-  for (const FramePtr& frame : before_)
-    if (frame) pipeline_.warm_up(frame);
+  if (!is_sequential_ && index_ % kPieceFrames == 0)
+    alltact::begin_piece(pipeline_, before_, is_continuous_);
 }
 
 void SequentialBatch::remember(const FramePtr& frame) {

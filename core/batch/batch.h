@@ -66,21 +66,13 @@ class LastingContacts {
   ///   faces: of FrameContacts::by_face
   [[nodiscard]] std::optional<Lasting> operator()(const ContactState::Observation* seen,
                                                   const std::array<PushedFace, 5>& faces);
+  /// The same for a frame's line; returns it completed by the contact, if there is one.
+  [[nodiscard]] std::string complete_line(const FrameLine& frame);
 
  private:
   bool is_continuous_;
   ContactState state_;
   std::optional<PushedFace> face_;
-};
-
-/// Takes frames in order and completes their lines.
-class ContactLines {
- public:
-  explicit ContactLines(bool is_continuous) : lasting_(is_continuous) {}
-  [[nodiscard]] std::string operator()(const FrameLine& frame);
-
- private:
-  LastingContacts lasting_;
 };
 
 inline constexpr std::size_t kPieceFrames = 32, kWarmUpFrames = 8;

@@ -21,11 +21,6 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kFormat = "alltact-part/1";
 constexpr int kMaxParts = 10000;
 
-struct FoundPart {
-  fs::path file;
-  PartResults results;
-};
-
 Error damaged(const fs::path& file) {
   return {en::say("the part is damaged or cut short"),
           file.string(),
@@ -51,6 +46,7 @@ Result<PartResults> read_part(const fs::path& file) {
   std::istringstream stream(*content);
   std::string line;
   PartResults results;
+  results.file = file;
   try {
     if (!std::getline(stream, line)) return damaged(file);
     const Json head = Json::parse(line);
@@ -93,8 +89,8 @@ bool is_part_video(const fs::path& file) {
 }
 
 /// Parts by number, each once, all of one run.
-Result<std::map<int, FoundPart>> find_parts(const std::vector<fs::path>& folders) {
-  std::map<int, FoundPart> parts;
+Result<std::map<int, PartResults>> find_parts(const std::vector<fs::path>& folders) {
+  std::map<int, PartResults> parts;
   for (const fs::path& folder : folders) {
     const auto files = files_in(folder);
     if (!files) return files.error();
@@ -102,7 +98,7 @@ Result<std::map<int, FoundPart>> find_parts(const std::vector<fs::path>& folders
       if (!is_part(file)) continue;
       auto results = read_part(file);
       if (!results) return results.error();
-      const PartResults& first = parts.empty() ? *results : parts.begin()->second.results;
+      const PartResults& first = parts.empty() ? *results : parts.begin()->second;
       if (results->run != first.run || results->part.of != first.part.of)
         return Error{en::say("these are parts of two different runs: {} and {}",
                              parts.begin()->second.file,
@@ -110,7 +106,7 @@ Result<std::map<int, FoundPart>> find_parts(const std::vector<fs::path>& folders
                      file.string(),
                      en::say("the folders of one run, or reconstruct all its parts again")};
       const int number = results->part.number;
-      const auto [before, is_new] = parts.emplace(number, FoundPart{file, std::move(*results)});
+      const auto [before, is_new] = parts.emplace(number, std::move(*results));
       if (!is_new)
         return Error{en::say("part {} exists twice: {} and {}", number, before->second.file, file),
                      file.string(),
@@ -120,13 +116,13 @@ Result<std::map<int, FoundPart>> find_parts(const std::vector<fs::path>& folders
   return parts;
 }
 
-Status check_complete(const std::map<int, FoundPart>& parts, const fs::path& folder) {
+Status check_complete(const std::map<int, PartResults>& parts, const fs::path& folder) {
   if (parts.empty())
     return Error{en::say("there are no parts of a reconstruction"),
                  folder.string(),
                  en::say("alltact reconstruct with --shard 1/N to N/N first")};
-  const int of = parts.begin()->second.results.part.of;
-  const std::size_t total_frames = parts.begin()->second.results.frame_count;
+  const int of = parts.begin()->second.part.of;
+  const std::size_t total_frames = parts.begin()->second.frame_count;
   std::string missing;
   for (int number = 1; number <= of; ++number)
     if (!parts.contains(number)) missing += (missing.empty() ? "" : ", ") + std::to_string(number);
@@ -135,12 +131,11 @@ Status check_complete(const std::map<int, FoundPart>& parts, const fs::path& fol
                  folder.string(),
                  en::say("reconstruct these parts, too")};
   for (const auto& [number, part] : parts) {
-    const BatchFrames frames = frames_of(part.results.part, part.results.frame_count);
-    if (part.results.first != frames.first || part.results.frame_count != total_frames)
-      return damaged(part.file);
-    if (part.results.lines.size() != frames.end - frames.first)
+    const BatchFrames frames = frames_of(part.part, part.frame_count);
+    if (part.first != frames.first || part.frame_count != total_frames) return damaged(part.file);
+    if (part.lines.size() != frames.end - frames.first)
       return Error{en::say("the part was stopped after {} of {} frames",
-                           part.results.lines.size(),
+                           part.lines.size(),
                            frames.end - frames.first),
                    part.file.string(),
                    en::say("reconstruct this part again")};
@@ -148,29 +143,25 @@ Status check_complete(const std::map<int, FoundPart>& parts, const fs::path& fol
   return {};
 }
 
-struct MergedLines {
-  MergedParts counts;
-  std::string text;
-};
-
-Result<MergedLines> merge_lines(const std::map<int, FoundPart>& parts) {
-  MergedLines merged;
-  ContactLines contacts(parts.begin()->second.results.is_continuous);
+/// The content of results.jsonl. Counts its frames in `merged`.
+Result<std::string> merge_lines(const std::map<int, PartResults>& parts, MergedParts& merged) {
+  std::string content;
+  LastingContacts contacts(parts.begin()->second.is_continuous);
   std::set<std::string> names;
   for (const auto& [number, part] : parts) {
-    for (const std::string& text : part.results.lines) {
+    for (const std::string& text : part.lines) {
       const auto line = FrameLine::from_json(text);
       if (!line) return damaged(part.file);
       if (!names.insert(line->frame).second)
         return Error{en::say("another image is called '{}' as well", line->frame),
                      part.file.string(),
                      en::say("giving the images different names")};
-      merged.text += contacts(*line) + "\n";
-      ++merged.counts.frames;
-      merged.counts.failed += line->is_measured ? 0 : 1;
+      content += contacts.complete_line(*line) + "\n";
+      ++merged.frames;
+      merged.failed += line->is_measured ? 0 : 1;
     }
   }
-  return merged;
+  return content;
 }
 
 /// Moves the files of frames, not the parts.
@@ -198,16 +189,16 @@ Status move_files(const fs::path& from, const fs::path& to) {
 
 /// The depth videos by part, if the run made any; a part without frames needs none. Error: one is
 /// missing.
-Result<std::vector<fs::path>> part_videos(const std::map<int, FoundPart>& parts) {
+Result<std::vector<fs::path>> part_videos(const std::map<int, PartResults>& parts) {
   std::vector<fs::path> videos;
   bool any = false;
   const fs::path* missing = nullptr;
   for (const auto& [number, part] : parts) {
-    const fs::path video = part.file.parent_path() / part_video(part.results.part);
+    const fs::path video = part.file.parent_path() / part_video(part.part);
     std::error_code error;
     const bool is_there = fs::exists(video, error);
     any = any || is_there;
-    if (part.results.lines.empty()) continue;
+    if (part.lines.empty()) continue;
     if (is_there)
       videos.push_back(video);
     else
@@ -293,8 +284,9 @@ Result<MergedParts> merge_parts(const std::vector<fs::path>& folders) {
   const auto parts = find_parts(folders);
   if (!parts) return parts.error();
   if (const Status status = check_complete(*parts, folder); !status) return status.error();
-  auto merged = merge_lines(*parts);
-  if (!merged) return merged.error();
+  MergedParts merged;
+  const auto lines = merge_lines(*parts, merged);
+  if (!lines) return lines.error();
   const auto videos = part_videos(*parts);
   if (!videos) return videos.error();
   std::error_code ignored;
@@ -304,14 +296,14 @@ Result<MergedParts> merge_parts(const std::vector<fs::path>& folders) {
   if (const Status status = join_videos(*videos, folder / kDepthVideoFile); !status)
     return status.error();
   if (const Status status = sync_disk_of(folder); !status) return status.error();
-  merged->counts.results = folder / "results.jsonl";
-  if (const Status status = write_file_atomically(merged->counts.results, merged->text); !status)
+  merged.results = folder / "results.jsonl";
+  if (const Status status = write_file_atomically(merged.results, *lines); !status)
     return status.error();
   for (const auto& [number, part] : *parts) {
-    fs::remove(part.file.parent_path() / part_video(part.results.part), ignored);
+    fs::remove(part.file.parent_path() / part_video(part.part), ignored);
     fs::remove(part.file, ignored);
   }
-  return merged->counts;
+  return merged;
 }
 
 }  // namespace alltact

@@ -29,7 +29,8 @@ struct PartResults {
   std::string run;                         ///< the same for all parts of one run, and for no others
   std::size_t first = 0, frame_count = 0;  ///< of this part; of the entire recording
   bool is_continuous = true;
-  std::vector<std::string> lines;  ///< FrameLine::to_json() of each of its frames
+  std::vector<std::string> lines;   ///< FrameLine::to_json() of each of its frames
+  std::filesystem::path file = {};  ///< where merge_parts() read it from; not stored
 };
 /// results.part-3-of-8.jsonl
 [[nodiscard]] std::string part_file(const Part& part);

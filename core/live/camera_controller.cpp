@@ -1,6 +1,10 @@
 #include "core/live/camera_controller.h"
 
 #include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <thread>
 
 namespace alltact {
 namespace {
@@ -64,15 +68,15 @@ struct CameraController::State {
   }
 };
 
-CameraController::CameraController() : state_(std::make_shared<State>()), stopper_{state_} {
+CameraController::CameraController() : state_(std::make_shared<State>()) {
   std::thread([state = state_] { state->run(); }).detach();
 }
 
-CameraController::Stopper::~Stopper() {
-  const std::lock_guard lock(state->mutex);
-  state->is_ending = true;
-  state->camera.reset();
-  state->changed.notify_all();
+CameraController::~CameraController() {
+  const std::lock_guard lock(state_->mutex);
+  state_->is_ending = true;
+  state_->camera.reset();
+  state_->changed.notify_all();
 }
 
 void CameraController::attach(std::shared_ptr<V4l2Camera> camera,

@@ -3,12 +3,8 @@
 
 #include "core/devices/v4l2_camera.h"
 
-#include <condition_variable>
-#include <deque>
 #include <memory>
-#include <mutex>
 #include <optional>
-#include <thread>
 #include <vector>
 
 namespace alltact {
@@ -24,6 +20,9 @@ struct CameraControllerStatus {
 class CameraController {
  public:
   CameraController();
+  ~CameraController();
+  CameraController(const CameraController&) = delete;
+  CameraController& operator=(const CameraController&) = delete;
 
   /// Sets the camera to control, null for none. A new camera first gets the values `requested`, and
   /// the lock where that is on.
@@ -35,10 +34,6 @@ class CameraController {
  private:
   struct State;
   std::shared_ptr<State> state_;  // the thread may be inside a slow driver when this ends
-  struct Stopper {
-    std::shared_ptr<State> state;
-    ~Stopper();
-  } stopper_;
 };
 
 }  // namespace alltact

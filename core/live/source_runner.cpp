@@ -61,11 +61,7 @@ struct SourceRunner::Run {
   std::deque<ClockOffset> offsets;  // of the last kClockWindow_ns, ascending
 
   // The recording. The recorder itself may be used from any thread.
-  struct RecordingRequest {
-    std::filesystem::path file;
-    RecorderSettings settings;
-  };
-  std::optional<RecordingRequest> recording_request;
+  std::optional<RecorderSettings> requested_recording;  // to recording.file
   std::atomic<bool> is_stop_requested{false};
   std::shared_ptr<Recorder> recorder;
   RecordingStatus recording;
@@ -125,7 +121,10 @@ struct SourceRunner::Run {
       serve_recording(self, **source);
       auto frame = (*source)->next();
       if (!frame) {
-        on_fault(frame.error());
+        {
+          const std::lock_guard lock(mutex);
+          status.problem = frame.error();
+        }
         std::this_thread::sleep_for(kFaultPause);
       } else if (*frame) {
         on_frame(std::move(*frame), (*source)->is_live());
@@ -153,11 +152,6 @@ struct SourceRunner::Run {
       clock_offset_ns = 0;
     }
     period_s = 1 / source.frames_per_s();
-  }
-
-  void on_fault(const Error& error) {
-    const std::lock_guard lock(mutex);
-    status.problem = error;
   }
 
   void on_frame(FramePtr frame, bool is_live) {
@@ -209,18 +203,21 @@ struct SourceRunner::Run {
   }
 
   void serve_recording(const std::shared_ptr<Run>& self, const Source& source) {
-    std::optional<RecordingRequest> begin;
+    std::optional<RecorderSettings> requested;
+    std::filesystem::path file;
     {
       const std::lock_guard lock(mutex);
-      begin = std::exchange(recording_request, std::nullopt);
+      requested = std::exchange(requested_recording, std::nullopt);
+      file = recording.file;
     }
-    if (begin) start_recorder(*begin, source);
+    if (requested) start_recorder(file, *requested, source);
     if (is_stop_requested) finish_recorder(self, "stopped by hand");
   }
 
-  void start_recorder(const RecordingRequest& request, const Source& source) {
-    auto started = Recorder::start(
-        request.file, request.settings, source.frames_per_s(), inputs.front().string());
+  void start_recorder(const std::filesystem::path& file,
+                      const RecorderSettings& settings,
+                      const Source& source) {
+    auto started = Recorder::start(file, settings, source.frames_per_s(), inputs.front().string());
     const std::lock_guard lock(mutex);
     is_stop_requested = false;
     if (!started) {
@@ -324,7 +321,7 @@ void SourceRunner::start_recording(const std::filesystem::path& file,
   run_->recording = {};
   run_->recording.state = RecordingState::kRunning;
   run_->recording.file = file;
-  run_->recording_request = Run::RecordingRequest{file, settings};
+  run_->requested_recording = settings;
 }
 
 void SourceRunner::stop_recording() {

@@ -136,7 +136,8 @@ bool PaperMethod::find_reference(FrameResult& result) {
   }
   last_ = result.markers;
   const auto nearest = reference_->nearest(*result.markers);
-  const PaperReference::Recorded& recorded = reference_->frame(nearest.index);
+  const PaperReference::Recorded& recorded =
+      reference_->frame(static_cast<std::size_t>(nearest.row));
   cv::Mat grey;
   recorded.grey.convertTo(grey, CV_32F);
   result.reference.emplace();
@@ -395,15 +396,15 @@ Result<PaperReference> PaperReference::read(const std::filesystem::path& video,
   return reference;
 }
 
-PaperReference::Nearest PaperReference::nearest(const Markers& markers) const {
-  Nearest best{0, std::numeric_limits<double>::infinity()};
+NearestFrame PaperReference::nearest(const Markers& markers) const {
+  NearestFrame best{0, std::numeric_limits<double>::infinity()};
   for (std::size_t i = 0; i < frames_.size(); ++i) {
     const Markers& there = frames_[i].markers;
     assert(there.size() == markers.size());
     double sum = 0;
     for (std::size_t m = 0; m < markers.size(); ++m)
       sum += std::hypot(markers[m].u - there[m].u, markers[m].v - there[m].v);
-    if (sum < best.distance_px) best = {i, sum};
+    if (sum < best.distance_px) best = {static_cast<int>(i), sum};
   }
   best.distance_px /= static_cast<double>(std::max<std::size_t>(1, markers.size()));
   return best;

@@ -69,11 +69,7 @@ class PaperReference {
 
   /// The frame with the smallest sum of distances over all markers, seen or estimated, and that sum
   /// divided by their number. `markers`: as many as were recorded.
-  struct Nearest {
-    std::size_t index = 0;
-    double distance_px = 0;
-  };
-  [[nodiscard]] Nearest nearest(const Markers& markers) const;
+  [[nodiscard]] NearestFrame nearest(const Markers& markers) const;
 
  private:
   std::vector<Recorded> frames_;  // at least one

@@ -5,7 +5,10 @@
 #include "core/base/result.h"
 #include "core/finger/finger_store.h"
 #include "core/sensing/contact/finger_contact.h"
+#include "core/sensing/force/force_meter.h"
 #include "core/sensing/frame_result.h"
+#include "core/sensing/markers/marker_tracker.h"
+#include "core/sensing/paper_method.h"
 #include "core/sensing/pipeline_settings.h"
 #include "core/sensing/reference/reference_library.h"
 
@@ -19,7 +22,25 @@
 
 namespace alltact {
 
-class PaperMethod;
+/// Mean of the last frames of a source, for a finger that holds still. The time of a call does not
+/// depend on the number of frames.
+class RunningMean {
+ public:
+  /// Averages the last `max_frames` frames, 1 (no averaging) to 256.
+  explicit RunningMean(int max_frames) : max_frames_(static_cast<std::size_t>(max_frames)) {}
+
+  /// Returns the rounded mean of `grey` and the frames before it. `grey`: CV_8UC1, not written to
+  /// from now on. Frames of another size are dropped.
+  [[nodiscard]] cv::Mat operator()(const cv::Mat& grey);
+
+  /// Drops all frames: the next one is the first.
+  void forget() { last_.clear(); }
+
+ private:
+  std::size_t max_frames_;
+  std::deque<cv::Mat> last_;
+  cv::Mat sum_;  // of last_, CV_16UC1
+};
 
 /// Turns frames into results. Built once from what is known of a finger, which decides how far each
 /// result reaches:
@@ -79,45 +100,53 @@ class Pipeline {
   /// Call before a frame that does not follow the last one in time.
   void forget();
 
-  [[nodiscard]] bool has_reference() const;
+  [[nodiscard]] bool has_reference() const { return library_ || paper_; }
   /// As it appears in the measured images (finger_store.h). An unknown finger has neither
   /// finger() nor camera().
-  [[nodiscard]] const Finger& finger() const;
-  [[nodiscard]] const Camera& camera() const;
-  [[nodiscard]] const PipelineSettings& settings() const;
+  [[nodiscard]] const Finger& finger() const { return *finger_; }
+  [[nodiscard]] const Camera& camera() const { return *camera_; }
+  [[nodiscard]] const PipelineSettings& settings() const { return settings_; }
 
  private:
-  struct State;
+  explicit Pipeline(const PipelineSettings& settings);
   [[nodiscard]] Result<FrameResult> measure(const FramePtr& frame,
                                             std::optional<FrameContacts>* contacts);
-  explicit Pipeline(std::unique_ptr<State> state);
-  std::unique_ptr<State> state_;
+  // The steps in their order.
+  [[nodiscard]] Result<cv::Mat> oriented(const Frame& frame) const;
+  void check_frame(FrameResult& result);
+  void find_shape(FrameResult& result, StopWatch& watch) const;
+  void find_without_reference(FrameResult& result, StopWatch& watch);
+  bool find_markers(FrameResult& result);
+  void find_markers_by_shape(FrameResult& result) const;
+  void find_reference(FrameResult& result, StopWatch& watch);
+  void find_depth(FrameResult& result, StopWatch& watch) const;
+  void find_contact(FrameResult& result, StopWatch& watch) const;
+  [[nodiscard]] Eigen::MatrixXd markers_covariance(const FrameResult& result) const;
+  void track_contact(FrameResult& result, std::optional<FrameContacts>* contacts, StopWatch& watch);
+  void find_force(FrameResult& result, StopWatch& watch);
 
- public:
-  Pipeline(Pipeline&&) noexcept;
-  Pipeline& operator=(Pipeline&&) noexcept;
-  ~Pipeline();
-};
-
-// Mean of the last frames of a source, for a finger that holds still.
-
-/// The time of a call does not depend on the number of frames.
-class RunningMean {
- public:
-  /// Averages the last `max_frames` frames, 1 (no averaging) to 256.
-  explicit RunningMean(int max_frames) : max_frames_(static_cast<std::size_t>(max_frames)) {}
-
-  /// Returns the rounded mean of `grey` and the frames before it. `grey`: CV_8UC1, not written to
-  /// from now on. Frames of another size are dropped.
-  [[nodiscard]] cv::Mat operator()(const cv::Mat& grey);
-
-  /// Drops all frames: the next one is the first.
-  void forget() { last_.clear(); }
-
- private:
-  std::size_t max_frames_;
-  std::deque<cv::Mat> last_;
-  cv::Mat sum_;  // of last_, CV_16UC1
+  std::optional<PaperMethod> paper_;  // replaces all that follows except finger and camera
+  PipelineSettings settings_;
+  FaceEdgeFinder edge_finder_;
+  std::optional<Finger> finger_;
+  std::optional<Camera> camera_;            // with the finger
+  std::optional<FingerSnapshot> snapshot_;  // the same, for converting frames
+  RunningMean mean_;
+  // Before there is a reference.
+  std::optional<EvenRows> rows_;
+  ReferenceFreeContactDetector contact_;
+  // With the reference.
+  std::optional<ReferenceLibrary> library_;
+  std::optional<Mapping> mapping_;
+  std::optional<FaceShape> plane_;         // known beforehand, of flat sensors
+  std::unique_ptr<MarkerFinder> markers_;  // fingers with markers,
+  std::optional<Error> marker_problem_;    // or why they cannot be found
+  std::optional<ForceMeter> force_;        // fingers with a force model,
+  std::optional<Error> force_problem_;     // or why it cannot be used
+  FramePtr last_;                          // of a continuous source
+  // Covariance of the markers' displacements, in a frame with a push
+  Eigen::MatrixXd displacement_cov_px2_;
+  FingerContactTracker contact_tracker_;
 };
 
 }  // namespace alltact

@@ -156,12 +156,12 @@ std::vector<Setting<S>> edge_settings() {
            {},
            has_edges}),
       with_trade_off(
-          choice_setting<S, Undistortion>(
+          choice_setting<S, bool>(
               "undistortion",
               en::say("whether the lens distortion is removed from every point, or the lens is "
                       "assumed to have none"),
-              &S::undistortion,
-              {{"exact", Undistortion::kExact}, {"none", Undistortion::kNone}}),
+              &S::undistort,
+              {{"exact", true}, {"none", false}}),
           {en::say("'exact' measures shape and positions correctly up to the image's corners"),
            en::say("'exact' looks up each ray separately"),
            {"none", "exact"},
@@ -225,12 +225,12 @@ std::vector<Setting<S>> depth_settings() {
            {},
            has_edges}),
       with_trade_off(
-          choice_setting<S, LightChange>(
+          choice_setting<S, bool>(
               "light-change",
               en::say("whether a change of light since the reference is measured on the untouched "
                       "skin and removed"),
-              &S::light,
-              {{"corrected", LightChange::kCorrected}, {"ignored", LightChange::kIgnored}}),
+              &S::correct_light,
+              {{"corrected", true}, {"ignored", false}}),
           {en::say("'corrected' corrects depth when the room or the lamp changes"),
            en::say("'corrected' analyses the untouched skin once"),
            {"ignored", "corrected"}}),
@@ -245,12 +245,12 @@ std::vector<Setting<S>> depth_settings() {
            en::say("more takes longer, none is fastest"),
            {"0", "1", "2", "4"}}),
       with_trade_off(
-          choice_setting<S, LayerRays>(
+          choice_setting<S, bool>(
               "rays",
               en::say("how a layer pressed in along its normal is converted to z: looked up where "
                       "the normal leads, or at the same pixel as if all rays were parallel"),
-              &S::rays,
-              {{"exact", LayerRays::kExact}, {"parallel", LayerRays::kParallel}}),
+              &S::exact_rays,
+              {{"exact", true}, {"parallel", false}}),
           {en::say("'exact' measures a contact on a sloping face at its true position and depth; "
                    "'parallel' up to a layer's thickness off"),
            en::say("'exact' looks up every pixel of a contact once more"),
@@ -302,7 +302,7 @@ PipelineSettings settings_for_presses(PipelineSettings settings) {
   settings.resolution = defaults.resolution;
   settings.average_frames = defaults.average_frames;
   settings.region = defaults.region;
-  settings.rays = defaults.rays;
+  settings.exact_rays = defaults.exact_rays;
   settings.contact_threshold_mm = defaults.contact_threshold_mm;
   settings.mesh_step_px = defaults.mesh_step_px;
   return settings;
@@ -310,8 +310,7 @@ PipelineSettings settings_for_presses(PipelineSettings settings) {
 
 FingerSnapshot finger_as_measured(const FingerSnapshot& finger, const PipelineSettings& settings) {
   FingerSnapshot measured = reduced_finger(finger, binning_factor(settings.resolution));
-  if (settings.undistortion == Undistortion::kExact || !has_distortion(measured.finger))
-    return measured;
+  if (settings.undistort || !has_distortion(measured.finger)) return measured;
   CameraParameters plain = measured.finger.camera;
   plain.model = CameraModel::kPinhole;
   plain.distortion.clear();

@@ -13,27 +13,12 @@
 
 namespace alltact {
 
-/// Whether changes of the light since the recording are corrected.
-enum class LightChange {
-  kIgnored = 1,  ///< the light is assumed to be that of the recording
-  kCorrected,    ///< the change is estimated on the skin without contact (light_gain.h)
-};
-
 /// Binning: how many pixels a side are averaged into one before anything else. Lengths in pixels,
 /// of settings and results, are those of the binned image.
 enum class Resolution { kFull = 1, kHalf = 2, kQuarter = 4 };
 [[nodiscard]] constexpr int binning_factor(Resolution resolution) {
   return static_cast<int>(resolution);
 }
-
-/// How depth along the layer's normal is converted to depth along z (depth_map.h).
-enum class LayerRays {
-  kExact = 1,  ///< at the position on the face that the normal leads to
-  kParallel,   ///< at the same pixel, by the slope alone: the source paper's method
-};
-
-/// Whether lens distortion is removed from every point.
-enum class Undistortion { kExact = 1, kNone };
 
 struct PipelineSettings {
   Resolution resolution = Resolution::kFull;
@@ -46,10 +31,15 @@ struct PipelineSettings {
   std::string marker_network = kBuiltInNetwork;  ///< an ONNX file
   ReferenceMethod reference = ReferenceMethod::kLocal;
   int reference_neighbours = kPoseNeighbours;
-  LightChange light = LightChange::kCorrected;
+  /// Changes of the light since the recording are estimated on the skin without contact
+  /// (light_gain.h) and removed; false: the light is assumed to be that of the recording.
+  bool correct_light = true;
   double smoothing_px = 1.0;
-  LayerRays rays = LayerRays::kExact;
-  Undistortion undistortion = Undistortion::kExact;
+  /// Depth along the layer's normal is converted to depth along z at the position on the face that
+  /// the normal leads to (depth_map.h). False: at the same pixel, by the slope alone, as the source
+  /// paper does.
+  bool exact_rays = true;
+  bool undistort = true;  ///< lens distortion is removed from every point
   double contact_threshold_mm = 0.1;
   int mesh_step_px = 1;
 };

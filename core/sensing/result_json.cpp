@@ -24,6 +24,10 @@ void put(Json& object, const char* key, double value, int decimals) {
   if (std::isfinite(value)) object[key] = to_decimals(value, decimals);
 }
 
+void put(Json& object, const char* key, const std::optional<double>& value, int decimals) {
+  if (value) put(object, key, *value, decimals);
+}
+
 template <class Vector>
 void put_vector(Json& object, const char* key, const Vector& vector, int decimals) {
   if (!vector.allFinite()) return;
@@ -64,7 +68,7 @@ Json push_json(const Push& push) {
   entry["touched"] = push.pushed;
   put_vector(entry, "offset_px", push.offset_px, 3);
   if (push.direction) put_vector(entry, "direction", *push.direction, 5);
-  if (push.sd_deg) put(entry, "sd_deg", *push.sd_deg, 2);
+  put(entry, "sd_deg", push.sd_deg, 2);
   if (push.face) entry["face"] = to_string(*push.face);
   return entry;
 }
@@ -73,7 +77,7 @@ Json push_json(const Push& push) {
 template <class Contact>
 void put_tracked(Json& entry, const Contact& contact) {
   entry["new"] = contact.is_new;
-  if (contact.held_s) put(entry, "held_s", *contact.held_s, 3);
+  put(entry, "held_s", contact.held_s, 3);
   if (contact.is_slipping) entry["slipping"] = *contact.is_slipping;
 }
 
@@ -81,14 +85,14 @@ Json contact_json(const FingerContact& contact) {
   Json entry = Json::object();
   entry["face"] = to_string(contact.face);
   if (contact.direction) put_vector(entry, "direction", *contact.direction, 5);
-  if (contact.direction_sd_deg) put(entry, "direction_sd_deg", *contact.direction_sd_deg, 2);
+  put(entry, "direction_sd_deg", contact.direction_sd_deg, 2);
   if (const auto& position = contact.position) {
     put(entry, "along_mm", position->along_mm, 3);
-    if (position->along_sd_mm) put(entry, "along_sd_mm", *position->along_sd_mm, 4);
-    if (position->across_mm) put(entry, "across_mm", *position->across_mm, 3);
-    if (position->across_sd_mm) put(entry, "across_sd_mm", *position->across_sd_mm, 4);
-    if (position->depth_mm) put(entry, "depth_mm", *position->depth_mm, 4);
-    if (position->depth_sd_mm) put(entry, "depth_sd_mm", *position->depth_sd_mm, 4);
+    put(entry, "along_sd_mm", position->along_sd_mm, 4);
+    put(entry, "across_mm", position->across_mm, 3);
+    put(entry, "across_sd_mm", position->across_sd_mm, 4);
+    put(entry, "depth_mm", position->depth_mm, 4);
+    put(entry, "depth_sd_mm", position->depth_sd_mm, 4);
     if (position->limits != kNoLimit) entry["limits"] = limit_names(position->limits);
   }
   if (!contact.no_position.empty()) entry["no_place"] = contact.no_position.english();
@@ -125,12 +129,12 @@ Json regions_json(const std::vector<ContactRegion>& regions) {
     put_vector(entry, "place_mm", region.position_mm, 4);
     put_vector(entry, "place_on_face_mm", region.position_on_face_mm, 3);
     put(entry, "deepest_mm", region.deepest_mm, 4);
-    if (region.deepest_sd_mm) put(entry, "deepest_sd_mm", *region.deepest_sd_mm, 4);
+    put(entry, "deepest_sd_mm", region.deepest_sd_mm, 4);
     if (region.limits != kNoLimit) entry["limits"] = limit_names(region.limits);
     put(entry, "area_mm2", region.area_mm2, 3);
     put(entry, "volume_mm3", region.volume_mm3, 4);
-    if (region.angle_deg) put(entry, "angle_deg", *region.angle_deg, 2);
-    if (region.angle_sd_deg) put(entry, "angle_sd_deg", *region.angle_sd_deg, 2);
+    put(entry, "angle_deg", region.angle_deg, 2);
+    put(entry, "angle_sd_deg", region.angle_sd_deg, 2);
     if (region.axis) put_vector(entry, "axis", *region.axis, 6);
     if (region.normal) put_vector(entry, "normal", *region.normal, 6);
     if (const auto& c = region.position_covariance_mm2)

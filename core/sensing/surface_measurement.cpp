@@ -37,10 +37,17 @@ SurfacePatch moved(const SurfacePatch& patch) {
   return other;
 }
 
-struct Sphere {
-  Eigen::Vector3d centre_mm;
-  double radius_mm = 0, radius_sd_mm = 0, residual_mm = 0;
-};
+bool has_limit(const SurfacePatch& patch) {
+  return std::any_of(patch.points.begin(), patch.points.end(), [](const SurfacePoint& point) {
+    return point.is_limit;
+  });
+}
+
+Eigen::Vector3d mean_point_mm(const SurfacePatch& patch) {
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const SurfacePoint& point : patch.points) middle += point.point_mm();
+  return middle / static_cast<double>(patch.points.size());
+}
 
 /// Initial sphere from a linear fit: |p|^2 is linear in centre and R^2 - |c|^2.
 std::optional<Eigen::Vector4d> initial_sphere(const std::vector<const SurfacePoint*>& points,
@@ -62,8 +69,8 @@ std::optional<Eigen::Vector4d> initial_sphere(const std::vector<const SurfacePoi
 }
 
 /// Gauss-Newton on the distances from the sphere, each weighted by the effect of its noise along z.
-std::optional<Sphere> fit_sphere(const std::vector<const SurfacePoint*>& points,
-                                 double noise_pixels) {
+std::optional<FittedBall> fit_sphere(const std::vector<const SurfacePoint*>& points,
+                                     double noise_pixels) {
   constexpr int kRounds = 60;
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (const SurfacePoint* point : points) middle += point->point_mm();
@@ -98,10 +105,10 @@ std::optional<Sphere> fit_sphere(const std::vector<const SurfacePoint*>& points,
     if (step.norm() < 1e-12 * now[3]) break;
   }
   const Eigen::Matrix4d covariance = normal.inverse() * noise_pixels;
-  return Sphere{middle + now.head<3>(),
-                now[3],
-                std::sqrt(std::max(covariance(3, 3), 0.0)),
-                std::sqrt(squares / static_cast<double>(points.size()))};
+  return FittedBall{middle + now.head<3>(),
+                    {now[3], std::sqrt(std::max(covariance(3, 3), 0.0))},
+                    std::sqrt(squares / static_cast<double>(points.size())),
+                    points.size()};
 }
 
 /// Initial choice of points: half the largest depth or more.
@@ -117,12 +124,13 @@ std::vector<std::size_t> deep_half(const SurfacePatch& patch) {
 
 /// The same choice by the depth of the ball. Noise of single depths would choose the points that
 /// fit it.
-std::vector<std::size_t> deep_half_of(const Sphere& ball, const SurfacePatch& patch) {
+std::vector<std::size_t> deep_half_of(const FittedBall& ball, const SurfacePatch& patch) {
   std::vector<double> depth_mm(patch.points.size(), 0);
   double deepest = 0;
   for (std::size_t i = 0; i < depth_mm.size(); ++i) {
     const Eigen::Vector3d from = patch.points[i].untouched_mm - ball.centre_mm;
-    const double squared = ball.radius_mm * ball.radius_mm - from.head<2>().squaredNorm();
+    const double squared =
+        ball.radius_mm.value * ball.radius_mm.value - from.head<2>().squaredNorm();
     if (squared > 0) depth_mm[i] = from.z() + std::sqrt(squared);
     deepest = std::max(deepest, depth_mm[i]);
   }
@@ -228,7 +236,7 @@ Result<FittedBall> fit_ball(const SurfacePatch& patch) {
                    "",
                    en::say("a round piece, visible down to half its depth")};
   std::vector<std::size_t> cap = deep_half(patch);
-  std::optional<Sphere> ball;
+  std::optional<FittedBall> ball;
   constexpr int kChoices = 4;
   for (int choice = 0; choice < kChoices; ++choice) {
     const auto points = points_of(patch, cap);
@@ -240,9 +248,11 @@ Result<FittedBall> fit_ball(const SurfacePatch& patch) {
   const SurfacePatch other = moved(patch);
   const auto if_moved = fit_sphere(points_of(other, cap), patch.noise_pixels);
   if (!if_moved) return none;
-  const double sd = std::hypot(ball->radius_sd_mm, if_moved->radius_mm - ball->radius_mm);
-  if (!(sd < 0.5 * ball->radius_mm)) return none;
-  return FittedBall{ball->centre_mm, {ball->radius_mm, sd}, ball->residual_mm, cap.size()};
+  MeasuredValue& radius = ball->radius_mm;
+  radius.sd = std::hypot(radius.sd, if_moved->radius_mm.value - radius.value);
+  if (!(radius.sd < 0.5 * radius.value)) return none;
+  ball->points = cap.size();
+  return *ball;
 }
 
 Result<PressedSurface> pressed_part(const SurfacePatch& patch, double threshold_mm) {
@@ -277,18 +287,13 @@ Result<PressedSurface> pressed_part(const SurfacePatch& patch, double threshold_
 Result<Roughness> roughness(const SurfacePatch& patch) {
   const std::size_t n = patch.points.size();
   if (n < kMinRoughnessPoints) return too_few(n, kMinRoughnessPoints);
-  if (std::any_of(patch.points.begin(), patch.points.end(), [](const SurfacePoint& point) {
-        return point.is_limit;
-      }))
-    return at_a_limit();
+  if (has_limit(patch)) return at_a_limit();
   const auto plane = fit_plane(patch);
   if (!plane) return plane.error();
   // Heights along the patch's own normal, as a function of two directions in the plane.
   const Eigen::Vector3d across = plane->normal.unitOrthogonal();
   const Eigen::Vector3d along = plane->normal.cross(across);
-  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-  for (const SurfacePoint& point : patch.points) middle += point.point_mm();
-  middle /= static_cast<double>(n);
+  const Eigen::Vector3d middle = mean_point_mm(patch);
   Eigen::MatrixXd form(static_cast<Eigen::Index>(n), 6);
   Eigen::VectorXd height(static_cast<Eigen::Index>(n));
   double reach = 0;
@@ -601,8 +606,6 @@ SurfaceLine line_between(const FrameResult& result,
 
 namespace {
 
-constexpr std::size_t kMinPoints = 10;
-
 struct Slopes {
   Eigen::Vector2d slope;       ///< dz/dx, dz/dy
   Eigen::Matrix2d covariance;  ///< from the noise
@@ -610,15 +613,13 @@ struct Slopes {
 
 /// Fits z = a + b x + c y: the noise is along z.
 std::optional<Slopes> slopes_of(const SurfacePatch& patch, bool is_moved) {
-  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-  for (const SurfacePoint& point : patch.points) middle += point.point_mm();
-  middle /= static_cast<double>(patch.points.size());
+  const Eigen::Vector3d middle = mean_point_mm(patch);
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
   for (const SurfacePoint& point : patch.points) {
     const Eigen::Vector3d p = point.point_mm() - middle;
     const double z = p.z() - (is_moved ? point.common_mm : 0);
-    const double weight = 1 / std::pow(std::max(point.noise_mm, 1e-6), 2);
+    const double weight = 1 / std::pow(std::max(point.noise_mm, kMinNoiseMm), 2);
     const Eigen::Vector3d row(1, p.x(), p.y());
     normal += weight * row * row.transpose();
     right += weight * row * z;
@@ -641,13 +642,8 @@ Result<FittedPlane> fit_plane(const SurfacePatch& patch) {
   const Error none{en::say("so few measured pixels, or pixels on one line, define no plane"),
                    "",
                    en::say("a larger piece, or one that is measured")};
-  if (patch.points.size() < kMinPoints) return none;
-  if (std::any_of(patch.points.begin(), patch.points.end(), [](const SurfacePoint& point) {
-        return point.is_limit;
-      }))
-    return Error{en::say("part of this piece is at a limit of the measuring range"),
-                 "",
-                 en::say("a piece that is pressed in less deeply")};
+  if (patch.points.size() < kMinPlanePoints) return none;
+  if (has_limit(patch)) return at_a_limit();
   const auto slopes = slopes_of(patch, false), if_moved = slopes_of(patch, true);
   if (!slopes || !if_moved) return none;
   FittedPlane plane;

@@ -1,5 +1,7 @@
 #include "core/simulation/effect.h"
 
+#include "core/numerics/dispatch.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -35,6 +37,38 @@ Status check_press(const SceneFacts& scene,
                  "",
                  en::say("less than finger.face.layer_mm")};
   return check_position(scene, s_mm, y_mm);
+}
+
+namespace {
+
+ALLTACT_WIDE void add_level(int n, float level, float* __restrict value) {
+  for (int u = 0; u < n; ++u) value[u] += level;
+}
+
+}  // namespace
+
+void add_to_row(const RowView& row, float level) {
+  add_level(row.width, level, row.value);
+}
+
+void mark_row(
+    const Camera& camera, const FaceMark& mark, double factor, double level, RowView& row) {
+  const FaceRow& face = row.face;
+  const Eigen::Vector2d segment = mark.to_mm - mark.from_mm;
+  const double length2 = segment.squaredNorm();
+  const double s_low = std::min(mark.from_mm.x(), mark.to_mm.x()) - mark.radius_mm - 1;
+  const double s_high = std::max(mark.from_mm.x(), mark.to_mm.x()) + mark.radius_mm + 1;
+  for (int u = face.first; u < face.last; ++u) {
+    if (face.s_mm[u] < s_low || face.s_mm[u] > s_high) continue;
+    const Eigen::Vector2d at(face.s_mm[u], face.y_mm[u] - face.shift_mm[u]);
+    const double along =
+        length2 > 0 ? std::clamp((at - mark.from_mm).dot(segment) / length2, 0.0, 1.0) : 0.0;
+    const double inside = mark.radius_mm - (at - mark.from_mm - along * segment).norm();
+    const double part = std::clamp(inside / camera.mm_per_px_at(face.z_mm[u]) + 0.5, 0.0, 1.0);
+    if (part == 0) continue;
+    float& light = row.surfaces[0].light[u];
+    light = static_cast<float>(light * (1 + (factor - 1) * part) + level * part);
+  }
 }
 
 namespace {

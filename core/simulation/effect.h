@@ -2,7 +2,7 @@
 // file's, with '_' written as '-'. The build generates the registration; nothing else is edited.
 //
 // An effect file ends with
-//   const EffectKind& effect_NAME() { static const EffectKind kind{...}; return kind; }
+//   EffectKind effect_NAME() { return effect_kind<Class>("name", rank, ...); }
 #pragma once
 
 #include "core/base/result.h"
@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -82,22 +83,16 @@ struct FrameContext {
   }
 };
 
-/// Kinds of objects that press into the face.
-enum class PressKind { kBall = 1, kBody };
-
 /// What an effect may ask about the rest of its scene before rendering. Computed for each run of
 /// frames with the same effects, including the asking effect.
 struct SceneFacts {
   const Finger& finger;
-  double length_mm;                       ///< 0 for a flat sensor
-  const std::vector<std::string>& named;  ///< effects that are present
+  double length_mm;                ///< 0 for a flat sensor
+  std::vector<std::string> named;  ///< effects that are present
   double frames_per_s;
   int lamp_count;
-  const std::vector<PressKind>& press_kinds;  ///< objects that press into the face
-  const ElasticFinger* elastic;               ///< nullptr: the finger is rigid
-  [[nodiscard]] bool presses(PressKind kind) const {
-    return std::find(press_kinds.begin(), press_kinds.end(), kind) != press_kinds.end();
-  }
+  bool ball_presses, body_presses;  ///< into the face; false: none does
+  const ElasticFinger* elastic;     ///< nullptr: the finger is rigid
   [[nodiscard]] bool has_effect(std::string_view effect) const {
     return std::find(named.begin(), named.end(), effect) != named.end();
   }
@@ -118,16 +113,15 @@ class Effect {
   Effect(const Effect&) = delete;
   Effect& operator=(const Effect&) = delete;
   virtual ~Effect() = default;
-  /// What the effect does, without a full stop; shown to users who list a scene.
-  [[nodiscard]] virtual Message sentence() const = 0;
   /// True: a frame may hold several of this effect, each with its own parameters and draws.
   [[nodiscard]] virtual bool is_repeatable() const { return false; }
   /// Error: the effect is impossible for this finger, or in this combination of effects.
   [[nodiscard]] virtual Status validate(const SceneFacts&) const { return {}; }
   /// Degrees of freedom that the scene's motion may drive.
   [[nodiscard]] virtual std::vector<DegreeOfFreedom> degrees_of_freedom() const { return {}; }
-  /// The kind of object that it presses into the face, if any.
-  [[nodiscard]] virtual std::optional<PressKind> presses() const { return std::nullopt; }
+  /// It presses a ball, or a body of another shape, into the face.
+  [[nodiscard]] virtual bool presses_ball() const { return false; }
+  [[nodiscard]] virtual bool presses_body() const { return false; }
   /// Changes the camera's lens, for all frames of the scene.
   virtual void change_lens(CameraParameters&) const {}
   [[nodiscard]] virtual bool changes_lens() const { return false; }
@@ -141,30 +135,25 @@ class Effect {
 /// then adds objects to the finished face.
 class GeometryEffect : public Effect {
  public:
+  static constexpr Stage kStage = Stage::kGeometry;
   virtual void shape(const FrameContext&, FaceCurve&) const {}
   virtual void apply(const FrameContext&, FrameGeometry&) const {}
 };
 
-/// Computes light row by row. begin() does the work common to a frame's rows; several threads use
-/// its result at once.
+/// Computes light row by row. begin() does the work common to a frame's rows; several threads call
+/// its result at once, while the effect and the geometry exist.
 class RadianceEffect : public Effect {
  public:
-  class Rows {
-   public:
-    Rows() { ++build_count().rows; }
-    Rows(const Rows&) = delete;
-    Rows& operator=(const Rows&) = delete;
-    virtual ~Rows() = default;
-    virtual void row(RowView& row) const = 0;
-  };
-  [[nodiscard]] virtual std::unique_ptr<const Rows> begin(const FrameContext&,
-                                                          const FrameGeometry&) const = 0;
+  static constexpr Stage kStage = Stage::kRadiance;
+  using Rows = std::function<void(RowView&)>;
+  [[nodiscard]] virtual Rows begin(const FrameContext&, const FrameGeometry&) const = 0;
 };
 
 /// What the lens and the sensor do to the light (grey levels, float): row by row, or on the full
 /// image. Full-image effects cost time only in scenes that use them.
 class SensorEffect : public Effect {
  public:
+  static constexpr Stage kStage = Stage::kSensor;
   /// Only v, width, scratch, value, lit_first, lit_last and bytes of the row are set.
   virtual void row(const FrameContext&, RowView&) const {}
   /// True: process_image() is called instead of row().
@@ -179,6 +168,7 @@ class SensorEffect : public Effect {
 /// What happens to the finished image during transport, and whether and when it arrives.
 class TransportEffect : public Effect {
  public:
+  static constexpr Stage kStage = Stage::kTransport;
   virtual void arrival(const FrameContext&, Arrival&) const {}
   virtual void process_image(const FrameContext&, SentFrame&) const {}
 };
@@ -198,15 +188,50 @@ class TransportEffect : public Effect {
 struct EffectKind {
   std::string name;
   Stage stage;
-  int rank;  ///< order within the stage
+  int rank;                             ///< order within the stage
+  Message sentence;                     ///< what the effect does, without a full stop
+  std::string_view example;             ///< typical parameters, YAML: "sd: 1"
+  std::vector<std::string_view> needs;  ///< other kinds that a scene of the example needs
   /// Reads the parameters; the section collects errors. The object is of the stage's class.
   std::shared_ptr<const Effect> (*make)(YamlSection&);
-  std::string_view example = {};             ///< typical parameters, YAML: "sd: 1"
-  std::vector<std::string_view> needs = {};  ///< other kinds that a scene of the example needs
 };
+
+/// The kind of the effects of class E, which reads its parameters in its constructor.
+template <class E>
+[[nodiscard]] EffectKind effect_kind(std::string name,
+                                     int rank,
+                                     Message sentence,
+                                     std::string_view example,
+                                     std::vector<std::string_view> needs = {}) {
+  return {std::move(name),
+          E::kStage,
+          rank,
+          std::move(sentence),
+          example,
+          std::move(needs),
+          [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<E>(p); }};
+}
 
 /// All kinds. The build generates this from the files in effects/.
 [[nodiscard]] std::vector<const EffectKind*> effect_kinds();
+
+/// value += level, for every pixel of a row.
+void add_to_row(const RowView& row, float level);
+
+// A small mark on the view face that changes its light.
+
+/// All within `radius_mm` of the line between two points (s, y) of the face: along it from its
+/// base, and across from its middle line. A disc where the points coincide.
+struct FaceMark {
+  Eigen::Vector2d from_mm, to_mm;
+  double radius_mm;
+};
+
+/// light = light * (1 + (factor - 1) * part) + level * part, part the share of the pixel within the
+/// mark. It is first order: from the distance to the mark's edge in pixels, from 1/2 outside to 1/2
+/// inside.
+void mark_row(
+    const Camera& camera, const FaceMark& mark, double factor, double level, RowView& row);
 
 // The dots that an effect acts on.
 

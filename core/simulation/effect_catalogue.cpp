@@ -4,6 +4,8 @@
 #include "core/numerics/median.h"
 #include "core/simulation/plan.h"
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <set>
 #include <tuple>
@@ -37,25 +39,25 @@ Pairs pairs_of(std::string_view flow) {
   return pairs;
 }
 
-struct Made {
-  std::shared_ptr<const Effect> effect;  // null: refused
-  std::string what, where, advice;       // of the error
-};
-
-Made make(const EffectKind& kind, const Pairs& pairs) {
+Result<std::shared_ptr<const Effect>> make(const EffectKind& kind, const Pairs& pairs) {
   std::string text = fmt::format("frames: 100\neffect:\n  use: {}\n", kind.name);
   for (const auto& [key, value] : pairs) text += fmt::format("  {}: {}\n", key, value);
   YamlFile file("example", YamlFile::Unknown::kRefused);
-  Made made;
+  std::shared_ptr<const Effect> effect;
   const Status read = file.read(text, [&](YamlSection& top) {
     (void)top.integer("frames", 1, 100);
     YamlSection section = top.section("effect");
     (void)section.text("use");
-    made.effect = kind.make(section);
+    effect = kind.make(section);
   });
-  if (read) return made;
-  const Error& error = read.error();
-  return {nullptr, error.what.english(), error.where.english(), error.advice.english()};
+  if (!read) return read.error();
+  return effect;
+}
+
+// The error about these parameters; empty: none.
+Error refusal(const EffectKind& kind, const Pairs& pairs) {
+  const auto made = make(kind, pairs);
+  return made ? Error() : made.error();
 }
 
 void set(Pairs& pairs, const std::string& key, const std::string& value) {
@@ -76,10 +78,9 @@ std::string between(std::string text, std::string_view before, std::string_view 
 // The keys that the kind reads, parsed from its error about an unknown key.
 std::vector<std::string> keys_of(const EffectKind& kind, Pairs pairs) {
   pairs.emplace_back("0", "0");
-  const std::string advice = make(kind, pairs).advice;
   std::vector<std::string> keys;
   std::string key;
-  for (const char c : between(advice, "one of ", "\n") + ",") {
+  for (const char c : between(refusal(kind, pairs).advice.english(), "one of ", "\n") + ",") {
     if (c == ',') {
       if (key != "use") keys.push_back(key);
       key.clear();
@@ -93,8 +94,8 @@ std::vector<std::string> keys_of(const EffectKind& kind, Pairs pairs) {
 constexpr std::string_view kMustBe = "must be ";
 
 // Extracts the requirement from "must be a number above 0, not 'x'".
-std::string requirement_in(const Made& made) {
-  std::string text = between(made.what, kMustBe, ", not '");
+std::string requirement_in(const Error& error) {
+  std::string text = between(error.what.english(), kMustBe, ", not '");
   text = between(text, "holds 'x', which is not ", "\n");
   const std::string_view to = " and up to ";
   const std::size_t at = text.find(to);
@@ -106,34 +107,45 @@ std::string requirement_in(const Made& made) {
 std::string values_of(const EffectKind& kind, Pairs pairs, const std::string& key) {
   const auto answer_to = [&](const std::string& value) {
     set(pairs, key, value);
-    return make(kind, pairs);
+    return refusal(kind, pairs);
   };
-  Made to_word = answer_to("x");
+  Error to_word = answer_to("x");
   std::string together;
-  if (to_word.what == "is missing") {  // another required key
-    const std::string other = to_word.where.substr(to_word.where.rfind('.') + 1);
+  if (to_word.what.english() == "is missing") {  // another required key
+    const std::string where = to_word.where.english();
+    const std::string other = where.substr(where.rfind('.') + 1);
     set(pairs, other, "1");
     to_word = answer_to("x");
     together = ", together with " + other;
   }
-  if (to_word.what.find("is not known here") != std::string::npos) return to_word.advice;
-  if (!to_word.what.starts_with(kMustBe)) return "a name";
-  if (to_word.what.starts_with("must be a block"))
+  const std::string what = to_word.what.english();
+  if (what.find("is not known here") != std::string::npos) return to_word.advice.english();
+  if (!what.starts_with(kMustBe)) return "a name";
+  if (what.starts_with("must be a block"))
     return "{from: ..., to: ...}, each " + requirement_in(answer_to("{from: x, to: 1}"));
-  if (to_word.what.starts_with("must be a list"))
+  if (what.starts_with("must be a list"))
     for (const char* value : {"[x, x, x]", "[x, x]"})
-      if (const Made inner = answer_to(value); inner.what.find("number") != std::string::npos)
+      if (const Error inner = answer_to(value);
+          inner.what.english().find("number") != std::string::npos)
         return "a list, each " + requirement_in(inner);
   return requirement_in(to_word) + together;
+}
+
+std::vector<const EffectKind*> kinds_in_running_order() {
+  auto kinds = effect_kinds();
+  std::sort(kinds.begin(), kinds.end(), [](const auto* a, const auto* b) {
+    return std::tie(a->stage, a->rank, a->name) < std::tie(b->stage, b->rank, b->name);
+  });
+  return kinds;
 }
 
 }  // namespace
 
 EffectDescription describe(const EffectKind& kind) {
   const Pairs pairs = pairs_of(kind.example);
-  const Made made = make(kind, pairs);
-  if (!made.effect) return {&kind, {}, false, {}};
-  EffectDescription description{&kind, made.effect->sentence(), made.effect->is_repeatable(), {}};
+  const auto effect = make(kind, pairs);
+  if (!effect) return {&kind, {}, false, {}};
+  EffectDescription description{&kind, kind.sentence, (*effect)->is_repeatable(), {}};
   for (const std::string& key : keys_of(kind, pairs)) {
     const bool in_example = std::any_of(
         pairs.begin(), pairs.end(), [&](const auto& pair) { return pair.first == key; });
@@ -143,12 +155,8 @@ EffectDescription describe(const EffectKind& kind) {
 }
 
 std::vector<EffectDescription> describe_effects() {
-  auto kinds = effect_kinds();
-  std::sort(kinds.begin(), kinds.end(), [](const auto* a, const auto* b) {
-    return std::tie(a->stage, a->rank, a->name) < std::tie(b->stage, b->rank, b->name);
-  });
   std::vector<EffectDescription> all;
-  for (const EffectKind* kind : kinds) all.push_back(describe(*kind));
+  for (const EffectKind* kind : kinds_in_running_order()) all.push_back(describe(*kind));
   return all;
 }
 
@@ -179,17 +187,8 @@ double frame_ms(const Plan& plan, int frame) {
 }  // namespace
 
 std::string_view to_string(Stage stage) {
-  switch (stage) {
-    case Stage::kGeometry:
-      return "geometry";
-    case Stage::kRadiance:
-      return "radiance";
-    case Stage::kSensor:
-      return "sensor";
-    case Stage::kTransport:
-      break;
-  }
-  return "transport";
+  constexpr std::array<std::string_view, 4> kWords{"geometry", "radiance", "sensor", "transport"};
+  return kWords.at(static_cast<std::size_t>(stage) - 1);
 }
 
 std::string example_scene(const std::vector<std::string_view>& kinds, std::string_view without) {
@@ -224,10 +223,7 @@ std::string example_scene(const std::vector<std::string_view>& kinds, std::strin
 }
 
 Result<std::vector<EffectCost>> measure_effect_costs(int repetitions, const Job& job) {
-  auto kinds = effect_kinds();
-  std::sort(kinds.begin(), kinds.end(), [](const auto* a, const auto* b) {
-    return std::tie(a->stage, a->rank, a->name) < std::tie(b->stage, b->rank, b->name);
-  });
+  const auto kinds = kinds_in_running_order();
   std::vector<EffectCost> costs;
   for (const EffectKind* kind : kinds) {
     const auto with = example_plan(kind->name, {}), without = example_plan(kind->name, kind->name);

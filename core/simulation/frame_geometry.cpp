@@ -186,7 +186,7 @@ void FrameGeometry::fill(RowView& row) const {
     float* luf = row.scratch.floats();
     std::copy(
         row.face.luf_mm + row.face.first, row.face.luf_mm + row.face.last, luf + row.face.first);
-    for (const auto& change : layer_changes) change->row(row.face, row.scratch, luf);
+    for (const auto& change : layer_changes) change(row.face, row.scratch, luf);
     row.face.luf_mm = luf;
   }
   row.surfaces.assign(1, face);
@@ -345,7 +345,7 @@ SampledPress sample_press(const BodyPress& press, const FrameGeometry& geometry)
       const double x = (column - steps.x()) * grid.step_mm, y = (row - steps.y()) * grid.step_mm;
       const Eigen::Vector3d luf =
           geometry.luf_point_mm(press.pose.s_mm + c * x - s * y, press.pose.y_mm + s * x + c * y);
-      const double lowest = press.posed->lowest_z_mm(luf.x(), luf.y(), luf.z());
+      const double lowest = press.posed(luf.x(), luf.y(), luf.z());
       grid.depth_mm(row, column) =
           std::isfinite(lowest) ? static_cast<float>(luf.z() - lowest) : 0.0F;
     }

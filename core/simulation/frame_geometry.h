@@ -11,7 +11,7 @@
 #include "core/simulation/row_view.h"
 #include "core/simulation/simulated_frame.h"
 
-#include <memory>
+#include <functional>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -55,13 +55,8 @@ struct MarkerDisc {
   cv::Mat_<float> coverage;  ///< fraction of each pixel that the dot covers
 };
 
-/// Changes the layer's thickness.
-class LayerChange {
- public:
-  virtual ~LayerChange() = default;
-  /// `luf_mm`: thickness along z in the face's columns, changed by this call.
-  virtual void row(const FaceRow& face, RowScratch& scratch, float* luf_mm) const = 0;
-};
+/// Changes the layer's thickness `luf_mm` along z in the face's columns.
+using LayerChange = std::function<void(const FaceRow& face, RowScratch& scratch, float* luf_mm)>;
 
 /// The view face of one frame for a given camera, and the additions of effects.
 class FrameGeometry {
@@ -94,7 +89,7 @@ class FrameGeometry {
   std::vector<ContactTruth> contacts;  ///< objects that press on the finger
   std::vector<SideDrag> drags;         ///< drags on the side faces
   std::vector<MarkerDisc> discs;       ///< by number
-  std::vector<std::shared_ptr<const LayerChange>> layer_changes;
+  std::vector<LayerChange> layer_changes;
   Illumination illumination;
 
   /// False: rows are intersected ray by ray, because the face is twisted or behind a window.

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <functional>
 #include <map>
-#include <memory>
 
 #include <Eigen/Core>
 
@@ -15,29 +14,15 @@ namespace alltact {
 
 // Light that arrives not directly from the lamps but from lit surfaces.
 
-/// Of one frame. Built with the geometry; the effect that owns the lamps evaluates it.
-class IndirectLight {
- public:
-  IndirectLight() = default;
-  IndirectLight(const IndirectLight&) = delete;
-  IndirectLight& operator=(const IndirectLight&) = delete;
-  virtual ~IndirectLight() = default;
+/// Sets irradiance[first, last) to the irradiance of a surface directly from lamps and room.
+using DirectLight = std::function<void(const Surface& surface, float* irradiance)>;
 
-  /// Sets irradiance[first, last) to the irradiance of a surface directly from lamps and room.
-  using Direct = std::function<void(const Surface& surface, float* irradiance)>;
+/// Sets irradiance[first, last) of a surface of this row. Several threads call it at once.
+using IndirectRows =
+    std::function<void(const RowView& row, const Surface& surface, float* irradiance)>;
 
-  /// Several threads use it at once.
-  class Rows {
-   public:
-    Rows() = default;
-    Rows(const Rows&) = delete;
-    Rows& operator=(const Rows&) = delete;
-    virtual ~Rows() = default;
-    /// Sets irradiance[first, last) of a surface of this row.
-    virtual void row(const RowView& row, const Surface& surface, float* irradiance) const = 0;
-  };
-  [[nodiscard]] virtual std::unique_ptr<const Rows> lit_by(const Direct& direct) const = 0;
-};
+/// Of one frame. Built with the geometry; the effect that owns the lamps calls it.
+using IndirectLight = std::function<IndirectRows(const DirectLight& direct)>;
 
 /// Default: every lamp has its full power, nothing else shines, nothing absorbs.
 struct Illumination {
@@ -45,7 +30,7 @@ struct Illumination {
   std::map<int, double> single_share;  ///< additional fraction for one lamp, by number
   double room_level = 0;     ///< light from all directions, grey levels of a white surface
   double absorb_per_mm = 0;  ///< of the clear body, along the path from a lamp and to the camera
-  std::shared_ptr<const IndirectLight> indirect;  ///< null: only lamps and room shine
+  IndirectLight indirect;    ///< empty: only lamps and room shine
 
   [[nodiscard]] double share_of(int lamp) const {
     const auto single = single_share.find(lamp);

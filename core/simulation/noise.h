@@ -23,19 +23,14 @@ class RowNoise {
 
 // Noise of one strength, drawn independently for every pixel: common to shot and read noise.
 
-class NoiseEffect final : public SensorEffect {
+class NoiseEffect : public SensorEffect {
  public:
   /// Adds noise made of n normal numbers to the values of a row.
   using Add = void (*)(int n, float strength, const float* normal, float* value);
 
   /// Draws from this stream.
-  NoiseEffect(std::string_view stream, double strength, Add add, Message sentence)
-      : strength_(static_cast<float>(strength)),
-        add_(add),
-        noise_(stream),
-        sentence_(std::move(sentence)) {}
-
-  Message sentence() const override { return sentence_; }
+  NoiseEffect(std::string_view stream, double strength, Add add)
+      : strength_(static_cast<float>(strength)), add_(add), noise_(stream) {}
 
   void row(const FrameContext& frame, RowView& row) const override {
     float* normal = row.scratch.floats();
@@ -47,7 +42,6 @@ class NoiseEffect final : public SensorEffect {
   float strength_;
   Add add_;
   RowNoise noise_;
-  Message sentence_;
 };
 
 }  // namespace alltact

@@ -3,7 +3,6 @@
 #include "core/numerics/dispatch.h"
 #include "core/numerics/parallel.h"
 #include "core/numerics/philox.h"
-#include "core/simulation/scene_content.h"
 #include "core/simulation/simulated_frame.h"
 
 #include <array>
@@ -13,66 +12,121 @@
 #include <set>
 
 namespace alltact {
+
+FramePlan::FramePlan(const Scene& scene, std::uint64_t seed, int frame) {
+  const int frame_of_scene = frame % scene.time.frames;
+  for (const auto& named : scene.effects) {
+    if (!named.presence.holds(frame_of_scene)) continue;
+    const auto add = [&]<class E>(std::vector<Step<E>>& steps) {
+      steps.push_back({&named,
+                       static_cast<const E*>(named.effect.get()),
+                       {seed ^ named.stream,
+                        frame,
+                        scene.motion,
+                        scene.finger,
+                        scene.time.frames_per_s,
+                        seed}});
+      ++build_count().steps;
+    };
+    switch (named.kind->stage) {
+      case Stage::kGeometry:
+        add(geometry);
+        break;
+      case Stage::kRadiance:
+        add(radiance);
+        break;
+      case Stage::kSensor:
+        add(sensor);
+        outputs_bytes_ = outputs_bytes_ || sensor.back().effect->outputs_bytes();
+        is_multi_pass_ = is_multi_pass_ || sensor.back().effect->needs_full_image();
+        break;
+      case Stage::kTransport:
+        add(transport);
+        break;
+    }
+  }
+  if (sensor.empty()) return;
+  const SceneFacts known = facts(scene);
+  for (const auto& step : sensor) step.effect->expose(known, exposure_);
+  is_multi_pass_ = is_multi_pass_ || !exposure_.is_instantaneous();
+}
+
+void FramePlan::move_to(double frame_offset) {
+  for (auto& step : geometry) step.context.frame_offset = frame_offset;
+  for (auto& step : radiance) step.context.frame_offset = frame_offset;
+}
+
+SceneFacts FramePlan::facts(const Scene& scene) const {
+  SceneFacts facts{
+      scene.finger, scene.length_mm, {}, scene.time.frames_per_s, 0, false, false, nullptr};
+  for (const auto* named : effects()) {
+    facts.named.push_back(named->kind->name);
+    facts.lamp_count += named->effect->lamp_count();
+    facts.ball_presses = facts.ball_presses || named->effect->presses_ball();
+    facts.body_presses = facts.body_presses || named->effect->presses_body();
+    if (const ElasticFinger* elastic = named->effect->elastic()) facts.elastic = elastic;
+  }
+  return facts;
+}
+
+std::vector<const SceneEffect*> FramePlan::effects() const {
+  std::vector<const SceneEffect*> all;
+  const auto take = [&](const auto& steps) {
+    for (const auto& step : steps) all.push_back(step.named);
+  };
+  take(geometry), take(radiance), take(sensor), take(transport);
+  return all;
+}
+
 namespace {
 
 constexpr float kOff = std::numeric_limits<float>::quiet_NaN();
 constexpr float kSlopeStep_mm = 0.02F;  // step of the differences for a pressed face's slopes
 
-// Slope of the press depth over one row, by differences of positions next to the pixels' own.
-class DepthSlopes {
- public:
-  DepthSlopes(const FrameGeometry& geometry, const RowView& row)
-      : geometry_(geometry), row_(row), width_(static_cast<std::size_t>(row.width)) {}
-
-  /// d(depth)/dx and d(depth)/dy for the columns where something may press.
-  [[nodiscard]] std::array<std::vector<float>, 2> by_x_and_y(
-      const std::vector<Eigen::Vector2f>& luf_slopes) {
-    std::array<std::vector<float>, 2> result;
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      const std::vector<float> ahead = shifted_depth(luf_slopes, axis, kSlopeStep_mm);
-      std::vector<float> slope = shifted_depth(luf_slopes, axis, -kSlopeStep_mm);
-      for (std::size_t u = 0; u < width_; ++u)
-        slope[u] = (ahead[u] - slope[u]) / (2 * kSlopeStep_mm);
-      result[axis] = std::move(slope);
-    }
-    return result;
+// Press depth in the columns of a row where something may press, `step_mm` further along an axis.
+std::vector<float> shifted_depth(const FrameGeometry& geometry,
+                                 const RowView& row,
+                                 const std::vector<Eigen::Vector2f>& luf_slopes,
+                                 std::size_t axis,
+                                 float step_mm) {
+  const FaceRow& here = row.face;
+  const auto copied = [&](const float* values) {
+    return std::vector<float>(values, values + row.width);
+  };
+  std::vector<float> x = copied(here.x_mm), y = copied(here.y_mm), luf = copied(here.luf_mm);
+  std::vector<float> s = copied(here.s_mm);
+  for (int u = row.press_first; u < row.press_last; ++u) {
+    const auto i = static_cast<std::size_t>(u);
+    (axis == 0 ? x : y)[i] += step_mm;
+    luf[i] += step_mm * luf_slopes[i][static_cast<int>(axis)];
+    if (axis == 0) s[i] += step_mm / here.cos_incline[u];
   }
+  FaceRow shifted = here;
+  shifted.x_mm = x.data();
+  shifted.y_mm = y.data();
+  shifted.luf_mm = luf.data();
+  shifted.s_mm = s.data();
+  std::vector<float> depth(x.size(), 0.0F);
+  for (const auto& press : geometry.presses)
+    std::visit(
+        [&](const auto& p) {
+          press_row(p, shifted, row.press_first, row.press_last, depth.data());
+        },
+        press);
+  return depth;
+}
 
- private:
-  std::vector<float> shifted_depth(const std::vector<Eigen::Vector2f>& luf_slopes,
-                                   std::size_t axis,
-                                   float step_mm) {
-    const FaceRow& here = row_.face;
-    const auto copied = [&](const float* values) {
-      return std::vector<float>(values, values + width_);
-    };
-    std::vector<float> x = copied(here.x_mm), y = copied(here.y_mm), luf = copied(here.luf_mm);
-    std::vector<float> s = copied(here.s_mm);
-    for (int u = row_.press_first; u < row_.press_last; ++u) {
-      const auto i = static_cast<std::size_t>(u);
-      (axis == 0 ? x : y)[i] += step_mm;
-      luf[i] += step_mm * luf_slopes[i][static_cast<int>(axis)];
-      if (axis == 0) s[i] += step_mm / here.cos_incline[u];
-    }
-    FaceRow shifted = here;
-    shifted.x_mm = x.data();
-    shifted.y_mm = y.data();
-    shifted.luf_mm = luf.data();
-    shifted.s_mm = s.data();
-    std::vector<float> depth(width_, 0.0F);
-    for (const auto& press : geometry_.presses)
-      std::visit(
-          [&](const auto& p) {
-            press_row(p, shifted, row_.press_first, row_.press_last, depth.data());
-          },
-          press);
-    return depth;
-  }
-
-  const FrameGeometry& geometry_;
-  const RowView& row_;
-  std::size_t width_;
-};
+// d(depth)/dx (axis 0) or d(depth)/dy (1) in those columns, by differences.
+std::vector<float> depth_slopes(const FrameGeometry& geometry,
+                                const RowView& row,
+                                const std::vector<Eigen::Vector2f>& luf_slopes,
+                                std::size_t axis) {
+  const auto ahead = shifted_depth(geometry, row, luf_slopes, axis, kSlopeStep_mm);
+  std::vector<float> slope = shifted_depth(geometry, row, luf_slopes, axis, -kSlopeStep_mm);
+  for (std::size_t u = 0; u < slope.size(); ++u)
+    slope[u] = (ahead[u] - slope[u]) / (2 * kSlopeStep_mm);
+  return slope;
+}
 
 void set_normals(const FrameGeometry& geometry, const RowView& row, cv::Vec3f* normals) {
   const FaceRow& face = row.face;
@@ -84,7 +138,8 @@ void set_normals(const FrameGeometry& geometry, const RowView& row, cv::Vec3f* n
     slopes[static_cast<std::size_t>(u)] = (-n.head<2>() / n.z()).cast<float>();
   }
   std::array<std::vector<float>, 2> depth;
-  if (row.press_first < row.press_last) depth = DepthSlopes(geometry, row).by_x_and_y(slopes);
+  if (row.press_first < row.press_last)
+    depth = {depth_slopes(geometry, row, slopes, 0), depth_slopes(geometry, row, slopes, 1)};
   for (int u = face.first; u < face.last; ++u) {
     if (face.coverage[u] < 0.5F) continue;
     const auto i = static_cast<std::size_t>(u);
@@ -187,7 +242,7 @@ void mark_dots(const FrameGeometry& geometry, cv::Mat& labels) {
       }
 }
 
-using RadianceRows = std::vector<std::unique_ptr<const RadianceEffect::Rows>>;
+using RadianceRows = std::vector<RadianceEffect::Rows>;
 
 ALLTACT_WIDE void set_light(int first,
                             int last,
@@ -240,8 +295,10 @@ void add_up_light(RowView& row) {
 
 RadianceRows light_of(const FramePlan& plan, const FrameGeometry& geometry) {
   RadianceRows light;
-  for (const auto& step : plan.radiance)
+  for (const auto& step : plan.radiance) {
     light.push_back(step.effect->begin(step.context, geometry));
+    ++build_count().rows;
+  }
   return light;
 }
 
@@ -249,19 +306,18 @@ RadianceRows light_of(const FramePlan& plan, const FrameGeometry& geometry) {
 
 struct Plan::State {
   State(const Scene& s, std::uint64_t seed_, const Camera& camera)
-      : scene(s), content(scene.content()), seed(seed_), rays(camera) {}
+      : scene(s), seed(seed_), rays(camera) {}
 
   Scene scene;
-  const Scene::Content& content;
   std::uint64_t seed;
   PixelRays rays;
-  std::vector<const Scene::Content::Named*> built;  // for some frame, in running order
+  std::vector<const SceneEffect*> built;  // for some frame, in running order
   struct Frames {
     int first, last;
   };
   std::optional<Frames> without_bytes;  // the first ones without integer grey levels
 
-  [[nodiscard]] FramePlan compiled(int frame) const { return {content, seed, frame}; }
+  [[nodiscard]] FramePlan compiled(int frame) const { return {scene, seed, frame}; }
   [[nodiscard]] Status check();
   [[nodiscard]] Status check(const FramePlan& plan, Frames frames) const;
   [[nodiscard]] FrameGeometry geometry_of(const FramePlan& plan) const;
@@ -282,13 +338,13 @@ struct Plan::State {
 
 // Checks each run of frames with the same effects.
 Status Plan::State::check() {
-  std::set<int> starts{0, content.time.frames};
-  for (const auto& named : content.effects) {
+  std::set<int> starts{0, scene.time.frames};
+  for (const auto& named : scene.effects) {
     starts.insert(named.presence.first);
     starts.insert(named.presence.end);
   }
-  std::set<const Scene::Content::Named*> present;
-  for (auto start = starts.begin(); *start < content.time.frames; ++start) {
+  std::set<const SceneEffect*> present;
+  for (auto start = starts.begin(); *start < scene.time.frames; ++start) {
     const FramePlan plan = compiled(*start);
     const Frames frames{*start, *std::next(start) - 1};
     if (const Status status = check(plan, frames); !status) return status;
@@ -296,21 +352,21 @@ Status Plan::State::check() {
     for (const auto* named : plan.effects()) present.insert(named);
   }
   std::vector<DegreeOfFreedom> dofs;
-  for (const auto& named : content.effects) {
+  for (const auto& named : scene.effects) {
     if (!present.contains(&named)) continue;
     built.push_back(&named);
     for (const DegreeOfFreedom& dof : named.effect->degrees_of_freedom()) dofs.push_back(dof);
   }
-  return content.motion.validate(dofs);
+  return scene.motion.validate(dofs);
 }
 
 Status Plan::State::check(const FramePlan& plan, Frames frames) const {
-  const FramePlan::Facts facts = plan.facts(content);
+  const SceneFacts facts = plan.facts(scene);
   for (const auto* named : plan.effects()) {
-    const Status status = named->effect->validate(facts.scene());
+    const Status status = named->effect->validate(facts);
     if (status) continue;
     const Message& what = status.error().what;
-    const bool in_all = frames.first == 0 && frames.last == content.time.frames - 1;
+    const bool in_all = frames.first == 0 && frames.last == scene.time.frames - 1;
     return Error{in_all ? what : en::say("{}, in frames {} to {}", what, frames.first, frames.last),
                  named->where,
                  status.error().advice};
@@ -320,12 +376,12 @@ Status Plan::State::check(const FramePlan& plan, Frames frames) const {
 
 FrameGeometry Plan::State::geometry_of(const FramePlan& plan) const {
   std::optional<FaceCurve> curve;
-  if (content.finger.face.kind == FaceKind::kFinRay) {
-    curve.emplace(content.base_mm, content.incline_rad, content.length_mm);
+  if (scene.finger.face.kind == FaceKind::kFinRay) {
+    curve.emplace(scene.base_mm, scene.incline_rad, scene.length_mm);
     for (const auto& step : plan.geometry) step.effect->shape(step.context, *curve);
     curve->integrate();
   }
-  FrameGeometry result(rays, content.finger.face, std::move(curve));
+  FrameGeometry result(rays, scene.finger.face, std::move(curve));
   for (const auto& step : plan.geometry) {
     const std::size_t known = result.contacts.size(), pressed = result.presses.size();
     step.effect->apply(step.context, result);
@@ -352,7 +408,7 @@ void Plan::State::render_rows(const FramePlan& plan,
     row.value = outputs_bytes ? nullptr : image.ptr<float>(v);
     row.bytes = outputs_bytes ? image.ptr<std::uint8_t>(v) : nullptr;
     geometry_now.fill(row);
-    for (const auto& effect : light) effect->row(row);
+    for (const auto& set_light_of : light) set_light_of(row);
     add_up_light(row);
     // Only quantisation leaves dark columns dark; other effects need the full row.
     if (plan.sensor.empty() || !plan.sensor.front().effect->outputs_bytes()) {
@@ -377,7 +433,7 @@ cv::Mat Plan::State::light_before_sensor(const FramePlan& plan,
     row.v = v;
     row.value = grey[v];
     geometry_now.fill(row);
-    for (const auto& effect : light) effect->row(row);
+    for (const auto& set_light_of : light) set_light_of(row);
     add_up_light(row);
     for (std::size_t i = 1; i < row.surfaces.size(); ++i)
       for (int u = row.surfaces[i].first; u < row.surfaces[i].last; ++u)
@@ -407,7 +463,7 @@ void Plan::State::render_light(FramePlan plan, int first, int last, cv::Mat_<flo
         row.v = v;
         row.value = nullptr;
         geometry_now.fill(row);
-        for (const auto& effect : light) effect->row(row);
+        for (const auto& set_light_of : light) set_light_of(row);
         add_up_light(row);
         darken_rest(row);
         float* sum = grey[v];
@@ -451,14 +507,13 @@ cv::Mat Plan::State::render_multi_pass(const FramePlan& plan,
 }
 
 Result<Plan> Plan::compile(const Scene& scene, std::uint64_t seed) {
-  const Scene::Content& content = scene.content();
-  auto camera = Camera::create(content.finger.camera);
+  auto camera = Camera::create(scene.finger.camera);
   if (!camera)
     return Error{camera.error().what,
-                 en::say("scene '{}': finger.camera", content.name),
+                 en::say("scene '{}': finger.camera", scene.name),
                  camera.error().advice};
   // A recording and the press compared with it must not share noise.
-  seed ^= std::uint64_t{fnv1a(content.name)} << 32;
+  seed ^= std::uint64_t{fnv1a(scene.name)} << 32;
   auto state = std::make_shared<State>(scene, seed, *camera);
   if (const Status status = state->check(); !status) return status.error();
   Plan plan;
@@ -467,13 +522,13 @@ Result<Plan> Plan::compile(const Scene& scene, std::uint64_t seed) {
 }
 
 int Plan::frame_count() const {
-  return state_->content.time.frames;
+  return state_->scene.time.frames;
 }
 double Plan::frames_per_s() const {
-  return state_->content.time.frames_per_s;
+  return state_->scene.time.frames_per_s;
 }
 const Finger& Plan::finger() const {
-  return state_->content.finger;
+  return state_->scene.finger;
 }
 
 std::vector<std::string> Plan::effects() const {
@@ -492,7 +547,7 @@ std::vector<Plan::Entry> Plan::entries() const {
   std::vector<Entry> entries;
   for (const auto* named : state_->built)
     entries.push_back(
-        {named->name, named->effect->sentence(), named->presence.first, named->presence.end - 1});
+        {named->name, named->kind->sentence, named->presence.first, named->presence.end - 1});
   return entries;
 }
 

@@ -1,8 +1,9 @@
-// A scene compiled into the list of steps for a frame, holding only the effects present in it.
+// Rendering of a scene, and its ground truth.
 #pragma once
 
 #include "core/base/result.h"
 #include "core/finger/finger.h"
+#include "core/simulation/effect.h"
 #include "core/simulation/scene.h"
 #include "core/simulation/simulated_frame.h"
 
@@ -15,6 +16,41 @@
 #include <opencv2/core.hpp>
 
 namespace alltact {
+
+/// The effects that are present in one frame. Built anew for every frame, so that rendering does
+/// not test for presence.
+class FramePlan {
+ public:
+  FramePlan(const Scene& scene, std::uint64_t seed, int frame);
+
+  template <class E>
+  struct Step {
+    const SceneEffect* named;
+    const E* effect;
+    FrameContext context;  ///< with the seed of this effect's draws
+  };
+  // In running order.
+  std::vector<Step<GeometryEffect>> geometry;
+  std::vector<Step<RadianceEffect>> radiance;
+  std::vector<Step<SensorEffect>> sensor;
+  std::vector<Step<TransportEffect>> transport;
+
+  /// True: the image has integer grey levels.
+  [[nodiscard]] bool outputs_bytes() const { return outputs_bytes_; }
+  [[nodiscard]] std::vector<const SceneEffect*> effects() const;
+  /// True: an effect needs more than a row at a time.
+  [[nodiscard]] bool is_multi_pass() const { return is_multi_pass_; }
+  [[nodiscard]] const Exposure& exposure() const { return exposure_; }
+  /// Moves everything to so many frames after the frame's own time.
+  void move_to(double frame_offset);
+  [[nodiscard]] SceneFacts facts(const Scene& scene) const;
+
+ private:
+  bool outputs_bytes_ = false, is_multi_pass_ = false;
+  Exposure exposure_;
+};
+
+// A scene compiled into the list of steps for a frame, holding only the effects present in it.
 
 class Plan {
  public:

@@ -5,6 +5,7 @@
 #include "core/simulation/simulated_frame.h"
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -17,16 +18,9 @@ namespace alltact {
 
 // Rigid bodies that press into the face.
 
-/// A body at its pose in one frame. Camera frame, mm.
-class PosedBody {
- public:
-  PosedBody() = default;
-  PosedBody(const PosedBody&) = delete;
-  PosedBody& operator=(const PosedBody&) = delete;
-  virtual ~PosedBody() = default;
-  /// Returns the smallest z of the body over (x, y) if it is below `below_mm`, else infinity.
-  [[nodiscard]] virtual double lowest_z_mm(double x_mm, double y_mm, double below_mm) const = 0;
-};
+/// A body at its pose in one frame, camera frame: the smallest z of the body over (x, y) if it is
+/// below `below_mm`, else infinity.
+using PosedBody = std::function<double(double x_mm, double y_mm, double below_mm)>;
 
 /// A body in its own coordinates, mm. Its z axis points away from the surface it presses into.
 class Body {
@@ -37,8 +31,7 @@ class Body {
   virtual ~Body() = default;
   /// The z axis of `camera_from_object` must be less than 85 degrees off the camera's. The body
   /// must outlive the result.
-  [[nodiscard]] virtual std::unique_ptr<const PosedBody> posed(
-      const Eigen::Isometry3d& camera_from_object) const = 0;
+  [[nodiscard]] virtual PosedBody posed(const Eigen::Isometry3d& camera_from_object) const = 0;
   /// Returns the minimum of `direction` . p over the body's points p.
   [[nodiscard]] virtual double min_along_mm(const Eigen::Vector3d& direction) const = 0;
   /// Half lengths in x and y, about the origin, of the part that may come into contact.
@@ -91,7 +84,7 @@ struct BodyPress {
   std::shared_ptr<const Body> body;
   Eigen::Isometry3d camera_from_object;
   double rotation_rad = 0;  ///< of the object about the normal, from along towards across
-  std::shared_ptr<const PosedBody> posed;
+  PosedBody posed;
 
   [[nodiscard]] double reach_mm() const;
 };
@@ -131,19 +124,28 @@ void press_row(
 // A body described by its underside.
 
 /// All points above the underside. Its lowest points lie at z = 0.
-class HeightField : public Body {
+class HeightField final : public Body {
  public:
   static constexpr double kNothing_mm = std::numeric_limits<double>::infinity();
 
-  /// Height of the underside over (x, y), 0 or more; kNothing_mm where there is none.
-  [[nodiscard]] virtual double gap_mm(double x_mm, double y_mm) const = 0;
-  /// Detail thinner than this may be missed when it is viewed at a slant.
-  [[nodiscard]] virtual double finest_mm() const { return 0.02; }
+  /// gap_mm(x, y): height of the underside over (x, y), 0 or more; kNothing_mm where there is none.
+  /// finest_mm: detail thinner than this may be missed when it is viewed at a slant.
+  HeightField(std::function<double(double x_mm, double y_mm)> gap_mm,
+              const Eigen::Vector2d& half_size_mm,
+              double finest_mm = 0.02)
+      : gap_mm_(std::move(gap_mm)), half_size_mm_(half_size_mm), finest_mm_(finest_mm) {}
 
-  [[nodiscard]] std::unique_ptr<const PosedBody> posed(
-      const Eigen::Isometry3d& camera_from_object) const final;
+  [[nodiscard]] double gap_mm(double x_mm, double y_mm) const { return gap_mm_(x_mm, y_mm); }
+  [[nodiscard]] double finest_mm() const { return finest_mm_; }
+  [[nodiscard]] PosedBody posed(const Eigen::Isometry3d& camera_from_object) const override;
   /// For a tilted body on a grid of 256 steps a side; exact for an upright one.
-  [[nodiscard]] double min_along_mm(const Eigen::Vector3d& direction) const final;
+  [[nodiscard]] double min_along_mm(const Eigen::Vector3d& direction) const override;
+  [[nodiscard]] Eigen::Vector2d half_size_mm() const override { return half_size_mm_; }
+
+ private:
+  std::function<double(double x_mm, double y_mm)> gap_mm_;
+  Eigen::Vector2d half_size_mm_;
+  double finest_mm_;
 };
 
 }  // namespace alltact

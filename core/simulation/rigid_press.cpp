@@ -1,6 +1,5 @@
 #include "core/simulation/rigid_press.h"
 
-#include <cassert>
 #include <numbers>
 
 namespace alltact {
@@ -12,14 +11,15 @@ double radians(double degrees) {
 
 }  // namespace
 
-RigidPress::RigidPress(YamlSection& section)
+RigidPress::RigidPress(YamlSection& section, std::shared_ptr<const Body> (*read_body)(YamlSection&))
     : depth_(Varying::read(section, "depth_mm", strength_up_to(20))),
       s_(Varying::read(section, "s_mm", {-1000, 1000})),
       y_(Varying::read(section, "y_mm", {-1000, 1000})),
       rotation_deg_(Varying::read_or(section, "rotation_deg", 0, {-360, 360})),
       tilt_deg_(Varying::read_or(section, "tilt_deg", 0, {-45, 45})),
       roll_deg_(Varying::read_or(section, "roll_deg", 0, {-45, 45})),
-      tip_deflection_(section) {}
+      tip_deflection_(section),
+      body_(read_body(section)) {}
 
 Status RigidPress::validate(const SceneFacts& scene) const {
   if (const Status status = check_press(scene, depth_, s_, y_); !status) return status;
@@ -31,7 +31,6 @@ void RigidPress::shape(const FrameContext& frame, FaceCurve& curve) const {
 }
 
 void RigidPress::apply(const FrameContext& frame, FrameGeometry& geometry) const {
-  assert(body_);
   BodyPress press;
   press.pose = geometry.press_pose(frame(s_), frame(y_), frame(depth_));
   press.body = body_;

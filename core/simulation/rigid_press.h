@@ -32,22 +32,26 @@ class TipDeflection {
 /// the finger's length towards +y. `give_mm`: see Give.
 class RigidPress : public GeometryEffect {
  public:
-  explicit RigidPress(YamlSection& section);
+  /// read_body: reads the body's own parameters.
+  RigidPress(YamlSection& section, std::shared_ptr<const Body> (*read_body)(YamlSection&));
 
   bool is_repeatable() const override { return true; }
-  std::optional<PressKind> presses() const override { return PressKind::kBody; }
+  bool presses_body() const override { return true; }
   Status validate(const SceneFacts& scene) const override;
   void shape(const FrameContext& frame, FaceCurve& curve) const override;
   void apply(const FrameContext& frame, FrameGeometry& geometry) const override;
-
- protected:
-  /// Call once, from the derived constructor.
-  void set_body(std::shared_ptr<const Body> body) { body_ = std::move(body); }
 
  private:
   Varying depth_, s_, y_, rotation_deg_, tilt_deg_, roll_deg_;
   TipDeflection tip_deflection_;
   std::shared_ptr<const Body> body_;
+};
+
+/// The effect of one kind of body, for effect_kind().
+template <std::shared_ptr<const Body> (*read_body)(YamlSection&)>
+class RigidPressOf final : public RigidPress {
+ public:
+  explicit RigidPressOf(YamlSection& section) : RigidPress(section, read_body) {}
 };
 
 }  // namespace alltact

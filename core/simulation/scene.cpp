@@ -3,7 +3,6 @@
 #include "core/base/atomic_file.h"
 #include "core/base/message.h"
 #include "core/numerics/philox.h"
-#include "core/simulation/scene_content.h"
 
 #include <map>
 #include <numbers>
@@ -58,12 +57,12 @@ MarkerRows read_markers(YamlSection section) {
   return rows;
 }
 
-void read_untouched(YamlSection section, Scene::Content& content) {
-  content.base_mm.x() = section.number("x_mm", {-1000, 1000});
-  content.base_mm.y() = section.number_or("y_mm", 0, {-1000, 1000});
-  content.base_mm.z() = section.number("z_mm", {1, 1000});
-  content.incline_rad = section.number("incline_deg", {-75, 75}) * std::numbers::pi / 180;
-  content.length_mm = section.number("length_mm", {1, 1000});
+void read_untouched(YamlSection section, Scene& scene) {
+  scene.base_mm.x() = section.number("x_mm", {-1000, 1000});
+  scene.base_mm.y() = section.number_or("y_mm", 0, {-1000, 1000});
+  scene.base_mm.z() = section.number("z_mm", {1, 1000});
+  scene.incline_rad = section.number("incline_deg", {-75, 75}) * std::numbers::pi / 180;
+  scene.length_mm = section.number("length_mm", {1, 1000});
 }
 
 const EffectKind* read_kind(YamlSection& section) {
@@ -79,16 +78,14 @@ const EffectKind* read_kind(YamlSection& section) {
 }
 
 // Refuses two effects of a kind that may occur only once at a time.
-void check_single(const YamlSection& section,
-                  const Scene::Content::Named& named,
-                  const Scene::Content& content) {
+void check_single(const YamlSection& section, const SceneEffect& named, const Scene& scene) {
   if (named.effect->is_repeatable()) return;
   const std::string& use = named.kind->name;
-  for (const auto& other : content.effects) {
+  for (const auto& other : scene.effects) {
     if (other.kind != named.kind || !named.presence.overlaps(other.presence)) continue;
     const int first = std::max(named.presence.first, other.presence.first);
     const int end = std::min(named.presence.end, other.presence.end);
-    if (first == 0 && end == content.time.frames)
+    if (first == 0 && end == scene.time.frames)
       section.refuse(
           "use", en::say("the effect '{}' is listed twice", use), en::say("remove one of them"));
     section.refuse(
@@ -106,34 +103,33 @@ std::uint64_t stream_of(const std::string& name, int number) {
   return std::uint64_t{bits[0]} << 32 | bits[1];
 }
 
-void read_effects(YamlSection& scene, Scene::Content& content) {
+void read_effects(YamlSection& top, Scene& scene) {
   std::map<const EffectKind*, int> numbers;
-  for (YamlSection& section : scene.sections("effects")) {
+  for (YamlSection& section : top.sections("effects")) {
     const EffectKind* kind = read_kind(section);
     const int number = ++numbers[kind];
     section.rename(number == 1 ? kind->name : fmt::format("{}#{}", kind->name, number));
-    const Scene::Content::Named named{kind,
-                                      section.name(),
-                                      Presence::read(section, content.time),
-                                      stream_of(kind->name, number),
-                                      kind->make(section),
-                                      section.where("")};
-    check_single(section, named, content);
+    const SceneEffect named{kind,
+                            section.name(),
+                            Presence::read(section, scene.time),
+                            stream_of(kind->name, number),
+                            kind->make(section),
+                            section.where("")};
+    check_single(section, named, scene);
     if (named.effect->changes_lens()) {
-      if (named.presence.first > 0 || named.presence.end < content.time.frames)
+      if (named.presence.first > 0 || named.presence.end < scene.time.frames)
         section.refuse("use",
                        en::say("a lens does not change over time"),
                        en::say("leave 'from' and 'until' out"));
-      named.effect->change_lens(content.finger.camera);
-      if (const auto made = Camera::create(content.finger.camera); !made)
+      named.effect->change_lens(scene.finger.camera);
+      if (const auto made = Camera::create(scene.finger.camera); !made)
         section.refuse("", made.error().what, made.error().advice);
     }
-    content.effects.push_back(named);
+    scene.effects.push_back(named);
   }
-  std::stable_sort(
-      content.effects.begin(), content.effects.end(), [](const auto& a, const auto& b) {
-        return std::pair(a.kind->stage, a.kind->rank) < std::pair(b.kind->stage, b.kind->rank);
-      });
+  std::stable_sort(scene.effects.begin(), scene.effects.end(), [](const auto& a, const auto& b) {
+    return std::pair(a.kind->stage, a.kind->rank) < std::pair(b.kind->stage, b.kind->rank);
+  });
 }
 
 std::string read_sentence(YamlSection& scene, const char* key) {
@@ -143,22 +139,21 @@ std::string read_sentence(YamlSection& scene, const char* key) {
   return sentence;
 }
 
-void read_scene(YamlSection& scene, Scene::Content& content) {
-  content.name = read_sentence(scene, "name");
-  content.why = read_sentence(scene, "why");
-  content.time = SceneTime::of(scene);
-  YamlSection finger = scene.section("finger");
-  content.finger.name = content.name;
-  content.finger.camera = read_camera(finger.section("camera"));
-  content.finger.face = read_face(finger.section("face"));
-  if (finger.has("markers")) content.finger.markers = read_markers(finger.section("markers"));
-  if (content.finger.face.kind == FaceKind::kFinRay)
-    read_untouched(scene.section("untouched"), content);
-  if (scene.has("motion")) {
-    YamlSection motion = scene.section("motion");
-    content.motion = Motion::read(motion);
+void read_scene(YamlSection& top, Scene& scene) {
+  scene.name = read_sentence(top, "name");
+  scene.why = read_sentence(top, "why");
+  scene.time = SceneTime::of(top);
+  YamlSection finger = top.section("finger");
+  scene.finger.name = scene.name;
+  scene.finger.camera = read_camera(finger.section("camera"));
+  scene.finger.face = read_face(finger.section("face"));
+  if (finger.has("markers")) scene.finger.markers = read_markers(finger.section("markers"));
+  if (scene.finger.face.kind == FaceKind::kFinRay) read_untouched(top.section("untouched"), scene);
+  if (top.has("motion")) {
+    YamlSection motion = top.section("motion");
+    scene.motion = Motion::read(motion);
   }
-  read_effects(scene, content);
+  read_effects(top, scene);
 }
 
 }  // namespace
@@ -171,20 +166,11 @@ Result<Scene> Scene::load(const std::filesystem::path& file) {
 
 Result<Scene> Scene::parse(std::string_view yaml, const std::string& origin) {
   YamlFile file(origin, YamlFile::Unknown::kRefused);
-  auto content = std::make_shared<Content>();
-  const Status read =
-      file.read(std::string(yaml), [&](YamlSection& top) { read_scene(top, *content); });
-  if (!read) return read.error();
   Scene scene;
-  scene.content_ = std::move(content);
+  const Status read =
+      file.read(std::string(yaml), [&](YamlSection& top) { read_scene(top, scene); });
+  if (!read) return read.error();
   return scene;
-}
-
-const std::string& Scene::name() const {
-  return content_->name;
-}
-const std::string& Scene::why() const {
-  return content_->why;
 }
 
 }  // namespace alltact

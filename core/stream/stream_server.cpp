@@ -74,16 +74,13 @@ class StreamClient {
   void leave(Clock::time_point now);
   void take_line(Clock::time_point now);
   bool begin_next();
-  struct Sending {
-    StreamBytes bytes;
-    std::size_t sent = 0, size = 0;
-  };
 
   Descriptor connection_;
   Clock::time_point leave_by_;
   std::string line_;
   std::optional<StreamPartSet> requested_;
-  std::optional<Sending> sending_;
+  std::optional<StreamBytes> sending_;
+  std::size_t sent_bytes_ = 0, sending_bytes_ = 0;  // of sending_: so far, and in total
   std::deque<StreamMessagePtr> due_;
   StreamMessagePtr newest_;  // newest_ holds a frame
   std::uint64_t lost_ = 0;
@@ -210,17 +207,16 @@ bool StreamClient::begin_next() {
     next = std::exchange(newest_, nullptr);
   }
   if (!next) return false;
-  sending_ = Sending();
-  sending_->bytes = stream_bytes(*next, requested(), lost_);
-  sending_->size = sending_->bytes.head.size();
-  for (const cv::Mat& part : sending_->bytes.parts)
-    sending_->size += size_of(part) + padding_of(part);
+  sending_ = stream_bytes(*next, requested(), lost_);
+  sent_bytes_ = 0;
+  sending_bytes_ = sending_->head.size();
+  for (const cv::Mat& part : sending_->parts) sending_bytes_ += size_of(part) + padding_of(part);
   return true;
 }
 
 void StreamClient::write() {
   while (!is_gone_ && (sending_ || begin_next())) {
-    std::vector<iovec> rest = rest_of(sending_->bytes, sending_->sent);
+    std::vector<iovec> rest = rest_of(*sending_, sent_bytes_);
     msghdr message{};
     message.msg_iov = rest.data();
     message.msg_iovlen = rest.size();
@@ -230,8 +226,8 @@ void StreamClient::write() {
       if (errno != EAGAIN && errno != ENOBUFS) is_gone_ = true;
       return;
     }
-    sending_->sent += static_cast<std::size_t>(sent);
-    if (sending_->sent == sending_->size) sending_.reset();
+    sent_bytes_ += static_cast<std::size_t>(sent);
+    if (sent_bytes_ == sending_bytes_) sending_.reset();
   }
 }
 
@@ -350,9 +346,7 @@ struct StreamServer::State {
     }
     if (is_last)
       for (StreamClient& client : clients)
-        if (client.deadline() && !client.wants_to_write())
-          client.hang_up();  // never requested
-                             // anything
+        if (client.deadline() && !client.wants_to_write()) client.hang_up();  // no request came
     return is_last;
   }
 

@@ -1,4 +1,4 @@
-#include "core/thumbnail/read_triangles.h"
+#include "core/thumbnail/thumbnail.h"
 
 #include "core/base/atomic_file.h"
 #include "core/mesh/mesh_file.h"

@@ -2,7 +2,6 @@
 
 #include "core/image/colour_map.h"
 #include "core/image/image_file.h"
-#include "core/thumbnail/read_triangles.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 #include "core/recording/depth_video.h"
 #include "core/recording/video_file.h"
 #include "core/sensing/markers/dot_network.h"
-#include "core/thumbnail/read_triangles.h"
+#include "core/thumbnail/thumbnail.h"
 #include "tests/core/recording/recording_frames.h"
 #include "tests/fuzz/readers.h"
 #include "tests/support/onnx_bytes.h"

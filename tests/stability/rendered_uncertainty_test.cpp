@@ -155,7 +155,7 @@ Run rendered(const Kind& kind, int number) {
   run.finger = pressed.finger();
   PipelineSettings settings;
   if (kind.as_assumed) {
-    settings.light = LightChange::kIgnored;
+    settings.correct_light = false;
     settings.smoothing_px = 0;
   }
   Pipeline pipeline =

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include <Eigen/Dense>
+#include <opencv2/imgproc.hpp>
 
 namespace alltact {
 namespace {
@@ -146,15 +147,15 @@ bool is_near_face(const SideEdges& edges, const DotSeed& seed, const cv::Mat& gr
   return edges.off_px(u, seed.v, seed.upper) < seed.half_v + kSpreadPx;
 }
 
-/// Fills the window around a seed, `scale` times the seed's size to each side. Near the view face
+/// Fills the window around a seed, twice the seed's size to each side. Near the view face
 /// the light that its edge spreads is subtracted, so that a dot near the edge is isolated. It is
 /// estimated in the columns on both sides of the seed at the same distance from the edge.
-void load(
-    const cv::Mat& grey, const SideEdges& edges, const DotSeed& seed, double scale, Window& w) {
+void load(const cv::Mat& grey, const SideEdges& edges, const DotSeed& seed, Window& w) {
+  constexpr double kScale = 2.0;
   const int half_u =
-      std::min(kMaxSide / 2 - 1, static_cast<int>(std::ceil(scale * seed.half_u + 3)));
+      std::min(kMaxSide / 2 - 1, static_cast<int>(std::ceil(kScale * seed.half_u + 3)));
   const int half_v =
-      std::min(kMaxSide / 2 - 1, static_cast<int>(std::ceil(scale * seed.half_v + 3)));
+      std::min(kMaxSide / 2 - 1, static_cast<int>(std::ceil(kScale * seed.half_v + 3)));
   const int cu = static_cast<int>(std::lround(seed.u)), cv = static_cast<int>(std::lround(seed.v));
   w.u0 = std::max(0, cu - half_u);
   w.v0 = std::max(0, cv - half_v);
@@ -449,19 +450,15 @@ struct Centroid {
   double x = 0, y = 0, flux = 0, spread = 0;  // spread: sum of squared distances along one axis
 };
 
-// Gradient of a dot's brightness relative to its centre. A dot lit from one side has its centroid
-// of light on that side; the centre of its area is required.
-struct Shading {
-  double slope_x = 0, slope_y = 0;  // about the dot's centre
-};
-
-// From pixels inside the dot; zero for dots too small to have any.
-Shading shading_of(const Window& w, const Background& ground, const Ellipse& e) {
+// Gradient of a dot's brightness relative to its centre, about that centre. A dot lit from one side
+// has its centroid of light on that side; the centre of its area is required. From pixels inside
+// the dot; zero for dots too small to have any.
+Eigen::Vector2d shading_of(const Window& w, const Background& ground, const Ellipse& e) {
   constexpr double kInside = 0.75;
   constexpr int kMinPixels = 24;
   constexpr double kMinHalfPx = 2.0;  // a thinner dot consists of its rim
   const double steepest = 0.5 * (e.xx + e.yy) + std::hypot(0.5 * (e.xx - e.yy), e.xy);
-  if (steepest * kMinHalfPx * kMinHalfPx > 1.0) return {};
+  if (steepest * kMinHalfPx * kMinHalfPx > 1.0) return Eigen::Vector2d::Zero();
   double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0, syy = 0, s = 0, sxv = 0, syv = 0;
   for_rows_inside(w, e, kInside, [&](int y, int first, int last) {
     const double dy = y - e.y;
@@ -474,11 +471,11 @@ Shading shading_of(const Window& w, const Background& ground, const Ellipse& e) 
       s += height, sxv += dx * height, syv += dy * height;
     }
   });
-  if (n < kMinPixels) return {};
+  if (n < kMinPixels) return Eigen::Vector2d::Zero();
   Eigen::Matrix3d a;
   a << n, sx, sy, sx, sxx, sxy, sy, sxy, syy;
   const Eigen::Vector3d p = a.ldlt().solve(Eigen::Vector3d(s, sxv, syv));
-  if (!p.allFinite() || !(p[0] > 0)) return {};
+  if (!p.allFinite() || !(p[0] > 0)) return Eigen::Vector2d::Zero();
   return {p[1] / p[0], p[2] / p[0]};
 }
 
@@ -501,12 +498,15 @@ ALLTACT_WIDE void flatten_row(
 
 // Converts the window's values into heights above the background, flattened by the dot's own
 // shading.
-void flatten(const Background& ground, const Shading& shading, const Ellipse& e, Window& w) {
+void flatten(const Background& ground,
+             const Eigen::Vector2d& shading,
+             const Ellipse& e,
+             Window& w) {
   for (int y = 0; y < w.height; ++y)
     flatten_row(static_cast<float>(ground.at(0, y)),
                 static_cast<float>(ground.slope_x),
-                static_cast<float>(1.0 - shading.slope_x * e.x + shading.slope_y * (y - e.y)),
-                static_cast<float>(shading.slope_x),
+                static_cast<float>(1.0 - shading.x() * e.x + shading.y() * (y - e.y)),
+                static_cast<float>(shading.x()),
                 w.width,
                 &w.value[w.index(0, y)]);
 }
@@ -560,14 +560,13 @@ std::optional<std::pair<int, int>> summit(const Window& w, const DotSeed& seed) 
   return position;
 }
 
-struct Attempt {
-  std::optional<Dot> dot;
-  bool too_small_window = false;
-};
-
-Attempt attempt(const cv::Mat& grey, const SideEdges& edges, const DotSeed& seed, double scale) {
+/// nullopt: no lone compact spot; `is_window_too_small` is set where one may reach further.
+std::optional<Dot> measure_once(const cv::Mat& grey,
+                                const SideEdges& edges,
+                                const DotSeed& seed,
+                                bool& is_window_too_small) {
   Window w;
-  load(grey, edges, seed, scale, w);
+  load(grey, edges, seed, w);
   const auto top = summit(w, seed);
   if (!top) return {};
   const auto [x, y] = *top;
@@ -587,7 +586,8 @@ Attempt attempt(const cv::Mat& grey, const SideEdges& edges, const DotSeed& seed
   if (height < std::max(seed.min_contrast, 2.0 * first->noise / 3)) return {};
   Region region = grow(w, first->level, x, y, 0.5 * height, grey.size());
   if (region.at_border || region.at_face) return {};
-  if (region.at_window_edge) return {std::nullopt, true};
+  is_window_too_small = region.at_window_edge;
+  if (region.at_window_edge) return {};
   if (!is_compact(region)) return {};
 
   const Ellipse dot = ellipse_of(region);
@@ -616,7 +616,7 @@ Attempt attempt(const cv::Mat& grey, const SideEdges& edges, const DotSeed& seed
   const double noise = std::max(0.3, ground->noise);
   result.sd_px = std::sqrt(std::pow(1.2 * noise * std::sqrt(c.spread) / c.flux, 2) + 0.01 * 0.01);
   result.upper = seed.upper;
-  return {result, false};
+  return result;
 }
 
 }  // namespace
@@ -625,11 +625,12 @@ std::optional<Dot> measure_dot(const cv::Mat& grey, const SideEdges& edges, cons
   DotSeed search_seed = seed;
   search_seed.half_u = std::clamp(seed.half_u, 1.0, 24.0);
   search_seed.half_v = std::clamp(seed.half_v, 1.0, 24.0);
-  const Attempt first = attempt(grey, edges, search_seed, 2.0);
-  if (first.dot || !first.too_small_window) return first.dot;
+  bool is_window_too_small = false;
+  const auto dot = measure_once(grey, edges, search_seed, is_window_too_small);
+  if (!is_window_too_small) return dot;
   search_seed.half_u = std::min(28.0, 2 * search_seed.half_u);
   search_seed.half_v = std::min(28.0, 2 * search_seed.half_v);
-  return attempt(grey, edges, search_seed, 2.0).dot;
+  return measure_once(grey, edges, search_seed, is_window_too_small);
 }
 
 namespace {
@@ -672,6 +673,27 @@ std::optional<Eigen::Vector2d> search(const cv::Mat& grey,
 }
 
 }  // namespace
+
+bool is_among(const std::vector<Dot>& dots, const Dot& dot) {
+  return std::any_of(dots.begin(), dots.end(), [&](const Dot& other) {
+    return std::hypot(other.u - dot.u, other.v - dot.v) < std::max(1.5, 0.8 * other.radius_px);
+  });
+}
+
+cv::Mat reduced_for_dots(const cv::Mat& grey, int* factor) {
+  const int f =
+      std::max(1, static_cast<int>(std::lround(static_cast<double>(grey.cols) / kReducedWidthPx)));
+  *factor = f;
+  if (f == 1) return grey;
+  cv::Mat reduced;
+  cv::resize(grey(cv::Rect(0, 0, grey.cols / f * f, grey.rows / f * f)),
+             reduced,
+             cv::Size(grey.cols / f, grey.rows / f),
+             0,
+             0,
+             cv::INTER_AREA);
+  return reduced;
+}
 
 std::optional<Dot> near_dot(const cv::Mat& grey,
                             const SideEdges& edges,

@@ -5,6 +5,7 @@
 #include "core/sensing/markers/markers.h"
 
 #include <optional>
+#include <vector>
 
 #include <Eigen/Core>
 #include <opencv2/core.hpp>
@@ -41,5 +42,29 @@ struct DotSeed {
                                           const Eigen::Vector2d& position,
                                           double search_px,
                                           const Dot& like);
+
+/// True when one of `dots` is at the position of `dot`.
+[[nodiscard]] bool is_among(const std::vector<Dot>& dots, const Dot& dot);
+
+/// True when no neighbour of the pixel is higher; of equal neighbours the first is the peak.
+template <class Level>
+[[nodiscard]] bool is_peak(const cv::Mat& image, int x, int y) {
+  const Level here = image.at<Level>(y, x);
+  for (int dy = -1; dy <= 1; ++dy)
+    for (int dx = -1; dx <= 1; ++dx) {
+      const int nx = x + dx, ny = y + dy;
+      if ((dx == 0 && dy == 0) || nx < 0 || ny < 0 || nx >= image.cols || ny >= image.rows)
+        continue;
+      const bool is_earlier = dy < 0 || (dy == 0 && dx < 0);
+      const Level other = image.at<Level>(ny, nx);
+      if (other > here || (is_earlier && other == here)) return false;
+    }
+  return true;
+}
+
+/// The image averaged over complete blocks of an integer `factor` a side, to a width of about
+/// kReducedWidthPx, so that a pixel of it is exactly factor x factor of the image.
+inline constexpr int kReducedWidthPx = 960;
+[[nodiscard]] cv::Mat reduced_for_dots(const cv::Mat& grey, int* factor);
 
 }  // namespace alltact

@@ -14,7 +14,6 @@
 
 #include <fmt/format.h>
 #include <opencv2/core/utils/logger.hpp>
-#include <opencv2/dnn.hpp>
 #include <opencv2/imgproc.hpp>
 
 namespace alltact {
@@ -22,8 +21,6 @@ namespace {
 
 constexpr std::size_t kMaxNetworkBytes = std::size_t{256} << 20;
 constexpr std::int64_t kMinSide = 32, kMaxInputSide = 4096;  // side of the input, px
-
-enum class NetworkKind { kDots = 1, kBoxes };
 
 /// Silences OpenCV, which writes errors to standard error in addition to throwing.
 class QuietOpenCv {
@@ -62,38 +59,27 @@ bool is_finite(const cv::Mat& m) {
 
 }  // namespace
 
-struct DotNetwork::Impl {
-  std::filesystem::path onnx;
-  NetworkKind kind = NetworkKind::kDots;
-  cv::Size size;  // of the input
-  int channels = 1;
-  cv::dnn::Net net;
+cv::Mat DotNetwork::input_of(const cv::Mat& grey, InputMap* input_map) const {
+  return outputs_dots_ ? dots_input(grey, input_map)
+                       : boxes_input(grey, size_, channels_, input_map);
+}
 
-  [[nodiscard]] bool is_output(const cv::Mat& m, const cv::Mat& input) const;
-  [[nodiscard]] Result<cv::Mat> run(const cv::Mat& input);
-  [[nodiscard]] cv::Mat input_of(const cv::Mat& grey, InputMap* input_map) const {
-    return kind == NetworkKind::kDots ? dots_input(grey, input_map)
-                                      : boxes_input(grey, size, channels, input_map);
-  }
-  [[nodiscard]] Status check();
-};
-
-bool DotNetwork::Impl::is_output(const cv::Mat& m, const cv::Mat& input) const {
+bool DotNetwork::is_output(const cv::Mat& m, const cv::Mat& input) const {
   if (m.type() != CV_32F || !m.isContinuous()) return false;
-  if (kind == NetworkKind::kDots)
+  if (outputs_dots_)
     return m.dims == 4 && m.size[0] == 1 && m.size[1] == 3 &&
            m.size[2] == (input.size[2] + 3) / 4 && m.size[3] == (input.size[3] + 3) / 4;
   return m.dims == 3 && m.size[0] == 1 && std::min(m.size[1], m.size[2]) >= 5;
 }
 
-Result<cv::Mat> DotNetwork::Impl::run(const cv::Mat& input) {
+Result<cv::Mat> DotNetwork::run(const cv::Mat& input) {
   std::vector<cv::Mat> outputs;
   try {
     const QuietOpenCv quiet;
-    net.setInput(input);
-    net.forward(outputs, net.getUnconnectedOutLayersNames());
+    net_.setInput(input);
+    net_.forward(outputs, net_.getUnconnectedOutLayersNames());
   } catch (const std::exception&) {
-    return unusable(en::say("OpenCV cannot run this network"), onnx);
+    return unusable(en::say("OpenCV cannot run this network"), onnx_);
   }
   // Selected by shape: OpenCV returns several outputs in an order of its own.
   const auto output = std::find_if(
@@ -103,31 +89,31 @@ Result<cv::Mat> DotNetwork::Impl::run(const cv::Mat& input) {
         en::say("this network outputs {} for {}, which are neither dots nor boxes",
                 outputs.empty() ? std::string("nothing") : shape_text(shape_of(outputs.front())),
                 shape_text(shape_of(input))),
-        onnx);
+        onnx_);
   if (!is_finite(*output))
-    return unusable(en::say("this network outputs numbers that are not finite"), onnx);
+    return unusable(en::say("this network outputs numbers that are not finite"), onnx_);
   return *output;
 }
 
-Status DotNetwork::Impl::check() {
-  auto yaml = onnx;
+Status DotNetwork::check() {
+  auto yaml = onnx_;
   const auto expected = NetworkCheck::load(yaml.replace_extension(".yaml"));
   if (!expected) return expected.error();
-  if (kind == NetworkKind::kDots && !*expected)
+  if (outputs_dots_ && !*expected)
     return Error{en::say("the file with this network's expected output is missing"),
                  yaml,
                  en::say("training it again, which writes both files")};
-  const cv::Size own = *expected ? (*expected)->image_size : size;
-  if (kind == NetworkKind::kBoxes && own != size)
+  const cv::Size own = *expected ? (*expected)->image_size : size_;
+  if (!outputs_dots_ && own != size_)
     return Error{en::say("the image must have the size of the network's input, {} x {}",
-                         size.width,
-                         size.height),
+                         size_.width,
+                         size_.height),
                  yaml,
                  ""};
   InputMap input_map;
   const auto got = run(input_of(check_image(own), &input_map));
   if (!got) return got.error();
-  return *expected ? (*expected)->holds(*got, onnx) : Status();
+  return *expected ? (*expected)->holds(*got, onnx_) : Status();
 }
 
 Result<DotNetwork> DotNetwork::load(const std::filesystem::path& onnx) {
@@ -146,43 +132,37 @@ Result<DotNetwork> DotNetwork::load(const std::filesystem::path& onnx) {
                             kMinSide,
                             kMaxInputSide),
                     onnx);
-  auto impl = std::make_unique<Impl>();
-  impl->onnx = onnx;
-  impl->channels = static_cast<int>(in[1]);
-  impl->size = {static_cast<int>(in[3]), static_cast<int>(in[2])};
+  DotNetwork network;
+  network.onnx_ = onnx;
+  network.channels_ = static_cast<int>(in[1]);
+  network.size_ = {static_cast<int>(in[3]), static_cast<int>(in[2])};
   const bool has_dots =
       std::any_of(header->outputs.begin(), header->outputs.end(), [](const OnnxPort& port) {
         return port.shape.size() == 4 && port.shape[1] == 3;
       });
-  impl->kind = has_dots && in[1] == 1 ? NetworkKind::kDots : NetworkKind::kBoxes;
+  network.outputs_dots_ = has_dots && in[1] == 1;
   try {
     const QuietOpenCv quiet;
-    impl->net = cv::dnn::readNetFromONNX(bytes->data(), bytes->size());
-    impl->net.setPreferableBackend(cv::dnn::DNN_BACKEND_OPENCV);
+    network.net_ = cv::dnn::readNetFromONNX(bytes->data(), bytes->size());
+    network.net_.setPreferableBackend(cv::dnn::DNN_BACKEND_OPENCV);
     // With fusion OpenCV 4.6 computes YOLO11's attention wrongly without an error.
-    impl->net.enableFusion(impl->kind == NetworkKind::kDots);
+    network.net_.enableFusion(network.outputs_dots_);
   } catch (const std::exception&) {
     return unusable(
         en::say("OpenCV cannot read this network (opset {}; it supports those up to 12 well)",
                 header->opset),
         onnx);
   }
-  if (const Status status = impl->check(); !status) return status.error();
-  return DotNetwork(std::move(impl));
+  if (const Status status = network.check(); !status) return status.error();
+  return network;
 }
 
 Result<std::vector<NetworkDot>> DotNetwork::operator()(const cv::Mat& grey) {
   InputMap input_map;
-  const auto output = impl_->run(impl_->input_of(grey, &input_map));
+  const auto output = run(input_of(grey, &input_map));
   if (!output) return output.error();
-  return impl_->kind == NetworkKind::kDots ? dots_of(*output, input_map)
-                                           : boxes_of(*output, input_map);
+  return outputs_dots_ ? dots_of(*output, input_map) : boxes_of(*output, input_map);
 }
-
-DotNetwork::DotNetwork(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
-DotNetwork::DotNetwork(DotNetwork&&) noexcept = default;
-DotNetwork& DotNetwork::operator=(DotNetwork&&) noexcept = default;
-DotNetwork::~DotNetwork() = default;
 
 Result<std::optional<NetworkCheck>> NetworkCheck::load(const std::filesystem::path& yaml) {
   std::error_code failed;
@@ -500,8 +480,7 @@ Result<OnnxHeader> read_onnx_header(std::string_view bytes, const Where& where) 
 
 namespace {
 
-constexpr int kWorkingWidth = 960;  // px, that the network for dots was trained with
-constexpr int kStride = 4;          // of its output, px
+constexpr int kStride = 4;          // of the output for dots, px
 constexpr float kMinLogit = -2.0F;  // probability 0.12: measuring rejects false ones
 constexpr double kMinBoxScore = 0.25;
 constexpr double kMaxIou = 0.45;  // intersection over union of two boxes
@@ -517,20 +496,6 @@ double vertex(float before, float here, float after) {
   const float bend = before - 2 * here + after;
   if (!(bend < 0)) return 0;
   return std::clamp(0.5 * static_cast<double>((before - after) / bend), -0.5, 0.5);
-}
-
-bool is_peak(const cv::Mat& plane, int x, int y) {
-  const float here = plane.at<float>(y, x);
-  for (int dy = -1; dy <= 1; ++dy)
-    for (int dx = -1; dx <= 1; ++dx) {
-      const int nx = x + dx, ny = y + dy;
-      if ((dx == 0 && dy == 0) || nx < 0 || ny < 0 || nx >= plane.cols || ny >= plane.rows)
-        continue;
-      const bool is_earlier = dy < 0 || (dy == 0 && dx < 0);
-      const float other = plane.at<float>(ny, nx);
-      if (other > here || (is_earlier && other == here)) return false;
-    }
-  return true;
 }
 
 void sort_by_score(std::vector<NetworkDot>& dots) {
@@ -564,16 +529,8 @@ double iou(const NetworkDot& a, const NetworkDot& b) {
 }  // namespace
 
 cv::Mat dots_input(const cv::Mat& grey, InputMap* input_map) {
-  const int f =
-      std::max(1, static_cast<int>(std::lround(static_cast<double>(grey.cols) / kWorkingWidth)));
-  cv::Mat small = grey;
-  if (f > 1)
-    cv::resize(grey(cv::Rect(0, 0, grey.cols / f * f, grey.rows / f * f)),
-               small,
-               cv::Size(grey.cols / f, grey.rows / f),
-               0,
-               0,
-               cv::INTER_AREA);
+  int f = 1;
+  const cv::Mat small = reduced_for_dots(grey, &f);
   *input_map = {1.0 / f, -0.5 * (f - 1) / f, -0.5 * (f - 1) / f};
   std::array<float, 256> root;
   for (std::size_t g = 0; g < 256; ++g) root[g] = std::sqrt(static_cast<float>(g) / 255.0F);
@@ -621,7 +578,7 @@ std::vector<NetworkDot> dots_of(const cv::Mat& output, const InputMap& input_map
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       const float here = logits.at<float>(y, x);
-      if (here < kMinLogit || !is_peak(logits, x, y)) continue;
+      if (here < kMinLogit || !is_peak<float>(logits, x, y)) continue;
       double cell_x = x, cell_y = y;
       if (x > 0 && x + 1 < width)
         cell_x += vertex(logits.at<float>(y, x - 1), here, logits.at<float>(y, x + 1));
@@ -694,12 +651,6 @@ std::optional<Dot> measured(const cv::Mat& grey,
     return dot;
   }
   return std::nullopt;
-}
-
-bool is_among(const std::vector<Dot>& dots, const Dot& dot) {
-  return std::any_of(dots.begin(), dots.end(), [&](const Dot& other) {
-    return std::hypot(other.u - dot.u, other.v - dot.v) < std::max(1.5, 0.8 * other.radius_px);
-  });
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include <opencv2/core.hpp>
+#include <opencv2/dnn.hpp>
 
 namespace alltact {
 
@@ -20,6 +21,14 @@ namespace alltact {
 struct NetworkDot {
   double u = 0, v = 0, half_u = 0, half_v = 0;
   double score = 0;  ///< 0 to 1
+};
+
+/// Map from the input of a network to the image: u = (x - left) / scale, with pixel centres at
+/// integers.
+struct InputMap {
+  double scale = 1, left = 0, top = 0;
+  [[nodiscard]] double u(double x) const { return (x - left) / scale; }
+  [[nodiscard]] double v(double y) const { return (y - top) / scale; }
 };
 
 /// Two kinds of networks are distinguished by the shapes of their inputs and outputs:
@@ -43,14 +52,18 @@ class DotNetwork {
   /// returns numbers that are not finite.
   [[nodiscard]] Result<std::vector<NetworkDot>> operator()(const cv::Mat& grey);
 
-  DotNetwork(DotNetwork&&) noexcept;
-  DotNetwork& operator=(DotNetwork&&) noexcept;
-  ~DotNetwork();
-
  private:
-  struct Impl;
-  explicit DotNetwork(std::unique_ptr<Impl> impl);
-  std::unique_ptr<Impl> impl_;
+  DotNetwork() = default;
+  [[nodiscard]] bool is_output(const cv::Mat& m, const cv::Mat& input) const;
+  [[nodiscard]] Result<cv::Mat> run(const cv::Mat& input);
+  [[nodiscard]] cv::Mat input_of(const cv::Mat& grey, InputMap* input_map) const;
+  [[nodiscard]] Status check();
+
+  std::filesystem::path onnx_;
+  bool outputs_dots_ = true;  // else boxes
+  cv::Size size_;             // of the input
+  int channels_ = 1;
+  cv::dnn::Net net_;
 };
 
 /// The project's own network, in resources/models.
@@ -102,14 +115,6 @@ struct OnnxHeader {
 [[nodiscard]] Result<OnnxHeader> read_onnx_header(std::string_view bytes, const Where& where);
 
 // Converts images to network inputs, and network outputs to dots.
-
-/// Map from the input of a network to the image: u = (x - left) / scale, with pixel centres at
-/// integers.
-struct InputMap {
-  double scale = 1, left = 0, top = 0;
-  [[nodiscard]] double u(double x) const { return (x - left) / scale; }
-  [[nodiscard]] double v(double y) const { return (y - top) / scale; }
-};
 
 /// Input of the network for dots: the image reduced by an integer factor to a width of about 960
 /// px, and the square root of grey / 255 as [1, 1, height, width].

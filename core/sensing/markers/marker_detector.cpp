@@ -11,14 +11,10 @@
 namespace alltact {
 namespace {
 
-constexpr int kSmallWidth = 960;  // px, of the image that candidates are searched in
-
-// A spot of the reduced image, in its pixels.
+// A spot of the reduced image.
 struct Candidate {
-  int x, y;
-  int height;  // above the morphological opening
-  double centre_x, centre_y, half_x, half_y;
-  bool upper;
+  int height;    // above the morphological opening
+  DotSeed seed;  // in pixels of the full image
 };
 
 // The reduced image and the extent of the two side faces in it.
@@ -31,18 +27,8 @@ struct Small {
 
 Small shrink(const cv::Mat& grey, const SideEdges& edges) {
   Small small;
-  small.factor =
-      std::max(1, static_cast<int>(std::lround(static_cast<double>(grey.cols) / kSmallWidth)));
+  small.grey = reduced_for_dots(grey, &small.factor);
   const int f = small.factor;
-  if (f == 1)
-    small.grey = grey;
-  else  // complete blocks only, so that a small pixel is exactly f x f large ones
-    cv::resize(grey(cv::Rect(0, 0, grey.cols / f * f, grey.rows / f * f)),
-               small.grey,
-               cv::Size(grey.cols / f, grey.rows / f),
-               0,
-               0,
-               cv::INTER_AREA);
   const int width = small.grey.cols, height = small.grey.rows;
   small.upper_end.resize(static_cast<std::size_t>(width));
   small.lower_begin.resize(static_cast<std::size_t>(width));
@@ -93,20 +79,6 @@ int walk(const cv::Mat& response, int x, int y, int dx, int dy, int half, int li
   return steps;
 }
 
-bool is_summit(const cv::Mat& r, int x, int y) {
-  const int value = r.at<std::uint8_t>(y, x);
-  for (int dy = -1; dy <= 1; ++dy)
-    for (int dx = -1; dx <= 1; ++dx) {
-      if (dx == 0 && dy == 0) continue;
-      const int nx = x + dx, ny = y + dy;
-      if (nx < 0 || ny < 0 || nx >= r.cols || ny >= r.rows) continue;
-      const int other = r.at<std::uint8_t>(ny, nx);
-      const bool earlier = dy < 0 || (dy == 0 && dx < 0);
-      if (other > value || (earlier && other == value)) return false;
-    }
-  return true;
-}
-
 // Half the rows of a side face hold no dot. So the median of the response is that of bare skin, and
 // the values below it give the noise.
 int threshold_of(const cv::Mat& response, const Small& small) {
@@ -131,9 +103,9 @@ int threshold_of(const cv::Mat& response, const Small& small) {
   return median + std::max(4, static_cast<int>(4.0 * sd));
 }
 
-std::vector<Candidate> candidates(const cv::Mat& response,
-                                  const Small& small,
-                                  std::size_t max_count) {
+std::vector<Candidate> candidates(const Small& small, bool bright, std::size_t max_count) {
+  const cv::Mat response = spots(small, bright);
+  const double f = small.factor;
   const int threshold = threshold_of(response, small);
   std::vector<Candidate> found;
   for (int y = 0; y < response.rows; ++y) {
@@ -142,7 +114,7 @@ std::vector<Candidate> candidates(const cv::Mat& response,
       if (row[x] < threshold) continue;
       const bool upper = y <= small.upper_end[static_cast<std::size_t>(x)];
       if (!upper && y < small.lower_begin[static_cast<std::size_t>(x)]) continue;
-      if (!is_summit(response, x, y)) continue;
+      if (!is_peak<std::uint8_t>(response, x, y)) continue;
       const int half = row[x] / 2, limit = 24;
       const int left = walk(response, x, y, -1, 0, half, limit);
       const int right = walk(response, x, y, 1, 0, half, limit);
@@ -150,14 +122,14 @@ std::vector<Candidate> candidates(const cv::Mat& response,
       const int down = walk(response, x, y, 0, 1, half, limit);
       // A stripe or a patch larger than any dot.
       if (left + right >= 2 * limit || up + down >= 2 * limit) continue;
-      found.push_back({x,
-                       y,
-                       row[x],
-                       x + 0.5 * (right - left),
-                       y + 0.5 * (down - up),
-                       0.5 * (left + right + 1),
-                       0.5 * (up + down + 1),
-                       upper});
+      DotSeed seed;
+      seed.u = f * (x + 0.5 * (right - left)) + 0.5 * (f - 1);
+      seed.v = f * (y + 0.5 * (down - up)) + 0.5 * (f - 1);
+      seed.half_u = f * (0.5 * (left + right + 1));
+      seed.half_v = f * (0.5 * (up + down + 1));
+      seed.upper = upper;
+      seed.sign = bright ? 1 : -1;
+      found.push_back({row[x], seed});
     }
   }
   std::stable_sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) {
@@ -167,28 +139,13 @@ std::vector<Candidate> candidates(const cv::Mat& response,
   return found;
 }
 
-bool is_known(const std::vector<Dot>& dots, const Dot& dot) {
-  return std::any_of(dots.begin(), dots.end(), [&](const Dot& other) {
-    return std::hypot(other.u - dot.u, other.v - dot.v) < std::max(1.5, 0.8 * other.radius_px);
-  });
-}
-
 std::vector<Dot> detect(
     const cv::Mat& grey, const SideEdges& edges, const Small& small, bool bright, int per_row) {
-  const cv::Mat response = spots(small, bright);
   const auto max_count = static_cast<std::size_t>(16 * per_row + 32);
   std::vector<Dot> dots;
-  const double f = small.factor;
-  for (const Candidate& candidate : candidates(response, small, max_count)) {
-    DotSeed seed;
-    seed.u = f * candidate.centre_x + 0.5 * (f - 1);
-    seed.v = f * candidate.centre_y + 0.5 * (f - 1);
-    seed.half_u = f * candidate.half_x;
-    seed.half_v = f * candidate.half_y;
-    seed.upper = candidate.upper;
-    seed.sign = bright ? 1 : -1;
-    const auto dot = measure_dot(grey, edges, seed);
-    if (dot && !is_known(dots, *dot)) dots.push_back(*dot);
+  for (const Candidate& candidate : candidates(small, bright, max_count)) {
+    const auto dot = measure_dot(grey, edges, candidate.seed);
+    if (dot && !is_among(dots, *dot)) dots.push_back(*dot);
   }
   // Dots far fainter than the expected rows are noise.
   std::vector<double> contrasts;

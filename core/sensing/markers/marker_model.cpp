@@ -163,11 +163,6 @@ double smallest_spacing(const Eigen::MatrixXd& layouts) {
   return std::isfinite(min_spacing) ? std::max(min_spacing, 1.0) : 1.0;
 }
 
-int seen_count(const Markers& markers) {
-  return static_cast<int>(
-      std::count_if(markers.begin(), markers.end(), [](const Marker& m) { return m.seen; }));
-}
-
 Markers markers_from(const std::vector<Dot>& dots, const std::vector<int>& dot_of) {
   Markers markers(dot_of.size());
   for (std::size_t m = 0; m < markers.size(); ++m) {

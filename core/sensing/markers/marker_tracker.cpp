@@ -17,11 +17,6 @@ namespace {
 
 constexpr double kMaxResidualPx = 3.0;  // above this the numbers are rejected
 
-std::size_t count_of_seen(const Markers& markers) {
-  return static_cast<std::size_t>(
-      std::count_if(markers.begin(), markers.end(), [](const Marker& m) { return m.seen; }));
-}
-
 }  // namespace
 
 MarkerTracker::MarkerTracker(MarkerRows rows, MarkerModel model)
@@ -46,11 +41,11 @@ std::optional<Markers> MarkerTracker::follow(const cv::Mat& grey, const FaceShap
       if (markers[a].seen && markers[b].seen &&
           std::hypot(markers[a].u - markers[b].u, markers[a].v - markers[b].v) < 1.0)
         return std::nullopt;  // two markers on one dot: at least one of them jumped
-  const std::size_t found = count_of_seen(markers);
-  if (found + 1 < count_of_seen(*last_)) return std::nullopt;
+  const int found = seen_count(markers);
+  if (found + 1 < seen_count(*last_)) return std::nullopt;
   auto completed = model_.complete(std::move(markers));
   if (!completed || model_.residual_px(*completed) > kMaxResidualPx) return std::nullopt;
-  if (count_of_seen(*completed) + 1 < found) return std::nullopt;  // several contradict the others
+  if (seen_count(*completed) + 1 < found) return std::nullopt;  // several contradict the others
   return completed;
 }
 
@@ -239,24 +234,27 @@ Polarity EvenRows::polarity() {
   return failures_++ % kRetryPeriod == kRetryPeriod - 1 ? Polarity::kAuto : *known_polarity_;
 }
 
-EvenRows::Seen EvenRows::operator()(const cv::Mat& grey, const FaceShape& shape) {
-  Seen seen;
-  if (grey.cols != shape.width_px() || rows_.per_row < 1) return seen;
+std::optional<Markers> EvenRows::operator()(const cv::Mat& grey,
+                                            const FaceShape& shape,
+                                            std::vector<Dot>& dots) {
+  dots.clear();
+  if (grey.cols != shape.width_px() || rows_.per_row < 1) return std::nullopt;
   auto markers = follow(grey, shape);
   if (!markers) {
     auto found = MarkerDetector({rows_.per_row, polarity()})(grey, shape);
     markers = two_rows(found.dots, rows_.per_row, shape.base_at_low_u());
-    if (markers) known_polarity_ = found.polarity;
-    if (!markers) seen.dots = std::move(found.dots);
+    if (markers)
+      known_polarity_ = found.polarity;
+    else
+      dots = std::move(found.dots);
   }
   if (!markers) {
     last_.clear();
-    return seen;
+    return std::nullopt;
   }
   failures_ = 0;
   last_ = std::move(*markers);
-  seen.markers = as_markers(last_);
-  return seen;
+  return as_markers(last_);
 }
 
 void EvenRows::forget() {

@@ -44,9 +44,6 @@ class MarkerTracker : public MarkerFinder {
 
 // Selectable methods of finding a finger's markers.
 
-/// As text: "blobs", "paper", "network".
-[[nodiscard]] const char* to_string(MarkerMethod method);
-
 /// network: an ONNX file, or kBuiltInNetwork. Errors: those of DotNetwork::load, where a network is
 /// used.
 [[nodiscard]] Result<std::unique_ptr<MarkerFinder>> make_marker_finder(MarkerMethod method,
@@ -66,13 +63,11 @@ class EvenRows {
  public:
   explicit EvenRows(MarkerRows rows) : rows_(rows) {}
 
-  /// `markers` where both rows are even (marker_detector.h), else the `dots`
+  /// The markers where both rows are even (marker_detector.h), else nullopt; `dots` are then those
   /// found.
-  struct Seen {
-    std::optional<Markers> markers;
-    std::vector<Dot> dots;
-  };
-  [[nodiscard]] Seen operator()(const cv::Mat& grey, const FaceShape& shape);
+  [[nodiscard]] std::optional<Markers> operator()(const cv::Mat& grey,
+                                                  const FaceShape& shape,
+                                                  std::vector<Dot>& dots);
   /// Call before a frame that does not follow the last one in time.
   void forget();
 

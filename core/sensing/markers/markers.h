@@ -8,6 +8,7 @@
 #include "core/finger/finger.h"
 #include "core/sensing/face/face_shape.h"
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -25,6 +26,14 @@ struct Marker {
 
 /// 2n markers, indexed by number.
 using Markers = std::vector<Marker>;
+
+[[nodiscard]] inline int seen_count(const Markers& markers) {
+  return static_cast<int>(
+      std::count_if(markers.begin(), markers.end(), [](const Marker& m) { return m.seen; }));
+}
+[[nodiscard]] inline bool are_all_seen(const Markers& markers) {
+  return seen_count(markers) == static_cast<int>(markers.size());
+}
 
 /// A dot detected in the image, not yet numbered.
 struct Dot {
@@ -82,5 +91,8 @@ enum class MarkerMethod {
   /// A convolutional network in every frame. Its dots are numbered like those of kBlobs.
   kNetwork,
 };
+
+/// As text: "blobs", "paper", "network".
+[[nodiscard]] const char* to_string(MarkerMethod method);
 
 }  // namespace alltact

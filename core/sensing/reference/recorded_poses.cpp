@@ -110,8 +110,7 @@ std::vector<LayoutSearch::Bound> LayoutSearch::bounds(const Markers& markers) co
   return bounds;
 }
 
-LayoutSearch::Found LayoutSearch::nearest(const Markers& markers,
-                                          const std::vector<char>& without) const {
+NearestFrame LayoutSearch::nearest(const Markers& markers, const std::vector<char>& without) const {
   const std::vector<std::size_t> numbers = counted_markers(markers);
   std::vector<float> sum;
   int best_row = 0;
@@ -154,22 +153,18 @@ LayoutSearch::Stored LayoutSearch::stored(std::size_t row) const {
 double LayoutSearch::distance_px(const Markers& markers,
                                  const std::vector<int>& rows,
                                  const Eigen::VectorXd& weights) const {
-  const auto seen = [](const Marker& m) { return m.seen; };
-  const bool any_seen = std::any_of(markers.begin(), markers.end(), seen);
   std::vector<Stored> layouts;
   for (const int row : rows) layouts.push_back(stored(static_cast<std::size_t>(row)));
+  const std::vector<std::size_t> numbers = counted_markers(markers);
   double sum = 0;
-  int used = 0;
-  for (std::size_t m = 0; m < markers.size(); ++m) {
-    if (any_seen && !markers[m].seen) continue;
+  for (const std::size_t m : numbers) {
     Eigen::Vector2d position = Eigen::Vector2d::Zero();
     for (std::size_t i = 0; i < layouts.size(); ++i)
       position +=
           weights[static_cast<Eigen::Index>(i)] * Eigen::Vector2d(layouts[i].u(m), layouts[i].v(m));
     sum += std::hypot(markers[m].u - position.x(), markers[m].v - position.y());
-    ++used;
   }
-  return sum / std::max(1, used);
+  return sum / static_cast<double>(std::max<std::size_t>(1, numbers.size()));
 }
 
 double LayoutSearch::median_step_px() const {
@@ -238,6 +233,16 @@ std::vector<int> spread_neighbours(const Eigen::MatrixXd& modes,
   return taken;
 }
 
+double reach_px2(const Eigen::MatrixXd& points,
+                 const Eigen::VectorXd& pose,
+                 const Eigen::VectorXd& weights) {
+  const Eigen::VectorXd square = (points.rowwise() - pose.transpose()).rowwise().squaredNorm();
+  const double missed = (points.transpose() * weights - pose).norm();
+  const double magnitude = weights.lpNorm<1>();
+  const double spread = weights.cwiseAbs().dot(square);
+  return spread + missed * std::sqrt(spread / std::max(1.0, magnitude));
+}
+
 }  // namespace
 
 Eigen::VectorXd local_linear_weights(const Eigen::MatrixXd& points,
@@ -273,11 +278,10 @@ PoseNeighbours pose_neighbours(const Eigen::MatrixXd& modes,
   constexpr int kCandidates = 8;  // times as many
   found.rows = spread_neighbours(
       modes, pose, nearest_rows(modes, pose, kCandidates * count, without), count);
-  found.points.resize(static_cast<Eigen::Index>(found.rows.size()), pose.size());
-  for (std::size_t i = 0; i < found.rows.size(); ++i)
-    found.points.row(static_cast<Eigen::Index>(i)) = modes.row(found.rows[i]);
+  const Eigen::MatrixXd points = modes(found.rows, Eigen::all);
   const double ridge_px = kMismatchPx * std::sqrt(static_cast<double>(marker_count));
-  found.weights = local_linear_weights(found.points, pose, ridge_px, kMaxWeight);
+  found.weights = local_linear_weights(points, pose, ridge_px, kMaxWeight);
+  found.reach_px2 = reach_px2(points, pose, found.weights);
   return found;
 }
 
@@ -411,10 +415,6 @@ namespace {
 constexpr std::size_t kMinPoses = 8;
 constexpr Eigen::Index kMaxTries = 100;  // frames from which the standard deviation is learnt
 
-bool all_seen(const Markers& markers) {
-  return std::all_of(markers.begin(), markers.end(), [](const Marker& m) { return m.seen; });
-}
-
 Eigen::VectorXd as_row(const Markers& markers) {
   Eigen::VectorXd row(static_cast<Eigen::Index>(2 * markers.size()));
   for (std::size_t m = 0; m < markers.size(); ++m)
@@ -432,7 +432,7 @@ std::optional<ShapePoses> ShapePoses::learn(const std::vector<EdgeCurves>& faces
   std::vector<Eigen::Index> frames;
   for (std::size_t i = 0; i < faces.size(); ++i) {
     Markers at = markers_at(*positions, faces[i]);
-    if (!all_seen(at)) continue;
+    if (!are_all_seen(at)) continue;
     seen.push_back(std::move(at));
     frames.push_back(static_cast<Eigen::Index>(i));
   }

@@ -19,19 +19,22 @@
 
 namespace alltact {
 
+/// The recorded frame nearest to the markers of another.
+struct NearestFrame {
+  int row = 0;             ///< index into the recording
+  double distance_px = 0;  ///< mean over the markers that count
+};
+
 class LayoutSearch {
  public:
   /// layouts: one row a frame, (u0, v0, u1, ...), px, at least one row, finite.
   explicit LayoutSearch(const Eigen::MatrixXd& layouts);
 
-  struct Found {
-    int row;
-    double distance_px;  ///< mean over the markers that count
-  };
   /// The row with the smallest mean distance over the seen markers (all, when none is seen). The
   /// lowest row wins a tie. `without` (by row) marks excluded rows; empty: none. Without any row
   /// left the distance is infinite.
-  [[nodiscard]] Found nearest(const Markers& markers, const std::vector<char>& without = {}) const;
+  [[nodiscard]] NearestFrame nearest(const Markers& markers,
+                                     const std::vector<char>& without = {}) const;
 
   /// Mean distance, over the same markers, to the sum of weights[i] times row rows[i].
   [[nodiscard]] double distance_px(const Markers& markers,
@@ -97,19 +100,22 @@ class LayoutSearch {
 
 inline constexpr int kPoseNeighbours = 8;  ///< default: more gain little and cost their share
 
-/// Recorded frames that approximate a pose together, and their weights.
+/// Recorded frames that approximate a pose together.
 struct PoseNeighbours {
-  std::vector<int> rows;    ///< the first is the nearest
-  Eigen::MatrixXd points;   ///< their modes, a row each, px
-  Eigen::VectorXd weights;  ///< local_linear_weights()
+  std::vector<int> rows;
+  Eigen::VectorXd weights;  ///< sum to 1
+  /// Distance of the pose from its neighbours, px^2: sum |w_i| |p_i - pose|^2, with which the error
+  /// of a local linear regression grows. To it comes the residual of the pose times the neighbours'
+  /// distance.
+  double reach_px2 = 0;
 };
 
-/// Selects `count` rows of `modes` (a row per frame, px) near the `pose` and on all sides of it.
-/// The nearest frames alone are often from one move, in a line, and a regression over a line does
-/// not constrain other directions. Over simulated fingers the markers of the combined frames lie
-/// half as far from those of the pose as with the nearest alone.
-/// marker_count: of the layouts of the modes. `without` (by row) marks frames to exclude, empty:
-/// none.
+/// Selects `count` rows of `modes` (a row per frame, px) near the `pose` and on all sides of it,
+/// the nearest first; their weights are local_linear_weights(). The nearest frames alone are often
+/// from one move, in a line, and a regression over a line does not constrain other directions. Over
+/// simulated fingers the markers of the combined frames lie half as far from those of the pose as
+/// with the nearest alone. marker_count: of the layouts of the modes. `without` (by row) marks
+/// frames to exclude, empty: none.
 [[nodiscard]] PoseNeighbours pose_neighbours(const Eigen::MatrixXd& modes,
                                              const Eigen::VectorXd& pose,
                                              int marker_count,

@@ -519,7 +519,7 @@ double noise_square(const cv::Mat& residual, const cv::Mat& level) {
   return squares.empty() ? 0.0 : upper_median(squares) / kMedianOfSquare;
 }
 
-cv::Mat computed_from(const std::vector<cv::Mat>& cells, const Neighbours& neighbours) {
+cv::Mat computed_from(const std::vector<cv::Mat>& cells, const PoseNeighbours& neighbours) {
   cv::Mat sum(cells.front().size(), CV_32FC1, cv::Scalar(0)), shown = sum == 0.0F;
   for (std::size_t k = 0; k < neighbours.rows.size(); ++k) {
     const cv::Mat& one = cells[static_cast<std::size_t>(neighbours.rows[k])];
@@ -530,41 +530,29 @@ cv::Mat computed_from(const std::vector<cv::Mat>& cells, const Neighbours& neigh
   return sum;
 }
 
-/// Squared errors of the cells in the studied frames, and their noise; NaN where a frame did not
-/// show a cell.
-struct Residuals {
-  std::vector<cv::Mat> square, noise;
-  explicit Residuals(std::size_t count) : square(count), noise(count) {}
-  void set(std::size_t k, const cv::Mat& residual, const cv::Mat& level) {
-    square[k] = residual.mul(residual);
-    noise[k] = noise_square(residual, level) / level.mul(level);
-  }
-};
-
-/// Sums over the studied frames, noise subtracted. Frames with an unnoticed contact at a cell are
-/// outliers there and excluded.
-struct Sums {
-  cv::Mat square, count;
-  explicit Sums(const Residuals& studied)
-      : square(studied.square.front().size(), CV_32FC1, cv::Scalar(0)), count(square.clone()) {
-    constexpr double kFar = 4.0;  // standard deviations
-    std::vector<float> squares;
-    for (int y = 0; y < square.rows; ++y)
-      for (int x = 0; x < square.cols; ++x) {
-        squares.clear();
-        for (const cv::Mat& one : studied.square)
-          if (const float off2 = one.at<float>(y, x); std::isfinite(off2)) squares.push_back(off2);
-        const auto limit =
-            kFar * kFar / kMedianOfSquare * static_cast<double>(upper_median(squares));
-        for (std::size_t k = 0; k < studied.square.size(); ++k) {
-          const float off2 = studied.square[k].at<float>(y, x);
-          if (!(static_cast<double>(off2) <= limit)) continue;
-          square.at<float>(y, x) += off2 - studied.noise[k].at<float>(y, x);
-          count.at<float>(y, x) += 1.0F;
-        }
+/// Adds up the squared errors of each cell over the studied frames, less their noise, and counts
+/// them. They are NaN where a frame did not show a cell. Frames with an unnoticed contact at a cell
+/// are outliers there and excluded.
+void add_inliers(const std::vector<cv::Mat>& squares,
+                 const std::vector<cv::Mat>& noise,
+                 cv::Mat& sum,
+                 cv::Mat& count) {
+  constexpr double kFar = 4.0;  // standard deviations
+  std::vector<float> shown;
+  for (int y = 0; y < sum.rows; ++y)
+    for (int x = 0; x < sum.cols; ++x) {
+      shown.clear();
+      for (const cv::Mat& one : squares)
+        if (const float off2 = one.at<float>(y, x); std::isfinite(off2)) shown.push_back(off2);
+      const auto limit = kFar * kFar / kMedianOfSquare * static_cast<double>(upper_median(shown));
+      for (std::size_t k = 0; k < squares.size(); ++k) {
+        const float off2 = squares[k].at<float>(y, x);
+        if (!(static_cast<double>(off2) <= limit)) continue;
+        sum.at<float>(y, x) += off2 - noise[k].at<float>(y, x);
+        count.at<float>(y, x) += 1.0F;
       }
-  }
-};
+    }
+}
 
 }  // namespace
 
@@ -572,16 +560,6 @@ double ReferenceError::factor(double reach) const {
   if (!(typical_reach_px2 > 0.0)) return 1.0;
   const double further = reach / typical_reach_px2;
   return std::sqrt(kConstantPart + (1.0 - kConstantPart) * further * further);
-}
-
-double reach_px2(const Eigen::MatrixXd& points,
-                 const Eigen::VectorXd& pose,
-                 const Eigen::VectorXd& weights) {
-  const Eigen::VectorXd square = (points.rowwise() - pose.transpose()).rowwise().squaredNorm();
-  const double missed = (points.transpose() * weights - pose).norm();
-  const double magnitude = weights.lpNorm<1>();
-  const double spread = weights.cwiseAbs().dot(square);
-  return spread + missed * std::sqrt(spread / std::max(1.0, magnitude));
 }
 
 void remove_drift(const FaceGrid& grid,
@@ -607,25 +585,28 @@ void remove_drift(const FaceGrid& grid,
 
 ReferenceError reference_error(const FaceGrid& grid,
                                const std::vector<FaceImage>& faces,
-                               const std::function<Neighbours(int)>& neighbours_of) {
+                               const std::function<PoseNeighbours(int)>& neighbours_of) {
   const std::vector<cv::Mat> cells = cells_of(grid, faces);
   const std::size_t studied = std::min(faces.size(), std::size_t{kMaxStudied});
-  Residuals frames(studied);
+  std::vector<cv::Mat> squares(studied), noise(studied);
   std::vector<double> reaches(studied);
   for_all(static_cast<int>(studied), [&](std::size_t k) {
     const std::size_t i = k * faces.size() / studied;
-    const Neighbours neighbours = neighbours_of(static_cast<int>(i));
+    const PoseNeighbours neighbours = neighbours_of(static_cast<int>(i));
     const cv::Mat computed = computed_from(cells, neighbours);
-    frames.set(k, residual_of(cells[i], computed), computed);
+    const cv::Mat residual = residual_of(cells[i], computed);
+    squares[k] = residual.mul(residual);
+    noise[k] = noise_square(residual, computed) / computed.mul(computed);
     reaches[k] = neighbours.reach_px2;
   });
   ReferenceError error;
   error.typical_reach_px2 = upper_median(reaches);
   // Averaged over a cell and its neighbours, because each has few frames.
-  const Sums sums(frames);
+  cv::Mat sum(cells.front().size(), CV_32FC1, cv::Scalar(0)), count = sum.clone();
+  add_inliers(squares, noise, sum, count);
   cv::Mat square, number;
-  cv::boxFilter(sums.square, square, CV_32F, {3, 3}, {-1, -1}, false, cv::BORDER_ISOLATED);
-  cv::boxFilter(sums.count, number, CV_32F, {3, 3}, {-1, -1}, false, cv::BORDER_ISOLATED);
+  cv::boxFilter(sum, square, CV_32F, {3, 3}, {-1, -1}, false, cv::BORDER_ISOLATED);
+  cv::boxFilter(count, number, CV_32F, {3, 3}, {-1, -1}, false, cv::BORDER_ISOLATED);
   cv::sqrt(cv::max(square / cv::max(number, 1.0), 0.0), error.relative_sd);
   // Cells without a studied frame take the greatest error.
   double worst = 0;

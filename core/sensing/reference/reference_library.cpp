@@ -44,6 +44,21 @@ struct ReferenceLibrary::Content {
                                              MarkerModel learnt,
                                              const MarkerTable& table,
                                              const FingerSnapshot& snapshot);
+  /// Reads the faces from the frames of a recording, and saves them where there is a `key`.
+  static Result<std::shared_ptr<const Content>> from_frames(const RecordingInput& frames,
+                                                            MarkerModel learnt,
+                                                            const Finger& finger,
+                                                            const Camera& camera,
+                                                            const Job& job,
+                                                            std::size_t memory_limit_bytes,
+                                                            const std::optional<CacheKey>& key);
+  /// From the cache, else from the video.
+  static Result<std::shared_ptr<const Content>> read(const std::filesystem::path& video_file,
+                                                     const MarkerTable& table,
+                                                     const FingerSnapshot& snapshot,
+                                                     const std::optional<CacheKey>& key,
+                                                     const Job& job,
+                                                     std::size_t memory_limit_bytes);
   /// Removes the drift of the light from the faces, and estimates the error of references.
   void analyse_faces();
   /// Saves the analysed faces for the next run; on failure that run reads the recording again.
@@ -51,12 +66,12 @@ struct ReferenceLibrary::Content {
                   std::vector<FoundFace> found,
                   const std::vector<std::size_t>& retained);
   /// The recorded frames nearest to a pose in the modes, and their weights there.
-  [[nodiscard]] Neighbours neighbours(const Eigen::VectorXd& pose,
-                                      const std::vector<char>& without,
-                                      int count = kPoseNeighbours) const;
-  [[nodiscard]] FaceMix mix_of(const Neighbours& neighbours) const;
+  [[nodiscard]] PoseNeighbours neighbours(const Eigen::VectorXd& pose,
+                                          const std::vector<char>& without,
+                                          int count = kPoseNeighbours) const;
+  [[nodiscard]] FaceMix mix_of(const PoseNeighbours& neighbours) const;
   /// The frame in the middle of all poses, and the distance of the markers from it.
-  [[nodiscard]] Nearest rest(const Markers& markers) const;
+  [[nodiscard]] NearestFrame rest(const Markers& markers) const;
   /// Marks frames that do not show all of the skin which a frame (its warp) shows outside of the
   /// columns `shown` of the grid. Empty where there is no such skin, or too few frames show it.
   [[nodiscard]] std::vector<char> incomplete_frames(const ChartWarp& warp,
@@ -82,28 +97,28 @@ struct ReferenceLibrary::Content {
   ReferenceImage single;  // empty for a recording
 };
 
-Neighbours ReferenceLibrary::Content::neighbours(const Eigen::VectorXd& pose,
-                                                 const std::vector<char>& without,
-                                                 int count) const {
-  const PoseNeighbours near = pose_neighbours(modes, pose, model->marker_count(), without, count);
-  const Eigen::VectorXd& w = near.weights;
-  Neighbours found;
-  found.reach_px2 = reach_px2(near.points, pose, w);
-  double weight_sum = 0;
-  for (Eigen::Index i = 0; i < w.size(); ++i)
-    if (std::abs(w[i]) >= kMinWeight) weight_sum += w[i];
+PoseNeighbours ReferenceLibrary::Content::neighbours(const Eigen::VectorXd& pose,
+                                                     const std::vector<char>& without,
+                                                     int count) const {
+  PoseNeighbours near = pose_neighbours(modes, pose, model->marker_count(), without, count);
   std::vector<double> weights;
-  for (Eigen::Index i = 0; i < w.size(); ++i) {
-    if (std::abs(w[i]) < kMinWeight) continue;
-    found.rows.push_back(near.rows[static_cast<std::size_t>(i)]);
-    weights.push_back(w[i] / weight_sum);
+  std::vector<int> rows;
+  double weight_sum = 0;
+  for (std::size_t i = 0; i < near.rows.size(); ++i) {
+    const double weight = near.weights[static_cast<Eigen::Index>(i)];
+    if (std::abs(weight) < kMinWeight) continue;
+    rows.push_back(near.rows[i]);
+    weights.push_back(weight);
+    weight_sum += weight;
   }
-  found.weights =
-      Eigen::Map<const Eigen::VectorXd>(weights.data(), static_cast<Eigen::Index>(weights.size()));
-  return found;
+  near.rows = std::move(rows);
+  near.weights =
+      Eigen::Map<const Eigen::ArrayXd>(weights.data(), static_cast<Eigen::Index>(weights.size())) /
+      weight_sum;
+  return near;
 }
 
-FaceMix ReferenceLibrary::Content::mix_of(const Neighbours& neighbours) const {
+FaceMix ReferenceLibrary::Content::mix_of(const PoseNeighbours& neighbours) const {
   FaceMix mix;
   for (std::size_t i = 0; i < neighbours.rows.size(); ++i) {
     mix.faces.push_back(&faces[static_cast<std::size_t>(neighbours.rows[i])]);
@@ -112,7 +127,7 @@ FaceMix ReferenceLibrary::Content::mix_of(const Neighbours& neighbours) const {
   return mix;
 }
 
-ReferenceLibrary::Nearest ReferenceLibrary::Content::rest(const Markers& markers) const {
+NearestFrame ReferenceLibrary::Content::rest(const Markers& markers) const {
   Eigen::Index index = 0;
   modes.rowwise().squaredNorm().minCoeff(&index);
   std::vector<char> without(faces.size(), 1);
@@ -201,6 +216,25 @@ std::optional<std::string> made_from(const std::filesystem::path& video,
   return key;
 }
 
+/// nullopt: the inputs have no key, or there is no cache.
+std::optional<CacheKey> cache_key(const std::optional<std::string>& made_from) {
+  static const std::string code =
+      checksum_of_code(reinterpret_cast<const void*>(&read_recorded_faces));
+  auto folder = cache_folder("faces");
+  if (!made_from || !folder) return std::nullopt;
+  return CacheKey{std::move(*folder), code + " " + *made_from};
+}
+
+Result<MarkerModel> learn_model(const MarkerTable& table,
+                                const Finger& finger,
+                                const std::filesystem::path& video_file) {
+  std::vector<int> missing;
+  if (!finger.reference || !finger.reference->positions) missing = finger.markers.missing;
+  auto model = MarkerModel::learn(seen_layouts(table, missing), table.typical, missing);
+  if (!model) return Error{model.error().what, video_file.string(), model.error().advice};
+  return model;
+}
+
 }  // namespace
 
 Result<ReferenceLibrary> ReferenceLibrary::load(const FingerSnapshot& snapshot,
@@ -223,12 +257,12 @@ Result<ReferenceLibrary> ReferenceLibrary::load(const FingerSnapshot& snapshot,
   const auto read_content = [&]() -> Result<std::shared_ptr<const Content>> {
     const auto table = MarkerTable::load(table_file, finger.marker_count());
     if (!table) return table.error();
-    return read(video_file,
-                reduced_table(*table, snapshot.reduced_by),
-                snapshot,
-                key,
-                job,
-                memory_limit_bytes);
+    return Content::read(video_file,
+                         reduced_table(*table, snapshot.reduced_by),
+                         snapshot,
+                         cache_key(key),
+                         job,
+                         memory_limit_bytes);
   };
   static SharedValues<Content> shared;
   const Error stopped{en::say("stopped before the reference was read"), video_file, ""};
@@ -236,29 +270,6 @@ Result<ReferenceLibrary> ReferenceLibrary::load(const FingerSnapshot& snapshot,
   if (!content) return content.error();
   return ReferenceLibrary(std::move(*content));
 }
-
-namespace {
-
-/// nullopt: the inputs have no key, or there is no cache.
-std::optional<CacheKey> cache_key(const std::optional<std::string>& made_from) {
-  static const std::string code =
-      checksum_of_code(reinterpret_cast<const void*>(&read_recorded_faces));
-  auto folder = cache_folder("faces");
-  if (!made_from || !folder) return std::nullopt;
-  return CacheKey{std::move(*folder), code + " " + *made_from};
-}
-
-Result<MarkerModel> learn_model(const MarkerTable& table,
-                                const Finger& finger,
-                                const std::filesystem::path& video_file) {
-  std::vector<int> missing;
-  if (!finger.reference || !finger.reference->positions) missing = finger.markers.missing;
-  auto model = MarkerModel::learn(seen_layouts(table, missing), table.typical, missing);
-  if (!model) return Error{model.error().what, video_file.string(), model.error().advice};
-  return model;
-}
-
-}  // namespace
 
 ReferenceLibrary::Content::Content(MarkerModel learnt,
                                    RecordedFaces&& read,
@@ -323,19 +334,36 @@ void ReferenceLibrary::Content::save_cache(const CacheKey& key,
   faces = std::move(cache.faces);
 }
 
-Result<std::shared_ptr<const ReferenceLibrary::Content>> ReferenceLibrary::read(
+Result<std::shared_ptr<const ReferenceLibrary::Content>> ReferenceLibrary::Content::from_frames(
+    const RecordingInput& frames,
+    MarkerModel learnt,
+    const Finger& finger,
+    const Camera& camera,
+    const Job& job,
+    std::size_t memory_limit_bytes,
+    const std::optional<CacheKey>& key) {
+  auto faces = read_recorded_faces(frames, finger, camera, memory_limit_bytes, job);
+  if (!faces) return faces.error();
+  auto found = std::move(faces->found);
+  const auto retained = faces->retained;
+  auto content =
+      std::make_shared<Content>(std::move(learnt), std::move(*faces), frames.table, finger, camera);
+  content->analyse_faces();
+  if (key) content->save_cache(*key, std::move(found), retained);
+  return std::shared_ptr<const Content>(std::move(content));
+}
+
+Result<std::shared_ptr<const ReferenceLibrary::Content>> ReferenceLibrary::Content::read(
     const std::filesystem::path& video_file,
     const MarkerTable& table,
     const FingerSnapshot& snapshot,
-    const std::optional<std::string>& made_from,
+    const std::optional<CacheKey>& key,
     const Job& job,
     std::size_t memory_limit_bytes) {
-  const Finger& finger = snapshot.finger;
-  auto model = learn_model(table, finger, video_file);
+  auto model = learn_model(table, snapshot.finger, video_file);
   if (!model) return model.error();
-  const auto key = cache_key(made_from);
   if (key)
-    if (auto content = Content::from_cache(*key, *model, table, snapshot))
+    if (auto content = from_cache(*key, *model, table, snapshot))
       return std::shared_ptr<const Content>(std::move(content));
   auto video = VideoFile::open(video_file, job);
   if (!video)
@@ -345,38 +373,26 @@ Result<std::shared_ptr<const ReferenceLibrary::Content>> ReferenceLibrary::read(
     if (!read) return read.error();
     return image_for(snapshot, (*read)->grey, en::say("the recording's image"), "", "");
   };
-  auto faces = read_recorded_faces({frame, video->frame_count(), video_file, table},
-                                   finger,
-                                   snapshot.camera,
-                                   memory_limit_bytes,
-                                   job);
-  if (!faces) return faces.error();
-  auto found = std::move(faces->found);
-  const auto retained = faces->retained;
-  auto content = std::make_shared<Content>(
-      std::move(*model), std::move(*faces), table, finger, snapshot.camera);
-  content->analyse_faces();
-  if (key) content->save_cache(*key, std::move(found), retained);
-  return std::shared_ptr<const Content>(std::move(content));
+  return from_frames({frame, video->frame_count(), video_file, table},
+                     std::move(*model),
+                     snapshot.finger,
+                     snapshot.camera,
+                     job,
+                     memory_limit_bytes,
+                     key);
 }
 
-Result<ReferenceLibrary> ReferenceLibrary::from_frames(const RecordingFrameReader& frame,
-                                                       std::size_t frame_count,
-                                                       const std::filesystem::path& video_file,
-                                                       const MarkerTable& table,
+Result<ReferenceLibrary> ReferenceLibrary::from_frames(const RecordingInput& frames,
                                                        const Finger& finger,
                                                        const Camera& camera,
                                                        const Job& job,
                                                        std::size_t memory_limit_bytes) {
-  auto model = learn_model(table, finger, video_file);
+  auto model = learn_model(frames.table, finger, frames.video);
   if (!model) return model.error();
-  auto faces = read_recorded_faces(
-      {frame, frame_count, video_file, table}, finger, camera, memory_limit_bytes, job);
-  if (!faces) return faces.error();
-  auto content =
-      std::make_shared<Content>(std::move(*model), std::move(*faces), table, finger, camera);
-  content->analyse_faces();
-  return ReferenceLibrary(std::move(content));
+  auto content = Content::from_frames(
+      frames, std::move(*model), finger, camera, job, memory_limit_bytes, std::nullopt);
+  if (!content) return content.error();
+  return ReferenceLibrary(std::move(*content));
 }
 
 Result<ReferenceLibrary> ReferenceLibrary::single(const cv::Mat& grey) {
@@ -417,12 +433,11 @@ const std::vector<int>& ReferenceLibrary::frame_numbers() const {
   return content_->frames;
 }
 
-ReferenceLibrary::Nearest ReferenceLibrary::nearest(const Markers& markers,
-                                                    const std::vector<char>& without) const {
+NearestFrame ReferenceLibrary::nearest(const Markers& markers,
+                                       const std::vector<char>& without) const {
   if (!content_->search || static_cast<int>(markers.size()) != content_->model->marker_count())
-    return {0, 0.0};
-  const auto found = content_->search->nearest(markers, without);
-  return {found.row, found.distance_px};
+    return {};
+  return content_->search->nearest(markers, without);
 }
 
 double ReferenceLibrary::combined_distance_px(const Markers& markers,
@@ -430,7 +445,7 @@ double ReferenceLibrary::combined_distance_px(const Markers& markers,
   const Content& content = *content_;
   if (!content.search || static_cast<int>(markers.size()) != content.model->marker_count())
     return nearest(markers, without).distance_px;
-  const Neighbours near =
+  const PoseNeighbours near =
       content.neighbours(content.model->modes(markers).cwiseProduct(content.mode_sd), without);
   return content.search->distance_px(markers, near.rows, near.weights);
 }
@@ -449,12 +464,11 @@ Reference ReferenceLibrary::reference_for(const Markers& markers,
   }
   reference.relative_sd = content.error.relative_sd;
   const bool is_single = method == ReferenceMethod::kSingle;
-  const Nearest found = is_single ? content.rest(markers) : nearest(markers, without);
-  reference.frame = content.frames[static_cast<std::size_t>(found.index)];
+  const NearestFrame found = is_single ? content.rest(markers) : nearest(markers, without);
+  reference.frame = content.frames[static_cast<std::size_t>(found.row)];
   reference.distance_px = found.distance_px;
   reference.known_pose = found.distance_px <= content.max_known_px;
-  reference.by_shape =
-      std::none_of(markers.begin(), markers.end(), [](const Marker& m) { return m.seen; });
+  reference.by_shape = seen_count(markers) == 0;
   auto now = chart_of(shape);
   if (now && now->base_at_low_u == content.grid.chart.base_at_low_u)
     register_chart(content.positions, shape, markers, &*now);
@@ -464,10 +478,10 @@ Reference ReferenceLibrary::reference_for(const Markers& markers,
   if (!now->along_mm.empty())
     reference.hidden = content.ends.hidden_columns(*now, content.size.width);
   ChartWarp warp(*now, content.grid.chart);
-  std::vector<FaceMix> mixes{{{&content.faces[static_cast<std::size_t>(found.index)]}, {1.0F}}};
+  std::vector<FaceMix> mixes{{{&content.faces[static_cast<std::size_t>(found.row)]}, {1.0F}}};
   if (method == ReferenceMethod::kLocal) {
     const Eigen::VectorXd pose = content.model->modes(markers).cwiseProduct(content.mode_sd);
-    const Neighbours near = content.neighbours(pose, without, neighbours);
+    const PoseNeighbours near = content.neighbours(pose, without, neighbours);
     const double marker_variance_px2 = reference.by_shape ? marker_variance(markers) : 0.0;
     mixes = {content.mix_of(near)};
     reference.error_factor = reference.outer_error_factor =
@@ -475,7 +489,7 @@ Reference ReferenceLibrary::reference_for(const Markers& markers,
     const auto incomplete_frames =
         content.incomplete_frames(warp, mixes.front().shown(content.grid), without, neighbours);
     if (!incomplete_frames.empty()) {
-      const Neighbours further = content.neighbours(pose, incomplete_frames, neighbours);
+      const PoseNeighbours further = content.neighbours(pose, incomplete_frames, neighbours);
       mixes.push_back(content.mix_of(further));
       reference.outer_error_factor = content.error.factor(further.reach_px2 + marker_variance_px2);
     }

@@ -40,12 +40,8 @@ class ReferenceLibrary {
                                        const Job& job,
                                        std::size_t memory_limit_bytes = std::size_t{512} << 20);
 
-  /// The same from given frames and a table, both at the pixels of `camera`; `video` names their
-  /// source in messages.
-  static Result<ReferenceLibrary> from_frames(const RecordingFrameReader& frame,
-                                              std::size_t frame_count,
-                                              const std::filesystem::path& video,
-                                              const MarkerTable& table,
+  /// The same from given frames, at the pixels of `camera` as is their table.
+  static Result<ReferenceLibrary> from_frames(const RecordingInput& frames,
                                               const Finger& finger,
                                               const Camera& camera,
                                               const Job& job,
@@ -66,13 +62,9 @@ class ReferenceLibrary {
   [[nodiscard]] const ShapePoses* shape_poses() const;
 
   /// Index into the library (not the video) of the frame with the smallest mean distance over the
-  /// seen markers, by brute force; and that distance.
-  struct Nearest {
-    int index;
-    double distance_px;
-  };
-  [[nodiscard]] Nearest nearest(const Markers& markers,
-                                const std::vector<char>& without = {}) const;
+  /// seen markers, and that distance.
+  [[nodiscard]] NearestFrame nearest(const Markers& markers,
+                                     const std::vector<char>& without = {}) const;
 
   /// The same distance to the weighted mean of the markers in the frames that kLocal combines: how
   /// near the pose is to its reference. Equals nearest() where there is only one frame.
@@ -101,12 +93,6 @@ class ReferenceLibrary {
   struct Content;
   explicit ReferenceLibrary(std::shared_ptr<const Content> content)
       : content_(std::move(content)) {}
-  static Result<std::shared_ptr<const Content>> read(const std::filesystem::path& video_file,
-                                                     const MarkerTable& table,
-                                                     const FingerSnapshot& finger,
-                                                     const std::optional<std::string>& made_from,
-                                                     const Job& job,
-                                                     std::size_t memory_limit_bytes);
   std::shared_ptr<const Content> content_;
 };
 

@@ -11,8 +11,6 @@ class Absorption final : public GeometryEffect {
  public:
   explicit Absorption(YamlSection& p) : per_mm_(p.number("per_mm", strength_up_to(1))) {}
 
-  Message sentence() const override { return en::say("The silicone absorbs part of the light"); }
-
   Status validate(const SceneFacts& scene) const override {
     if (!scene.has_effect("leds"))
       return Error{en::say("there is no lamp whose light could be absorbed"),
@@ -31,16 +29,12 @@ class Absorption final : public GeometryEffect {
 
 }  // namespace
 
-const EffectKind& effect_absorption() {
-  static const EffectKind kKind{"absorption",
-                                Stage::kGeometry,
-                                70,
-                                [](YamlSection& p) -> std::shared_ptr<const Effect> {
-                                  return std::make_shared<Absorption>(p);
-                                },
-                                "per_mm: 0.003",
-                                {"leds"}};
-  return kKind;
+EffectKind effect_absorption() {
+  return effect_kind<Absorption>("absorption",
+                                 70,
+                                 en::say("The silicone absorbs part of the light"),
+                                 "per_mm: 0.003",
+                                 {"leds"});
 }
 
 }  // namespace alltact

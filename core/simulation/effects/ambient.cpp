@@ -10,8 +10,6 @@ class Ambient final : public GeometryEffect {
  public:
   explicit Ambient(YamlSection& p) : level_(Varying::read(p, "level", strength_up_to(1e4))) {}
 
-  Message sentence() const override { return en::say("Room light falls on the faces"); }
-
   Status validate(const SceneFacts& scene) const override {
     if (!scene.has_effect("leds"))
       return Error{en::say("room light adds to the light of the lamps"),
@@ -30,15 +28,9 @@ class Ambient final : public GeometryEffect {
 
 }  // namespace
 
-const EffectKind& effect_ambient() {
-  static const EffectKind kKind{
-      "ambient",
-      Stage::kGeometry,
-      71,
-      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Ambient>(p); },
-      "level: 5",
-      {"leds"}};
-  return kKind;
+EffectKind effect_ambient() {
+  return effect_kind<Ambient>(
+      "ambient", 71, en::say("Room light falls on the faces"), "level: 5", {"leds"});
 }
 
 }  // namespace alltact

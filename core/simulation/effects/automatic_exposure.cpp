@@ -18,10 +18,6 @@ class AutomaticExposure final : public SensorEffect {
       p.refuse("greatest", en::say("the exposure could not change"), en::say("more than 1"));
   }
 
-  Message sentence() const override {
-    return en::say("The camera adapts its exposure to the image brightness");
-  }
-
   bool needs_full_image() const override { return true; }
   void process_image(const FrameContext&,
                      const FrameGeometry&,
@@ -40,15 +36,12 @@ class AutomaticExposure final : public SensorEffect {
 
 }  // namespace
 
-const EffectKind& effect_automatic_exposure() {
-  static const EffectKind kKind{"automatic-exposure",
-                                Stage::kSensor,
-                                40,
-                                [](YamlSection& p) -> std::shared_ptr<const Effect> {
-                                  return std::make_shared<AutomaticExposure>(p);
-                                },
-                                "target: 60"};
-  return kKind;
+EffectKind effect_automatic_exposure() {
+  return effect_kind<AutomaticExposure>(
+      "automatic-exposure",
+      40,
+      en::say("The camera adapts its exposure to the image brightness"),
+      "target: 60");
 }
 
 }  // namespace alltact

@@ -15,9 +15,8 @@ class Ball final : public GeometryEffect {
         y_(Varying::read(p, "y_mm", {-1000, 1000})),
         tip_deflection_(p) {}
 
-  Message sentence() const override { return en::say("A ball is pressed into the face"); }
   bool is_repeatable() const override { return true; }
-  std::optional<PressKind> presses() const override { return PressKind::kBall; }
+  bool presses_ball() const override { return true; }
 
   Status validate(const SceneFacts& scene) const override {
     if (const Status status = check_press(scene, depth_, s_, y_); !status) return status;
@@ -49,14 +48,11 @@ class Ball final : public GeometryEffect {
 
 }  // namespace
 
-const EffectKind& effect_ball() {
-  static const EffectKind kKind{
-      "ball",
-      Stage::kGeometry,
-      30,
-      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Ball>(p); },
-      "radius_mm: 4, s_mm: 50, y_mm: 0, depth_mm: 0.9"};
-  return kKind;
+EffectKind effect_ball() {
+  return effect_kind<Ball>("ball",
+                           30,
+                           en::say("A ball is pressed into the face"),
+                           "radius_mm: 4, s_mm: 50, y_mm: 0, depth_mm: 0.9");
 }
 
 }  // namespace alltact

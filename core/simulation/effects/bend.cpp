@@ -13,10 +13,6 @@ class Bend final : public GeometryEffect {
       : q1_(DegreeOfFreedom::read(p, "q1_mm", {-100, 100})),
         q2_(DegreeOfFreedom::read(p, "q2_mm", {-100, 100})) {}
 
-  Message sentence() const override {
-    return en::say("The finger bends in the plane of its length");
-  }
-
   Status validate(const SceneFacts& scene) const override {
     if (scene.finger.face.kind == FaceKind::kFlat)
       return Error{en::say("a flat sensor does not bend"), "", en::say("leave bend out")};
@@ -34,14 +30,11 @@ class Bend final : public GeometryEffect {
 
 }  // namespace
 
-const EffectKind& effect_bend() {
-  static const EffectKind kKind{
-      "bend",
-      Stage::kGeometry,
-      10,
-      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Bend>(p); },
-      "q1_mm: {from: -5, to: 5}, q2_mm: {from: -4, to: 4}"};
-  return kKind;
+EffectKind effect_bend() {
+  return effect_kind<Bend>("bend",
+                           10,
+                           en::say("The finger bends in the plane of its length"),
+                           "q1_mm: {from: -5, to: 5}, q2_mm: {from: -4, to: 4}");
 }
 
 }  // namespace alltact

@@ -1,23 +1,16 @@
 // The sensor counts from `level` grey levels instead of from 0: I = I + level.
-#include "core/numerics/dispatch.h"
 #include "core/simulation/effect.h"
 
 namespace alltact {
 
 namespace {
 
-ALLTACT_WIDE void add_black_level(int n, float level, float* __restrict value) {
-  for (int u = 0; u < n; ++u) value[u] += level;
-}
-
 class BlackLevel final : public SensorEffect {
  public:
   explicit BlackLevel(YamlSection& p) : level_(Varying::read(p, "level", strength_up_to(255))) {}
 
-  Message sentence() const override { return en::say("The sensor adds a constant to every pixel"); }
-
   void row(const FrameContext& frame, RowView& row) const override {
-    add_black_level(row.width, static_cast<float>(frame(level_)), row.value);
+    add_to_row(row, static_cast<float>(frame(level_)));
   }
 
  private:
@@ -26,15 +19,9 @@ class BlackLevel final : public SensorEffect {
 
 }  // namespace
 
-const EffectKind& effect_black_level() {
-  static const EffectKind kKind{"black-level",
-                                Stage::kSensor,
-                                70,
-                                [](YamlSection& p) -> std::shared_ptr<const Effect> {
-                                  return std::make_shared<BlackLevel>(p);
-                                },
-                                "level: 4"};
-  return kKind;
+EffectKind effect_black_level() {
+  return effect_kind<BlackLevel>(
+      "black-level", 70, en::say("The sensor adds a constant to every pixel"), "level: 4");
 }
 
 }  // namespace alltact

@@ -39,7 +39,6 @@ class ElasticBody final : public GeometryEffect {
     elastic_.chain = read_chain(p);
   }
 
-  Message sentence() const override { return en::say("The finger's body deforms under load"); }
   const ElasticFinger* elastic() const override { return &elastic_; }
 
   Status validate(const SceneFacts& scene) const override {
@@ -130,17 +129,13 @@ class ElasticBody final : public GeometryEffect {
 
 }  // namespace
 
-const EffectKind& effect_body() {
-  static const EffectKind kKind{
+EffectKind effect_body() {
+  return effect_kind<ElasticBody>(
       "body",
-      Stage::kGeometry,
       54,
-      [](YamlSection& p) -> std::shared_ptr<const Effect> {
-        return std::make_shared<ElasticBody>(p);
-      },
+      en::say("The finger's body deforms under load"),
       "shore_a: 40, wall_mm: 4, base_depth_mm: 30, tip_depth_mm: 10, coupling: 0.5",
-      {"push"}};
-  return kKind;
+      {"push"});
 }
 
 }  // namespace alltact

@@ -1,7 +1,7 @@
 // An air bubble in the layer. A sphere of `radius_mm` about (s_mm, y_mm) scatters nothing: at
 // distance r from its centre the layer is thinner by 2 sqrt(radius^2 - r^2) along its normal. The
 // outer side does not move.
-#include "core/simulation/face_mark.h"
+#include "core/simulation/effect.h"
 
 namespace alltact {
 
@@ -14,8 +14,6 @@ class Bubble final : public RadianceEffect {
         y_(Varying::read(p, "y_mm", {-1000, 1000})),
         radius_(Varying::read(p, "radius_mm", strength_up_to(25))) {}
 
-  Message sentence() const override { return en::say("A bubble of air makes the layer thinner"); }
-
   Status validate(const SceneFacts& scene) const override {
     if (!scene.has_effect("layer"))
       return Error{en::say("the bubble needs a layer"), "", en::say("name the effect layer too")};
@@ -26,22 +24,12 @@ class Bubble final : public RadianceEffect {
     return check_position(scene, s_, y_);
   }
 
-  std::unique_ptr<const Rows> begin(const FrameContext& frame,
-                                    const FrameGeometry&) const override {
-    return std::make_unique<BubbleRows>(frame(s_), frame(y_), frame(radius_));
-  }
-
- private:
-  class BubbleRows final : public Rows {
-   public:
-    BubbleRows(double s_mm, double y_mm, double radius_mm)
-        : s_mm_(s_mm), y_mm_(y_mm), radius_mm_(radius_mm) {}
-
-    void row(RowView& row) const override {
+  Rows begin(const FrameContext& frame, const FrameGeometry&) const override {
+    return [s_mm = frame(s_), y_mm = frame(y_), radius_mm = frame(radius_)](RowView& row) {
       const FaceRow& face = row.face;
       for (int u = face.first; u < face.last; ++u) {
-        const double s = face.s_mm[u] - s_mm_, y = face.y_mm[u] - face.shift_mm[u] - y_mm_;
-        const double h2 = radius_mm_ * radius_mm_ - s * s - y * y;
+        const double s = face.s_mm[u] - s_mm, y = face.y_mm[u] - face.shift_mm[u] - y_mm;
+        const double h2 = radius_mm * radius_mm - s * s - y * y;
         if (h2 <= 0) continue;
         if (!row.hollow_mm) {
           row.hollow_mm = row.scratch.floats();
@@ -49,26 +37,21 @@ class Bubble final : public RadianceEffect {
         }
         row.hollow_mm[u] += static_cast<float>(2 * std::sqrt(h2));
       }
-    }
+    };
+  }
 
-   private:
-    double s_mm_, y_mm_, radius_mm_;
-  };
-
+ private:
   Varying s_, y_, radius_;
 };
 
 }  // namespace
 
-const EffectKind& effect_bubble() {
-  static const EffectKind kKind{
-      "bubble",
-      Stage::kRadiance,
-      5,
-      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Bubble>(p); },
-      "s_mm: 45, y_mm: -2, radius_mm: 0.5",
-      {"layer"}};
-  return kKind;
+EffectKind effect_bubble() {
+  return effect_kind<Bubble>("bubble",
+                             5,
+                             en::say("A bubble of air makes the layer thinner"),
+                             "s_mm: 45, y_mm: -2, radius_mm: 0.5",
+                             {"layer"});
 }
 
 }  // namespace alltact

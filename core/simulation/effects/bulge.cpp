@@ -67,10 +67,8 @@ class Bulge final : public GeometryEffect {
       steepness_ = p.number("steepness", {0.5, 20});
   }
 
-  Message sentence() const override { return en::say("The layer bulges around the object"); }
-
   Status validate(const SceneFacts& scene) const override {
-    if (scene.press_kinds.empty())
+    if (!scene.ball_presses && !scene.body_presses)
       return Error{
           en::say("nothing is pressed in, so nothing bulges"), "", en::say("add ball or relief")};
     return {};
@@ -99,15 +97,12 @@ class Bulge final : public GeometryEffect {
 
 }  // namespace
 
-const EffectKind& effect_bulge() {
-  static const EffectKind kKind{
-      "bulge",
-      Stage::kGeometry,
-      50,
-      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Bulge>(p); },
-      "share: 0.03, width_mm: 1.5",
-      {"ball"}};
-  return kKind;
+EffectKind effect_bulge() {
+  return effect_kind<Bulge>("bulge",
+                            50,
+                            en::say("The layer bulges around the object"),
+                            "share: 0.03, width_mm: 1.5",
+                            {"ball"});
 }
 
 }  // namespace alltact

@@ -10,7 +10,6 @@ class DeadLamp final : public GeometryEffect {
  public:
   explicit DeadLamp(YamlSection& p) : lamp_(p.integer("lamp", 0, 1000)) {}
 
-  Message sentence() const override { return en::say("A lamp is off"); }
   bool is_repeatable() const override { return true; }
 
   Status validate(const SceneFacts& scene) const override {
@@ -33,15 +32,8 @@ class DeadLamp final : public GeometryEffect {
 
 }  // namespace
 
-const EffectKind& effect_dead_lamp() {
-  static const EffectKind kKind{
-      "dead-lamp",
-      Stage::kGeometry,
-      74,
-      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<DeadLamp>(p); },
-      "lamp: 0",
-      {"leds"}};
-  return kKind;
+EffectKind effect_dead_lamp() {
+  return effect_kind<DeadLamp>("dead-lamp", 74, en::say("A lamp is off"), "lamp: 0", {"leds"});
 }
 
 }  // namespace alltact

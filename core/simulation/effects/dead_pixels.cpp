@@ -19,10 +19,6 @@ class DeadPixels final : public SensorEffect {
       p.refuse("", en::say("there is neither dead nor hot"), en::say("name one of them"));
   }
 
-  Message sentence() const override {
-    return en::say("Single pixels are always dark or always bright");
-  }
-
   void row(const FrameContext& frame, RowView& row) const override {
     set(frame.seed, "dead-pixels.dead", dead_, 0, row);
     set(frame.seed, "dead-pixels.hot", hot_, kHotLevel, row);
@@ -47,15 +43,11 @@ class DeadPixels final : public SensorEffect {
 
 }  // namespace
 
-const EffectKind& effect_dead_pixels() {
-  static const EffectKind kKind{"dead-pixels",
-                                Stage::kSensor,
-                                75,
-                                [](YamlSection& p) -> std::shared_ptr<const Effect> {
-                                  return std::make_shared<DeadPixels>(p);
-                                },
-                                "dead: 0.0001, hot: 0.0001"};
-  return kKind;
+EffectKind effect_dead_pixels() {
+  return effect_kind<DeadPixels>("dead-pixels",
+                                 75,
+                                 en::say("Single pixels are always dark or always bright"),
+                                 "dead: 0.0001, hot: 0.0001");
 }
 
 }  // namespace alltact

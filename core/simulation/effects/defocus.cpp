@@ -30,10 +30,6 @@ class Defocus final : public SensorEffect {
     aperture_mm_ = p.number("aperture_mm", strength_up_to(100));
   }
 
-  Message sentence() const override {
-    return en::say("Objects outside the focus distance are blurred");
-  }
-
   Status validate(const SceneFacts& scene) const override {
     if (sd_px_ == 0 && scene.finger.camera.model == CameraModel::kOrthographic)
       return Error{en::say("an orthographic camera has no focal length for blur"),
@@ -105,14 +101,11 @@ class Defocus final : public SensorEffect {
 
 }  // namespace
 
-const EffectKind& effect_defocus() {
-  static const EffectKind kKind{
-      "defocus",
-      Stage::kSensor,
-      5,
-      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Defocus>(p); },
-      "focus_mm: 60, aperture_mm: 0.5"};
-  return kKind;
+EffectKind effect_defocus() {
+  return effect_kind<Defocus>("defocus",
+                              5,
+                              en::say("Objects outside the focus distance are blurred"),
+                              "focus_mm: 60, aperture_mm: 0.5");
 }
 
 }  // namespace alltact

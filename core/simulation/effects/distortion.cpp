@@ -11,8 +11,6 @@ class Distortion final : public GeometryEffect {
   explicit Distortion(YamlSection& p)
       : coefficients_(p.numbers("coefficients", 1, 5, {-1e6, 1e6})) {}
 
-  Message sentence() const override { return en::say("The lens bends straight lines"); }
-
   Status validate(const SceneFacts& scene) const override {
     if (scene.finger.camera.model == CameraModel::kOrthographic)
       return Error{
@@ -31,15 +29,9 @@ class Distortion final : public GeometryEffect {
 
 }  // namespace
 
-const EffectKind& effect_distortion() {
-  static const EffectKind kKind{"distortion",
-                                Stage::kGeometry,
-                                1,
-                                [](YamlSection& p) -> std::shared_ptr<const Effect> {
-                                  return std::make_shared<Distortion>(p);
-                                },
-                                "coefficients: [-0.2, 0.05]"};
-  return kKind;
+EffectKind effect_distortion() {
+  return effect_kind<Distortion>(
+      "distortion", 1, en::say("The lens bends straight lines"), "coefficients: [-0.2, 0.05]");
 }
 
 }  // namespace alltact

@@ -13,7 +13,6 @@ class Drop final : public TransportEffect {
       : share_(p.number("share", {0, 1, true, true, true})),
         run_(p.integer_or("run", 1, 1, 1000)) {}
 
-  Message sentence() const override { return en::say("Frames are lost in transmission"); }
   bool is_repeatable() const override { return true; }
 
   void arrival(const FrameContext& frame, Arrival& arrival) const override {
@@ -29,14 +28,8 @@ class Drop final : public TransportEffect {
 
 }  // namespace
 
-const EffectKind& effect_drop() {
-  static const EffectKind kKind{
-      "drop",
-      Stage::kTransport,
-      60,
-      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Drop>(p); },
-      "share: 0.01"};
-  return kKind;
+EffectKind effect_drop() {
+  return effect_kind<Drop>("drop", 60, en::say("Frames are lost in transmission"), "share: 0.01");
 }
 
 }  // namespace alltact

@@ -13,48 +13,30 @@ namespace {
 
 constexpr double kHighest_mm = 20;  // height of an edge: above any layer's thickness
 
-class EdgeBody final : public HeightField {
- public:
-  EdgeBody(double angle_deg, double radius_mm, double length_mm)
-      : half_rad_(angle_deg * std::numbers::pi / 360),
-        radius_mm_(radius_mm),
-        length_mm_(length_mm) {}
-  double gap_mm(double x, double y) const override {
-    if (std::abs(x) > length_mm_ / 2) return kNothing_mm;
-    const double sin = std::sin(half_rad_), cos = std::cos(half_rad_), far = std::abs(y);
-    if (far <= radius_mm_ * cos)
-      return far * far / (radius_mm_ + std::sqrt(radius_mm_ * radius_mm_ - far * far) + 1e-300);
-    return radius_mm_ * (1 - 1 / sin) + far * cos / sin;
-  }
-  Eigen::Vector2d half_size_mm() const override {
-    return {length_mm_ / 2, kHighest_mm * std::tan(half_rad_) + radius_mm_};
-  }
-
- private:
-  double half_rad_, radius_mm_, length_mm_;
-};
-
-class Edge final : public RigidPress {
- public:
-  explicit Edge(YamlSection& p) : RigidPress(p) {
-    const double angle = p.number("angle_deg", {10, 170});
-    const double radius = p.number_or("radius_mm", 0, strength_up_to(20));
-    set_body(std::make_shared<EdgeBody>(angle, radius, p.number("length_mm", strength_up_to(200))));
-  }
-  Message sentence() const override { return en::say("An edge is pressed into the face"); }
-};
+std::shared_ptr<const Body> edge_body(YamlSection& p) {
+  const double half_rad = p.number("angle_deg", {10, 170}) * std::numbers::pi / 360;
+  const double radius = p.number_or("radius_mm", 0, strength_up_to(20));
+  const double length = p.number("length_mm", strength_up_to(200));
+  const auto gap_mm = [half_rad, radius, length](double x, double y) {
+    if (std::abs(x) > length / 2) return HeightField::kNothing_mm;
+    const double sin = std::sin(half_rad), cos = std::cos(half_rad), far = std::abs(y);
+    if (far <= radius * cos)
+      return far * far / (radius + std::sqrt(radius * radius - far * far) + 1e-300);
+    return radius * (1 - 1 / sin) + far * cos / sin;
+  };
+  return std::make_shared<HeightField>(
+      gap_mm, Eigen::Vector2d(length / 2, kHighest_mm * std::tan(half_rad) + radius));
+}
 
 }  // namespace
 
-const EffectKind& effect_edge() {
-  static const EffectKind kKind{
+EffectKind effect_edge() {
+  return effect_kind<RigidPressOf<edge_body>>(
       "edge",
-      Stage::kGeometry,
       33,
-      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Edge>(p); },
+      en::say("An edge is pressed into the face"),
       "angle_deg: 90, radius_mm: 0.2, length_mm: 14, rotation_deg: 30, s_mm: 50, y_mm: 0, "
-      "depth_mm: 0.7"};
-  return kKind;
+      "depth_mm: 0.7");
 }
 
 }  // namespace alltact

@@ -33,10 +33,6 @@ class FixedPattern final : public SensorEffect {
       p.refuse("", en::say("there is neither prnu nor dsnu"), en::say("name one of them"));
   }
 
-  Message sentence() const override {
-    return en::say("Every pixel is always a little brighter or darker than its neighbours");
-  }
-
   void row(const FrameContext& frame, RowView& row) const override {
     float* normal = row.scratch.floats();
     if (prnu_ > 0) {
@@ -56,15 +52,12 @@ class FixedPattern final : public SensorEffect {
 
 }  // namespace
 
-const EffectKind& effect_fixed_pattern() {
-  static const EffectKind kKind{"fixed-pattern",
-                                Stage::kSensor,
-                                45,
-                                [](YamlSection& p) -> std::shared_ptr<const Effect> {
-                                  return std::make_shared<FixedPattern>(p);
-                                },
-                                "prnu: 0.01, dsnu: 0.3"};
-  return kKind;
+EffectKind effect_fixed_pattern() {
+  return effect_kind<FixedPattern>(
+      "fixed-pattern",
+      45,
+      en::say("Every pixel is always a little brighter or darker than its neighbours"),
+      "prnu: 0.01, dsnu: 0.3");
 }
 
 }  // namespace alltact

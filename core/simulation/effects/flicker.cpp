@@ -21,8 +21,6 @@ class Flicker final : public GeometryEffect {
         depth_(pwm_ ? 0 : p.number("depth", strength_up_to(1))),
         duty_(pwm_ ? p.number("duty", {0, 1, true, true}) : 0) {}
 
-  Message sentence() const override { return en::say("The lamps flicker"); }
-
   Status validate(const SceneFacts& scene) const override {
     if (scene.lamp_count == 0)
       return Error{
@@ -55,15 +53,12 @@ class Flicker final : public GeometryEffect {
 
 }  // namespace
 
-const EffectKind& effect_flicker() {
-  static const EffectKind kKind{
-      "flicker",
-      Stage::kGeometry,
-      72,
-      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Flicker>(p); },
-      "kind: mains, hz: 100, exposure_ms: 8, depth: 0.3",
-      {"leds"}};
-  return kKind;
+EffectKind effect_flicker() {
+  return effect_kind<Flicker>("flicker",
+                              72,
+                              en::say("The lamps flicker"),
+                              "kind: mains, hz: 100, exposure_ms: 8, depth: 0.3",
+                              {"leds"});
 }
 
 }  // namespace alltact

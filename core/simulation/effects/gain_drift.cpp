@@ -22,10 +22,6 @@ class GainDrift final : public SensorEffect {
         every_s_(p.number("every_s", strength_up_to(1e6))),
         noise_("gain-drift") {}
 
-  Message sentence() const override {
-    return en::say("The camera's gain drifts from frame to frame");
-  }
-
   void row(const FrameContext& frame, RowView& row) const override {
     const double knots = frame.time_s() / every_s_;
     const int k = static_cast<int>(knots);
@@ -48,15 +44,11 @@ class GainDrift final : public SensorEffect {
 
 }  // namespace
 
-const EffectKind& effect_gain_drift() {
-  static const EffectKind kKind{"gain-drift",
-                                Stage::kSensor,
+EffectKind effect_gain_drift() {
+  return effect_kind<GainDrift>("gain-drift",
                                 65,
-                                [](YamlSection& p) -> std::shared_ptr<const Effect> {
-                                  return std::make_shared<GainDrift>(p);
-                                },
-                                "sd: 0.02, every_s: 10"};
-  return kKind;
+                                en::say("The camera's gain drifts from frame to frame"),
+                                "sd: 0.02, every_s: 10");
 }
 
 }  // namespace alltact

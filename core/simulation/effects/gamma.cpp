@@ -18,10 +18,6 @@ class Gamma final : public SensorEffect {
       p.refuse("gamma", en::say("gamma 1 changes nothing"), en::say("leave gamma out"));
   }
 
-  Message sentence() const override {
-    return en::say("The camera's grey levels follow a power law");
-  }
-
   void row(const FrameContext&, RowView& row) const override {
     apply_gamma(row.width, static_cast<float>(1 / gamma_), row.value);
   }
@@ -32,14 +28,9 @@ class Gamma final : public SensorEffect {
 
 }  // namespace
 
-const EffectKind& effect_gamma() {
-  static const EffectKind kKind{
-      "gamma",
-      Stage::kSensor,
-      80,
-      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Gamma>(p); },
-      "gamma: 2.2"};
-  return kKind;
+EffectKind effect_gamma() {
+  return effect_kind<Gamma>(
+      "gamma", 80, en::say("The camera's grey levels follow a power law"), "gamma: 2.2");
 }
 
 }  // namespace alltact

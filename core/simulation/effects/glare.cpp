@@ -42,38 +42,23 @@ class Glare final : public RadianceEffect {
              1};
   }
 
-  Message sentence() const override { return en::say("The face reflects a lamp"); }
-
-  std::unique_ptr<const Rows> begin(const FrameContext&,
-                                    const FrameGeometry& geometry) const override {
+  Rows begin(const FrameContext&, const FrameGeometry& geometry) const override {
     GlareLamp lamp = lamp_;
     if (!geometry.rays().camera().is_perspective()) lamp.spread = 0;
-    return std::make_unique<GlareRows>(lamp);
+    return [lamp](RowView& row) { add_glare(row.surfaces[0], lamp); };
   }
 
  private:
-  class GlareRows final : public Rows {
-   public:
-    explicit GlareRows(const GlareLamp& lamp) : lamp_(lamp) {}
-    void row(RowView& row) const override { add_glare(row.surfaces[0], lamp_); }
-
-   private:
-    GlareLamp lamp_;
-  };
-
   GlareLamp lamp_{};
 };
 
 }  // namespace
 
-const EffectKind& effect_glare() {
-  static const EffectKind kKind{
-      "glare",
-      Stage::kRadiance,
-      60,
-      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Glare>(p); },
-      "at_mm: [60, 0, 20], level: 80, sharpness: 64"};
-  return kKind;
+EffectKind effect_glare() {
+  return effect_kind<Glare>("glare",
+                            60,
+                            en::say("The face reflects a lamp"),
+                            "at_mm: [60, 0, 20], level: 80, sharpness: 64");
 }
 
 }  // namespace alltact

@@ -122,7 +122,7 @@ struct LitLattice {
 
 using LitLattices = std::array<LitLattice, kLitFaces>;
 
-class OnceReflected final : public IndirectLight {
+class OnceReflected {
  public:
   OnceReflected(const FrameGeometry& geometry, std::array<double, kLitFaces> albedo, double depth)
       : albedo_(albedo),
@@ -148,59 +148,46 @@ class OnceReflected final : public IndirectLight {
     }
   }
 
-  std::unique_ptr<const Rows> lit_by(const Direct& direct) const override {
+  // Irradiance on the faces' lattices, of which `direct` lights the patches.
+  [[nodiscard]] LitLattices lit_by(const DirectLight& direct) const {
     const std::vector<double> radiosity = radiosities(direct);
     LitLattices lattices;
     for (std::size_t face = 0; face < kLitFaces; ++face) lattices[face].across = kStepsAcross[face];
     for (const LatticePoint& point : points_)
       lattices[static_cast<std::size_t>(point.face)].value.push_back(
           static_cast<float>(irradiance(point, radiosity)));
-    return std::make_unique<ReflectedRows>(*this, std::move(lattices));
+    return lattices;
+  }
+
+  void on_view_face(const LitLattice& lattice,
+                    const FaceRow& face,
+                    const Surface& s,
+                    float* irradiance) const {
+    const float along = 1 / length_mm_, across = 1 / width_mm_;
+    for (int u = s.first; u < s.last; ++u)
+      irradiance[u] =
+          lattice.at(face.s_mm[u] * along, (s.y_mm[u] - face.shift_mm[u] + width_mm_ / 2) * across);
+  }
+
+  // The position on the side follows from the view face's point in the same column, to first
+  // order in the twist.
+  void on_sides(const LitLattices& lattices,
+                const FaceRow& face,
+                const Surface& s,
+                float* irradiance) const {
+    const float along = 1 / length_mm_, across = 1 / depth_mm_;
+    for (int u = s.first; u < s.last; ++u) {
+      const float dx = face.x_mm[u] - s.x_mm[u], dz = face.z_mm[u] - s.z_mm[u];
+      const float behind = dz * face.cos_incline[u] - dx * face.sin_incline[u];
+      const float at = face.s_mm[u] - dz * face.sin_incline[u] - dx * face.cos_incline[u];
+      const LitLattice& lattice = lattices[s.normal_y[u] > 0 ? 1 : 2];
+      irradiance[u] = lattice.at(at * along, behind * across);
+    }
   }
 
  private:
-  class ReflectedRows final : public Rows {
-   public:
-    ReflectedRows(const OnceReflected& light, LitLattices lattices)
-        : length_mm_(light.length_mm_),
-          width_mm_(light.width_mm_),
-          depth_mm_(light.depth_mm_),
-          lattices_(std::move(lattices)) {}
-
-    void row(const RowView& row, const Surface& surface, float* irradiance) const override {
-      if (&surface == row.surfaces.data())
-        on_view_face(row.face, surface, irradiance);
-      else
-        on_sides(row.face, surface, irradiance);
-    }
-
-   private:
-    void on_view_face(const FaceRow& face, const Surface& s, float* irradiance) const {
-      const float along = 1 / length_mm_, across = 1 / width_mm_;
-      for (int u = s.first; u < s.last; ++u)
-        irradiance[u] = lattices_[0].at(face.s_mm[u] * along,
-                                        (s.y_mm[u] - face.shift_mm[u] + width_mm_ / 2) * across);
-    }
-
-    // The position on the side follows from the view face's point in the same column, to first
-    // order in the twist.
-    void on_sides(const FaceRow& face, const Surface& s, float* irradiance) const {
-      const float along = 1 / length_mm_, across = 1 / depth_mm_;
-      for (int u = s.first; u < s.last; ++u) {
-        const float dx = face.x_mm[u] - s.x_mm[u], dz = face.z_mm[u] - s.z_mm[u];
-        const float behind = dz * face.cos_incline[u] - dx * face.sin_incline[u];
-        const float at = face.s_mm[u] - dz * face.sin_incline[u] - dx * face.cos_incline[u];
-        const LitLattice& lattice = lattices_[s.normal_y[u] > 0 ? 1 : 2];
-        irradiance[u] = lattice.at(at * along, behind * across);
-      }
-    }
-
-    float length_mm_, width_mm_, depth_mm_;
-    LitLattices lattices_;
-  };
-
   // For every patch: rho_j E_j.
-  [[nodiscard]] std::vector<double> radiosities(const Direct& direct) const {
+  [[nodiscard]] std::vector<double> radiosities(const DirectLight& direct) const {
     const std::size_t n = patches_.size();
     std::array<std::vector<float>, 6> columns;
     for (auto& column : columns) column.resize(n);
@@ -253,8 +240,6 @@ class Interreflection final : public GeometryEffect {
         sides_(p.number("sides", strength_up_to(1))),
         depth_mm_(p.number("depth_mm", strength_up_to(1000))) {}
 
-  Message sentence() const override { return en::say("The finger's faces light each other"); }
-
   Status validate(const SceneFacts& scene) const override {
     if (scene.has_effect("sides") && scene.has_effect("leds")) return {};
     return Error{en::say("only the lit view face and side faces light each other"),
@@ -263,8 +248,17 @@ class Interreflection final : public GeometryEffect {
   }
 
   void apply(const FrameContext&, FrameGeometry& geometry) const override {
-    geometry.illumination.indirect =
-        std::make_shared<OnceReflected>(geometry, std::array{face_, sides_, sides_}, depth_mm_);
+    const auto reflected = std::make_shared<const OnceReflected>(
+        geometry, std::array{face_, sides_, sides_}, depth_mm_);
+    geometry.illumination.indirect = [reflected](const DirectLight& direct) -> IndirectRows {
+      return [reflected, lattices = reflected->lit_by(direct)](
+                 const RowView& row, const Surface& surface, float* irradiance) {
+        if (&surface == row.surfaces.data())
+          reflected->on_view_face(lattices[0], row.face, surface, irradiance);
+        else
+          reflected->on_sides(lattices, row.face, surface, irradiance);
+      };
+    };
   }
 
  private:
@@ -273,16 +267,12 @@ class Interreflection final : public GeometryEffect {
 
 }  // namespace
 
-const EffectKind& effect_interreflection() {
-  static const EffectKind kKind{"interreflection",
-                                Stage::kGeometry,
-                                76,
-                                [](YamlSection& p) -> std::shared_ptr<const Effect> {
-                                  return std::make_shared<Interreflection>(p);
-                                },
-                                "face: 0.47, sides: 0.12, depth_mm: 14",
-                                {"sides", "leds"}};
-  return kKind;
+EffectKind effect_interreflection() {
+  return effect_kind<Interreflection>("interreflection",
+                                      76,
+                                      en::say("The finger's faces light each other"),
+                                      "face: 0.47, sides: 0.12, depth_mm: 14",
+                                      {"sides", "leds"});
 }
 
 }  // namespace alltact

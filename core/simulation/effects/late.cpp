@@ -13,7 +13,6 @@ class Late final : public TransportEffect {
       : share_(p.number("share", strength_up_to(1))),
         by_ms_(Varying::read(p, "by_ms", strength_up_to(60000))) {}
 
-  Message sentence() const override { return en::say("Frames arrive late"); }
   bool is_repeatable() const override { return true; }
 
   void arrival(const FrameContext& frame, Arrival& arrival) const override {
@@ -28,14 +27,8 @@ class Late final : public TransportEffect {
 
 }  // namespace
 
-const EffectKind& effect_late() {
-  static const EffectKind kKind{
-      "late",
-      Stage::kTransport,
-      70,
-      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Late>(p); },
-      "share: 0.1, by_ms: 40"};
-  return kKind;
+EffectKind effect_late() {
+  return effect_kind<Late>("late", 70, en::say("Frames arrive late"), "share: 0.1, by_ms: 40");
 }
 
 }  // namespace alltact

@@ -59,91 +59,56 @@ class Layer final : public RadianceEffect {
                 p.number_or("coat", 0, {0, 1, true, true, true})},
         along_z_(p.choice("along", {"normal", "z"}) == 1) {}
 
-  Message sentence() const override {
-    return en::say("The layer over the black coat is darker where it is thinner");
-  }
-
-  std::unique_ptr<const Rows> begin(const FrameContext&,
-                                    const FrameGeometry& geometry) const override {
-    if (optics_.absorb_per_mm == 0) return std::make_unique<Scattering>(*this);
-    return std::make_unique<Absorbing>(*this, kMaxThickness * geometry.max_thickness_mm());
+  Rows begin(const FrameContext&, const FrameGeometry& geometry) const override {
+    if (optics_.absorb_per_mm == 0) return [this](RowView& row) { scatter(row); };
+    // By table, within 1e-7 of the formula.
+    const double max_thickness_mm = kMaxThickness * geometry.max_thickness_mm();
+    std::vector<float> table;
+    for (int i = 0; i <= kTable; ++i)
+      table.push_back(static_cast<float>(optics_.reflectance(max_thickness_mm * i / kTable)));
+    const auto per_mm = static_cast<float>(kTable / max_thickness_mm);
+    return [this, table = std::move(table), per_mm](RowView& row) {
+      const float* thick = thickness(row);
+      for (int u = row.face.first; u < row.face.last; ++u) {
+        const float at = std::min(thick[u] * per_mm, static_cast<float>(kTable) - 0.001F);
+        const auto i = static_cast<std::size_t>(at);
+        const float part = at - static_cast<float>(i);
+        row.surfaces[0].light[u] *= table[i] + part * (table[i + 1] - table[i]);
+      }
+    };
   }
 
  private:
-  // Common part: the layer's thickness in each pixel of the row.
-  class LayerRows : public Rows {
-   public:
-    explicit LayerRows(bool along_z) : along_z_(along_z) {}
+  // The layer's thickness in each pixel of the row.
+  [[nodiscard]] const float* thickness(RowView& row) const {
+    const FaceRow& face = row.face;
+    float* thickness = row.scratch.floats();
+    std::copy(face.luf_mm + face.first, face.luf_mm + face.last, thickness + face.first);
+    for (int u = row.press_first; u < row.press_last; ++u)
+      thickness[u] = std::max(0.0F, thickness[u] - row.press_depth_mm[u]);
+    if (row.hollow_mm)
+      for (int u = face.first; u < face.last; ++u)
+        thickness[u] = std::max(0.0F, thickness[u] - row.hollow_mm[u] / face.cos_incline[u]);
+    if (!along_z_)
+      for (int u = face.first; u < face.last; ++u) thickness[u] *= face.cos_incline[u];
+    return thickness;
+  }
 
-   protected:
-    // A press or a hollow changes this row.
-    [[nodiscard]] static bool is_changed(const RowView& row) {
-      return row.press_first < row.press_last || row.hollow_mm;
-    }
-    [[nodiscard]] bool along_z() const { return along_z_; }
-    [[nodiscard]] const float* thickness(RowView& row) const {
-      const FaceRow& face = row.face;
-      float* thickness = row.scratch.floats();
-      std::copy(face.luf_mm + face.first, face.luf_mm + face.last, thickness + face.first);
-      for (int u = row.press_first; u < row.press_last; ++u)
-        thickness[u] = std::max(0.0F, thickness[u] - row.press_depth_mm[u]);
-      if (row.hollow_mm)
-        for (int u = face.first; u < face.last; ++u)
-          thickness[u] = std::max(0.0F, thickness[u] - row.hollow_mm[u] / face.cos_incline[u]);
-      if (!along_z_)
-        for (int u = face.first; u < face.last; ++u) thickness[u] *= face.cos_incline[u];
-      return thickness;
-    }
-
-   private:
-    bool along_z_;
-  };
-
-  class Scattering final : public LayerRows {
-   public:
-    explicit Scattering(const Layer& layer)
-        : LayerRows(layer.along_z_),
-          scatter_(static_cast<float>(layer.optics_.scatter_per_mm)),
-          coat_(static_cast<float>(layer.optics_.coat)) {}
-    void row(RowView& row) const override {
-      const FaceRow& face = row.face;
-      float* light = row.surfaces[0].light;
-      if (coat_ > 0)
-        reflect_over_coat(face.first, face.last, scatter_, coat_, thickness(row), light);
-      else if (!is_changed(row) && along_z())
-        reflect(face.first, face.last, scatter_, face.luf_mm, light);
-      else if (!is_changed(row))
-        reflect_by_normal(face.first, face.last, scatter_, face.luf_mm, face.cos_incline, light);
-      else
-        reflect(face.first, face.last, scatter_, thickness(row), light);
-    }
-
-   private:
-    float scatter_, coat_;
-  };
-
-  // By table, within 1e-7 of the formula.
-  class Absorbing final : public LayerRows {
-   public:
-    Absorbing(const Layer& layer, double thickest_mm) : LayerRows(layer.along_z_) {
-      for (int i = 0; i <= kTable; ++i)
-        table_.push_back(static_cast<float>(layer.optics_.reflectance(thickest_mm * i / kTable)));
-      per_mm_ = static_cast<float>(kTable / thickest_mm);
-    }
-    void row(RowView& row) const override {
-      const float* thick = thickness(row);
-      for (int u = row.face.first; u < row.face.last; ++u) {
-        const float at = std::min(thick[u] * per_mm_, static_cast<float>(kTable) - 0.001F);
-        const auto i = static_cast<std::size_t>(at);
-        const float part = at - static_cast<float>(i);
-        row.surfaces[0].light[u] *= table_[i] + part * (table_[i + 1] - table_[i]);
-      }
-    }
-
-   private:
-    std::vector<float> table_;
-    float per_mm_;
-  };
+  void scatter(RowView& row) const {
+    const FaceRow& face = row.face;
+    const auto per_mm = static_cast<float>(optics_.scatter_per_mm);
+    const auto coat = static_cast<float>(optics_.coat);
+    const bool is_changed = row.press_first < row.press_last || row.hollow_mm;
+    float* light = row.surfaces[0].light;
+    if (coat > 0)
+      reflect_over_coat(face.first, face.last, per_mm, coat, thickness(row), light);
+    else if (is_changed)
+      reflect(face.first, face.last, per_mm, thickness(row), light);
+    else if (along_z_)
+      reflect(face.first, face.last, per_mm, face.luf_mm, light);
+    else
+      reflect_by_normal(face.first, face.last, per_mm, face.luf_mm, face.cos_incline, light);
+  }
 
   LayerOptics optics_;
   bool along_z_;
@@ -151,14 +116,11 @@ class Layer final : public RadianceEffect {
 
 }  // namespace
 
-const EffectKind& effect_layer() {
-  static const EffectKind kKind{
-      "layer",
-      Stage::kRadiance,
-      10,
-      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Layer>(p); },
-      "scatter_per_mm: 0.6, along: normal"};
-  return kKind;
+EffectKind effect_layer() {
+  return effect_kind<Layer>("layer",
+                            10,
+                            en::say("The layer over the black coat is darker where it is thinner"),
+                            "scatter_per_mm: 0.6, along: normal");
 }
 
 }  // namespace alltact

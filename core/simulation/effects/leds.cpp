@@ -164,50 +164,33 @@ class Leds final : public RadianceEffect {
       p.refuse("lamps", en::say("there is no lamp"), en::say("- {{at_mm: [x, y, z], power: p}}"));
   }
 
-  Message sentence() const override { return en::say("Lamps light the finger"); }
-
   int lamp_count() const override { return static_cast<int>(lamps_.size()); }
 
-  std::unique_ptr<const Rows> begin(const FrameContext&,
-                                    const FrameGeometry& geometry) const override {
+  Rows begin(const FrameContext&, const FrameGeometry& geometry) const override {
     const Illumination& now = geometry.illumination;
     std::vector<Lamp> lamps = lamps_;
     for (std::size_t i = 0; i < lamps.size(); ++i)
       lamps[i].power *= static_cast<float>(now.share_of(static_cast<int>(i)));
-    return std::make_unique<LedRows>(Lamps{std::move(lamps),
-                                           static_cast<float>(now.room_level),
-                                           static_cast<float>(now.absorb_per_mm),
-                                           geometry.rays().camera().is_perspective() ? 1.0F : 0.0F},
-                                     now.indirect.get());
+    Lamps all{std::move(lamps),
+              static_cast<float>(now.room_level),
+              static_cast<float>(now.absorb_per_mm),
+              geometry.rays().camera().is_perspective() ? 1.0F : 0.0F};
+    if (!now.indirect)
+      return [all = std::move(all)](RowView& row) {
+        for (const Surface& surface : row.surfaces) light_up(surface, all, nullptr);
+      };
+    IndirectRows set_indirect = now.indirect(
+        [&](const Surface& surface, float* irradiance) { irradiate(surface, all, irradiance); });
+    return [all = std::move(all), set_indirect = std::move(set_indirect)](RowView& row) {
+      float* indirect = row.scratch.floats();
+      for (const Surface& surface : row.surfaces) {
+        set_indirect(row, surface, indirect);
+        light_up(surface, all, indirect);
+      }
+    };
   }
 
  private:
-  class LedRows final : public Rows {
-   public:
-    LedRows(Lamps lamps, const IndirectLight* indirect) : lamps_(std::move(lamps)) {
-      if (!indirect) return;
-      indirect_ = indirect->lit_by([&](const Surface& surface, float* irradiance) {
-        irradiate(surface, lamps_, irradiance);
-      });
-    }
-
-    void row(RowView& row) const override {
-      if (!indirect_) {
-        for (const Surface& surface : row.surfaces) light_up(surface, lamps_, nullptr);
-        return;
-      }
-      float* indirect = row.scratch.floats();
-      for (const Surface& surface : row.surfaces) {
-        indirect_->row(row, surface, indirect);
-        light_up(surface, lamps_, indirect);
-      }
-    }
-
-   private:
-    Lamps lamps_;
-    std::unique_ptr<const IndirectLight::Rows> indirect_;
-  };
-
   static Lamp read_lamp(YamlSection& section) {
     const auto at = section.numbers("at_mm", 3, 3, kLampPositionMm);
     Lamp lamp{static_cast<float>(at[0]),
@@ -240,15 +223,13 @@ class Leds final : public RadianceEffect {
 
 }  // namespace
 
-const EffectKind& effect_leds() {
-  static const EffectKind kKind{
+EffectKind effect_leds() {
+  return effect_kind<Leds>(
       "leds",
-      Stage::kRadiance,
       50,
-      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Leds>(p); },
+      en::say("Lamps light the finger"),
       "lamps: [{at_mm: [0, 3, 0], power: 540000}, {at_mm: [4, 0, -20], power: 3300000, "
-      "aim_mm: [71, 0, 93], lobe: 8}]"};
-  return kKind;
+      "aim_mm: [71, 0, 93], lobe: 8}]");
 }
 
 }  // namespace alltact

@@ -17,13 +17,6 @@ struct Coverage {
   cv::Mat_<float> fraction;  ///< 0..1; empty when the outline lies outside the image
 };
 
-/// Exact areas of a convex polygon within pixels, clipped to the image. Pixel (0, 0) covers -0.5 to
-/// 0.5.
-[[nodiscard]] Coverage convex_coverage(const std::vector<Eigen::Vector2d>& outline, cv::Size size);
-
-/// Centroid of the polygon.
-[[nodiscard]] Eigen::Vector2d centre_of_area(const std::vector<Eigen::Vector2d>& outline);
-
 using Outline = std::vector<Eigen::Vector2d>;
 
 // Clips a convex polygon to sign * coordinate <= sign * limit.
@@ -51,6 +44,8 @@ double area(const Outline& polygon) {
   return 0.5 * std::abs(twice);
 }
 
+/// Exact areas of a convex polygon within pixels, clipped to the image. Pixel (0, 0) covers -0.5 to
+/// 0.5.
 Coverage convex_coverage(const Outline& outline, cv::Size size) {
   Eigen::Vector2d low = outline.front(), high = low;
   for (const auto& p : outline) {
@@ -78,6 +73,7 @@ Coverage convex_coverage(const Outline& outline, cv::Size size) {
   return coverage;
 }
 
+/// Centroid of the polygon.
 Eigen::Vector2d centre_of_area(const Outline& outline) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   double weight = 0;
@@ -89,15 +85,11 @@ Eigen::Vector2d centre_of_area(const Outline& outline) {
   return outline[0] + (weight != 0 ? Eigen::Vector2d(sum / weight) : Eigen::Vector2d::Zero());
 }
 
-}  // namespace
-
 // Dots engraved in both side faces, `setback_mm` behind the face's edge (along the face's normal,
 // towards the camera), evenly from `first` to `last` (fractions of the length). With
 // `last_radius_mm` the radius changes linearly from radius_mm to that of the last dot. With
 // `step_ratio` the steps grow by one factor, the last one being `step_ratio` times the first. Dots
 // far from the camera are then neither too small nor too close together.
-
-namespace {
 
 constexpr int kCorners = 96;
 
@@ -122,8 +114,6 @@ class Markers final : public GeometryEffect {
                en::say("the dots would cut the face's edge"),
                en::say("less than setback_mm"));
   }
-
-  Message sentence() const override { return en::say("Dots are engraved in the side faces"); }
 
   Status validate(const SceneFacts& scene) const override {
     if (scene.finger.markers.per_row < 2)
@@ -184,15 +174,12 @@ class Markers final : public GeometryEffect {
 
 }  // namespace
 
-const EffectKind& effect_markers() {
-  static const EffectKind kKind{
-      "markers",
-      Stage::kGeometry,
-      60,
-      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Markers>(p); },
-      "radius_mm: 1.5, setback_mm: 4, first: 0.1, last: 0.92, albedo: 0.9",
-      {"sides"}};
-  return kKind;
+EffectKind effect_markers() {
+  return effect_kind<Markers>("markers",
+                              60,
+                              en::say("Dots are engraved in the side faces"),
+                              "radius_mm: 1.5, setback_mm: 4, first: 0.1, last: 0.92, albedo: 0.9",
+                              {"sides"});
 }
 
 }  // namespace alltact

@@ -19,11 +19,9 @@ class MeshBody final : public Body {
   /// `mesh` is closed. `scale`: mm per unit of the file.
   MeshBody(TriangleMesh mesh, double scale);
 
-  [[nodiscard]] std::unique_ptr<const PosedBody> posed(
-      const Eigen::Isometry3d& camera_from_object) const override;
+  [[nodiscard]] PosedBody posed(const Eigen::Isometry3d& camera_from_object) const override;
   [[nodiscard]] double min_along_mm(const Eigen::Vector3d& direction) const override;
   [[nodiscard]] Eigen::Vector2d half_size_mm() const override { return half_size_mm_; }
-  [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }
 
  private:
   TriangleMesh mesh_;
@@ -33,7 +31,7 @@ class MeshBody final : public Body {
 constexpr double kOnEdge = 1e-9;  // of a triangle's size: points on an edge belong to both sides
 
 // Triangles indexed by the cells of the x-y plane that they cover.
-class PosedMesh final : public PosedBody {
+class PosedMesh {
  public:
   PosedMesh(const TriangleMesh& mesh, const Eigen::Isometry3d& camera_from_object)
       : triangles_(mesh.triangles) {
@@ -47,7 +45,7 @@ class PosedMesh final : public PosedBody {
     fill_cells();
   }
 
-  double lowest_z_mm(double x_mm, double y_mm, double below_mm) const override {
+  [[nodiscard]] double lowest_z_mm(double x_mm, double y_mm, double below_mm) const {
     double lowest = std::numeric_limits<double>::infinity();
     const Eigen::Vector2d at(x_mm, y_mm);
     if ((at.array() < low_.array()).any() || (at.array() > high_.array()).any()) return lowest;
@@ -125,9 +123,11 @@ MeshBody::MeshBody(TriangleMesh mesh, double scale) : mesh_(std::move(mesh)) {
   half_size_mm_ = box.sizes().head<2>() / 2;
 }
 
-std::unique_ptr<const PosedBody> MeshBody::posed(
-    const Eigen::Isometry3d& camera_from_object) const {
-  return std::make_unique<PosedMesh>(mesh_, camera_from_object);
+PosedBody MeshBody::posed(const Eigen::Isometry3d& camera_from_object) const {
+  return [mesh = std::make_shared<const PosedMesh>(mesh_, camera_from_object)](
+             double x_mm, double y_mm, double below_mm) {
+    return mesh->lowest_z_mm(x_mm, y_mm, below_mm);
+  };
 }
 
 double MeshBody::min_along_mm(const Eigen::Vector3d& direction) const {
@@ -136,13 +136,9 @@ double MeshBody::min_along_mm(const Eigen::Vector3d& direction) const {
   return min_value;
 }
 
-}  // namespace
-
 // A body given by triangles: `file` (STL or OBJ, next to the scene, or one in resources/bodies),
 // `scale` in mm per unit of the file. Unless rotated, its z axis points away from the finger and
 // its x axis along it. Its centre lies over the press position.
-
-namespace {
 
 constexpr double kMaxSize_mm = 1000, kMinSize_mm = 0.1;
 
@@ -154,35 +150,28 @@ std::filesystem::path find_mesh(const std::filesystem::path& folder, const std::
   return shipped ? *shipped : local_file;
 }
 
-class Mesh final : public RigidPress {
- public:
-  explicit Mesh(YamlSection& p) : RigidPress(p) {
-    const double scale = p.number_or("scale", 1, strength_up_to(1e6));
-    auto mesh = read_mesh(find_mesh(p.file().path().parent_path(), p.text("file")));
-    if (!mesh) p.refuse("file", mesh.error().what, mesh.error().advice);
-    if (const Status closed = check_closed(*mesh); !closed)
-      p.refuse("file", closed.error().what, closed.error().advice);
-    auto body = std::make_shared<MeshBody>(std::move(*mesh), scale);
-    const double size = 2 * body->half_size_mm().maxCoeff();
-    if (size > kMaxSize_mm || size < kMinSize_mm)
-      p.refuse(p.has("scale") ? "scale" : "file",
-               en::say("the body would be {:g} mm in size", size),
-               en::say("'scale' specifies the mm per unit of the file"));
-    set_body(std::move(body));
-  }
-  Message sentence() const override { return en::say("A body is pressed into the face"); }
-};
+std::shared_ptr<const Body> mesh_body(YamlSection& p) {
+  const double scale = p.number_or("scale", 1, strength_up_to(1e6));
+  auto mesh = read_mesh(find_mesh(p.file().path().parent_path(), p.text("file")));
+  if (!mesh) p.refuse("file", mesh.error().what, mesh.error().advice);
+  if (const Status closed = check_closed(*mesh); !closed)
+    p.refuse("file", closed.error().what, closed.error().advice);
+  auto body = std::make_shared<MeshBody>(std::move(*mesh), scale);
+  const double size = 2 * body->half_size_mm().maxCoeff();
+  if (size > kMaxSize_mm || size < kMinSize_mm)
+    p.refuse(p.has("scale") ? "scale" : "file",
+             en::say("the body would be {:g} mm in size", size),
+             en::say("'scale' specifies the mm per unit of the file"));
+  return body;
+}
 
 }  // namespace
 
-const EffectKind& effect_mesh() {
-  static const EffectKind kKind{
-      "mesh",
-      Stage::kGeometry,
-      35,
-      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Mesh>(p); },
-      "file: nut_m6.stl, s_mm: 50, y_mm: 0, depth_mm: 0.8"};
-  return kKind;
+EffectKind effect_mesh() {
+  return effect_kind<RigidPressOf<mesh_body>>("mesh",
+                                              35,
+                                              en::say("A body is pressed into the face"),
+                                              "file: nut_m6.stl, s_mm: 50, y_mm: 0, depth_mm: 0.8");
 }
 
 }  // namespace alltact

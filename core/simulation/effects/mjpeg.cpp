@@ -11,8 +11,6 @@ class Mjpeg final : public TransportEffect {
  public:
   explicit Mjpeg(YamlSection& p) : quality_(p.integer("quality", 1, 100)) {}
 
-  Message sentence() const override { return en::say("The camera sends JPEG images"); }
-
   Status validate(const SceneFacts& scene) const override {
     if (!scene.has_effect("quantisation"))
       return Error{
@@ -32,15 +30,9 @@ class Mjpeg final : public TransportEffect {
 
 }  // namespace
 
-const EffectKind& effect_mjpeg() {
-  static const EffectKind kKind{
-      "mjpeg",
-      Stage::kTransport,
-      50,
-      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Mjpeg>(p); },
-      "quality: 85",
-      {"quantisation"}};
-  return kKind;
+EffectKind effect_mjpeg() {
+  return effect_kind<Mjpeg>(
+      "mjpeg", 50, en::say("The camera sends JPEG images"), "quality: 85", {"quantisation"});
 }
 
 }  // namespace alltact

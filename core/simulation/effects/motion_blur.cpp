@@ -13,8 +13,6 @@ class MotionBlur final : public SensorEffect {
       : exposure_s_(p.number("exposure_ms", strength_up_to(10000)) / 1000),
         moments_(p.integer_or("moments", 5, 2, 100)) {}
 
-  Message sentence() const override { return en::say("The finger moves during the exposure"); }
-
   Status validate(const SceneFacts& scene) const override {
     if (exposure_s_ * scene.frames_per_s > 1)
       return Error{en::say("the shutter would be open for longer than a frame lasts"),
@@ -34,15 +32,9 @@ class MotionBlur final : public SensorEffect {
 
 }  // namespace
 
-const EffectKind& effect_motion_blur() {
-  static const EffectKind kKind{"motion-blur",
-                                Stage::kSensor,
-                                1,
-                                [](YamlSection& p) -> std::shared_ptr<const Effect> {
-                                  return std::make_shared<MotionBlur>(p);
-                                },
-                                "exposure_ms: 10"};
-  return kKind;
+EffectKind effect_motion_blur() {
+  return effect_kind<MotionBlur>(
+      "motion-blur", 1, en::say("The finger moves during the exposure"), "exposure_ms: 10");
 }
 
 }  // namespace alltact

@@ -23,7 +23,6 @@ class Occlusion final : public GeometryEffect {
     markers_ = read_marker_numbers(p);
   }
 
-  Message sentence() const override { return en::say("Folds of the side faces hide dots"); }
   bool is_repeatable() const override { return true; }
 
   Status validate(const SceneFacts& scene) const override {
@@ -68,16 +67,12 @@ class Occlusion final : public GeometryEffect {
 
 }  // namespace
 
-const EffectKind& effect_occlusion() {
-  static const EffectKind kKind{"occlusion",
-                                Stage::kGeometry,
+EffectKind effect_occlusion() {
+  return effect_kind<Occlusion>("occlusion",
                                 61,
-                                [](YamlSection& p) -> std::shared_ptr<const Effect> {
-                                  return std::make_shared<Occlusion>(p);
-                                },
+                                en::say("Folds of the side faces hide dots"),
                                 "count: 3",
-                                {"sides", "markers"}};
-  return kKind;
+                                {"sides", "markers"});
 }
 
 }  // namespace alltact

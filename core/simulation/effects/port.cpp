@@ -14,10 +14,6 @@ class Port final : public GeometryEffect {
               p.number_or("plate_index", 1.49, {1, 3}),
               p.number_or("medium_index", 1.41, {1, 3})} {}
 
-  Message sentence() const override {
-    return en::say("The camera looks through a flat window into the silicone");
-  }
-
   Status validate(const SceneFacts& scene) const override {
     if (scene.finger.camera.model == CameraModel::kOrthographic)
       return Error{en::say("a window does not bend parallel rays"), "", en::say("leave port out")};
@@ -32,14 +28,11 @@ class Port final : public GeometryEffect {
 
 }  // namespace
 
-const EffectKind& effect_port() {
-  static const EffectKind kKind{
-      "port",
-      Stage::kGeometry,
-      2,
-      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Port>(p); },
-      "gap_mm: 2, plate_mm: 3"};
-  return kKind;
+EffectKind effect_port() {
+  return effect_kind<Port>("port",
+                           2,
+                           en::say("The camera looks through a flat window into the silicone"),
+                           "gap_mm: 2, plate_mm: 3");
 }
 
 }  // namespace alltact

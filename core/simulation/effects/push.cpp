@@ -47,7 +47,6 @@ class PushedBall final : public GeometryEffect {
           modulus_from_shore_a(p.number("layer_shore_a", {kSoftestShoreA, kHardestShoreA})).value();
   }
 
-  Message sentence() const override { return en::say("A ball pushes against the finger"); }
   bool is_repeatable() const override { return true; }
 
   Status validate(const SceneFacts& scene) const override {
@@ -255,16 +254,12 @@ class PushedBall final : public GeometryEffect {
 
 }  // namespace
 
-const EffectKind& effect_push() {
-  static const EffectKind kKind{
+EffectKind effect_push() {
+  return effect_kind<PushedBall>(
       "push",
-      Stage::kGeometry,
       52,  // after rolloff and bulge, which apply to presses of given depth
-      [](YamlSection& p) -> std::shared_ptr<const Effect> {
-        return std::make_shared<PushedBall>(p);
-      },
-      "face: contact, s_mm: 60, y_mm: 2, radius_mm: 4, force_N: 1.5, layer_shore_a: 5"};
-  return kKind;
+      en::say("A ball pushes against the finger"),
+      "face: contact, s_mm: 60, y_mm: 2, radius_mm: 4, force_N: 1.5, layer_shore_a: 5");
 }
 
 }  // namespace alltact

@@ -19,9 +19,6 @@ ALLTACT_WIDE void quantise(int first,
 class Quantisation final : public SensorEffect {
  public:
   explicit Quantisation(YamlSection&) {}
-  Message sentence() const override {
-    return en::say("The sensor outputs integer grey levels from 0 to 255");
-  }
   bool outputs_bytes() const override { return true; }
   void row(const FrameContext&, RowView& row) const override {
     std::fill(row.bytes, row.bytes + row.lit_first, std::uint8_t{0});
@@ -32,15 +29,9 @@ class Quantisation final : public SensorEffect {
 
 }  // namespace
 
-const EffectKind& effect_quantisation() {
-  static const EffectKind kKind{"quantisation",
-                                Stage::kSensor,
-                                90,
-                                [](YamlSection& p) -> std::shared_ptr<const Effect> {
-                                  return std::make_shared<Quantisation>(p);
-                                },
-                                ""};
-  return kKind;
+EffectKind effect_quantisation() {
+  return effect_kind<Quantisation>(
+      "quantisation", 90, en::say("The sensor outputs integer grey levels from 0 to 255"), "");
 }
 
 }  // namespace alltact

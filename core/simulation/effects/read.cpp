@@ -13,21 +13,16 @@ ALLTACT_WIDE void add_read(int n,
   for (int u = 0; u < n; ++u) value[u] += sd * normal[u];
 }
 
+class ReadNoise final : public NoiseEffect {
+ public:
+  explicit ReadNoise(YamlSection& p)
+      : NoiseEffect("read", p.number("sd", strength_up_to(100)), add_read) {}
+};
+
 }  // namespace
 
-const EffectKind& effect_read() {
-  static const EffectKind kKind{"read",
-                                Stage::kSensor,
-                                60,
-                                [](YamlSection& p) -> std::shared_ptr<const Effect> {
-                                  return std::make_shared<NoiseEffect>(
-                                      "read",
-                                      p.number("sd", strength_up_to(100)),
-                                      add_read,
-                                      en::say("Reading the sensor adds noise"));
-                                },
-                                "sd: 1"};
-  return kKind;
+EffectKind effect_read() {
+  return effect_kind<ReadNoise>("read", 60, en::say("Reading the sensor adds noise"), "sd: 1");
 }
 
 }  // namespace alltact

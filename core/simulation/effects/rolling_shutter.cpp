@@ -13,10 +13,6 @@ class RollingShutter final : public SensorEffect {
       : readout_s_(p.number("readout_ms", strength_up_to(10000)) / 1000),
         rows_at_once_(p.integer_or("rows_at_once", 1, 1, 1000)) {}
 
-  Message sentence() const override {
-    return en::say("The rows of an image are exposed one after the other");
-  }
-
   Status validate(const SceneFacts& scene) const override {
     if (readout_s_ * scene.frames_per_s > 1)
       return Error{en::say("reading the rows would take longer than a frame lasts"),
@@ -36,15 +32,12 @@ class RollingShutter final : public SensorEffect {
 
 }  // namespace
 
-const EffectKind& effect_rolling_shutter() {
-  static const EffectKind kKind{"rolling-shutter",
-                                Stage::kSensor,
-                                2,
-                                [](YamlSection& p) -> std::shared_ptr<const Effect> {
-                                  return std::make_shared<RollingShutter>(p);
-                                },
-                                "readout_ms: 16, rows_at_once: 8"};
-  return kKind;
+EffectKind effect_rolling_shutter() {
+  return effect_kind<RollingShutter>(
+      "rolling-shutter",
+      2,
+      en::say("The rows of an image are exposed one after the other"),
+      "readout_ms: 16, rows_at_once: 8");
 }
 
 }  // namespace alltact

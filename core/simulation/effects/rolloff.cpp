@@ -119,16 +119,12 @@ class Rolloff final : public GeometryEffect {
                         : p.number("length_mm", {0.005, 5});
   }
 
-  Message sentence() const override {
-    return en::say("The face separates gradually from the object");
-  }
-
   Status validate(const SceneFacts& scene) const override {
-    if (scene.press_kinds.empty())
+    if (!scene.ball_presses && !scene.body_presses)
       return Error{en::say("nothing is pressed in, so nothing rolls off"),
                    "",
                    en::say("add ball or relief")};
-    if (hertz_ && scene.presses(PressKind::kBody))
+    if (hertz_ && scene.body_presses)
       return Error{
           en::say("kind hertz is for balls only"), "", en::say("kind: smooth with a length_mm")};
     return {};
@@ -156,15 +152,12 @@ class Rolloff final : public GeometryEffect {
 
 }  // namespace
 
-const EffectKind& effect_rolloff() {
-  static const EffectKind kKind{
-      "rolloff",
-      Stage::kGeometry,
-      40,
-      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Rolloff>(p); },
-      "kind: hertz, length_mm: 0.8",
-      {"ball"}};
-  return kKind;
+EffectKind effect_rolloff() {
+  return effect_kind<Rolloff>("rolloff",
+                              40,
+                              en::say("The face separates gradually from the object"),
+                              "kind: hertz, length_mm: 0.8",
+                              {"ball"});
 }
 
 }  // namespace alltact

@@ -2,7 +2,6 @@
 // `width_mm` / 2 of the line from `from_mm` to `to_mm`, each [s, y]. change 1 doubles the light, -1
 // removes it.
 #include "core/simulation/effect.h"
-#include "core/simulation/face_mark.h"
 
 namespace alltact {
 
@@ -16,7 +15,6 @@ class Scratch final : public RadianceEffect {
         width_mm_(p.number("width_mm", strength_up_to(50))),
         change_(p.number("change", {-1, 10, false, false, true})) {}
 
-  Message sentence() const override { return en::say("A scratch crosses the face"); }
   bool is_repeatable() const override { return true; }
 
   Status validate(const SceneFacts& scene) const override {
@@ -26,10 +24,10 @@ class Scratch final : public RadianceEffect {
     return {};
   }
 
-  std::unique_ptr<const Rows> begin(const FrameContext&,
-                                    const FrameGeometry& geometry) const override {
-    return std::make_unique<MarkRows>(
-        geometry, FaceMark{from_, to_, width_mm_ / 2}, 1 + change_, 0);
+  Rows begin(const FrameContext&, const FrameGeometry& geometry) const override {
+    return [this, &camera = geometry.rays().camera()](RowView& row) {
+      mark_row(camera, {from_, to_, width_mm_ / 2}, 1 + change_, 0, row);
+    };
   }
 
  private:
@@ -44,14 +42,11 @@ class Scratch final : public RadianceEffect {
 
 }  // namespace
 
-const EffectKind& effect_scratch() {
-  static const EffectKind kKind{
-      "scratch",
-      Stage::kRadiance,
-      16,
-      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Scratch>(p); },
-      "from_mm: [30, -4], to_mm: [50, 5], width_mm: 0.3, change: 0.4"};
-  return kKind;
+EffectKind effect_scratch() {
+  return effect_kind<Scratch>("scratch",
+                              16,
+                              en::say("A scratch crosses the face"),
+                              "from_mm: [30, -4], to_mm: [50, 5], width_mm: 0.3, change: 0.4");
 }
 
 }  // namespace alltact

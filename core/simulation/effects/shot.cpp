@@ -13,22 +13,20 @@ ALLTACT_WIDE void add_shot(int n,
   for (int u = 0; u < n; ++u) value[u] += std::sqrt(gain * std::max(value[u], 0.0F)) * normal[u];
 }
 
+class ShotNoise final : public NoiseEffect {
+ public:
+  explicit ShotNoise(YamlSection& p)
+      : NoiseEffect("shot", p.number("gain", strength_up_to(100)), add_shot) {}
+};
+
 }  // namespace
 
-const EffectKind& effect_shot() {
-  static const EffectKind kKind{
+EffectKind effect_shot() {
+  return effect_kind<ShotNoise>(
       "shot",
-      Stage::kSensor,
       50,
-      [](YamlSection& p) -> std::shared_ptr<const Effect> {
-        return std::make_shared<NoiseEffect>(
-            "shot",
-            p.number("gain", strength_up_to(100)),
-            add_shot,
-            en::say("Light arrives as photons; their noise grows with brightness"));
-      },
-      "gain: 0.03"};
-  return kKind;
+      en::say("Light arrives as photons; their noise grows with brightness"),
+      "gain: 0.03");
 }
 
 }  // namespace alltact

@@ -109,8 +109,6 @@ class Sides final : public RadianceEffect {
       : albedo_(static_cast<float>(p.number("albedo", strength_up_to(1)))),
         depth_mm_(static_cast<float>(p.number("depth_mm", strength_up_to(1000)))) {}
 
-  Message sentence() const override { return en::say("The side faces of the body are visible"); }
-
   Status validate(const SceneFacts& scene) const override {
     if (scene.finger.face.kind == FaceKind::kFlat)
       return Error{en::say("a flat sensor has no side faces"), "", en::say("leave sides out")};
@@ -120,83 +118,67 @@ class Sides final : public RadianceEffect {
     return {};
   }
 
-  std::unique_ptr<const Rows> begin(const FrameContext&,
-                                    const FrameGeometry& geometry) const override {
-    return std::make_unique<SideRows>(*this, geometry);
+  Rows begin(const FrameContext&, const FrameGeometry& geometry) const override {
+    return [this, &geometry](RowView& row) { add_sides(geometry, row); };
   }
 
  private:
-  class SideRows final : public Rows {
-   public:
-    SideRows(const Sides& sides, const FrameGeometry& geometry)
-        : sides_(sides), geometry_(geometry) {}
-
-    void row(RowView& row) const override {
-      const auto floats = [&] { return row.scratch.floats(); };
-      const SideRow r{row.width,
-                      static_cast<float>(geometry_.face().width_mm / 2),
-                      static_cast<float>(geometry_.curve()->length_mm()),
-                      sides_.depth_mm_,
-                      sides_.albedo_,
-                      geometry_.rays().row(row.v, row.scratch),
-                      full_face(row),
-                      floats(),
-                      floats(),
-                      floats(),
-                      floats(),
-                      floats(),
-                      floats(),
-                      floats(),
-                      floats()};
-      if (geometry_.is_column_wise()) {
-        std::fill(r.normal_x, r.normal_x + r.n, 0.0F);
-        std::fill(r.normal_z, r.normal_z + r.n, 0.0F);
-        intersect_sides(r);
-      } else {
-        intersect_sides_by_rays(r, geometry_, row.v);
-      }
-      for (const MarkerDisc& disc : geometry_.discs) draw(disc, row.v, r.light);
-      row.surfaces.push_back(
-          {0, row.width, r.x, r.y, r.z, r.normal_x, r.inward, r.normal_z, r.coverage, r.light});
+  void add_sides(const FrameGeometry& geometry, RowView& row) const {
+    const auto floats = [&] { return row.scratch.floats(); };
+    const SideRow r{row.width,
+                    static_cast<float>(geometry.face().width_mm / 2),
+                    static_cast<float>(geometry.curve()->length_mm()),
+                    depth_mm_,
+                    albedo_,
+                    geometry.rays().row(row.v, row.scratch),
+                    full_face(row),
+                    floats(),
+                    floats(),
+                    floats(),
+                    floats(),
+                    floats(),
+                    floats(),
+                    floats(),
+                    floats()};
+    if (geometry.is_column_wise()) {
+      std::fill(r.normal_x, r.normal_x + r.n, 0.0F);
+      std::fill(r.normal_z, r.normal_z + r.n, 0.0F);
+      intersect_sides(r);
+    } else {
+      intersect_sides_by_rays(r, geometry, row.v);
     }
+    for (const MarkerDisc& disc : geometry.discs) draw(disc, row.v, r.light);
+    row.surfaces.push_back(
+        {0, row.width, r.x, r.y, r.z, r.normal_x, r.inward, r.normal_z, r.coverage, r.light});
+  }
 
-   private:
-    // The face's row, with coverage 0 where the row is off the face.
-    [[nodiscard]] static FaceRow full_face(RowView& row) {
-      FaceRow face = row.face;
-      float* coverage = row.scratch.floats();
-      std::fill(coverage, coverage + row.width, 0.0F);
-      std::copy(face.coverage + face.first, face.coverage + face.last, coverage + face.first);
-      face.coverage = coverage;
-      return face;
+  // The face's row, with coverage 0 where the row is off the face.
+  [[nodiscard]] static FaceRow full_face(RowView& row) {
+    FaceRow face = row.face;
+    float* coverage = row.scratch.floats();
+    std::fill(coverage, coverage + row.width, 0.0F);
+    std::copy(face.coverage + face.first, face.coverage + face.last, coverage + face.first);
+    face.coverage = coverage;
+    return face;
+  }
+
+  static void draw(const MarkerDisc& disc, int v, float* light) {
+    const int row = v - disc.corner.y;
+    if (!disc.visible || row < 0 || row >= disc.coverage.rows) return;
+    for (int i = 0; i < disc.coverage.cols; ++i) {
+      float& here = light[disc.corner.x + i];
+      here += disc.coverage(row, i) * (static_cast<float>(disc.albedo) - here);
     }
-
-    static void draw(const MarkerDisc& disc, int v, float* light) {
-      const int row = v - disc.corner.y;
-      if (!disc.visible || row < 0 || row >= disc.coverage.rows) return;
-      for (int i = 0; i < disc.coverage.cols; ++i) {
-        float& here = light[disc.corner.x + i];
-        here += disc.coverage(row, i) * (static_cast<float>(disc.albedo) - here);
-      }
-    }
-
-    const Sides& sides_;
-    const FrameGeometry& geometry_;
-  };
+  }
 
   float albedo_, depth_mm_;
 };
 
 }  // namespace
 
-const EffectKind& effect_sides() {
-  static const EffectKind kKind{
-      "sides",
-      Stage::kRadiance,
-      20,
-      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Sides>(p); },
-      "albedo: 0.12, depth_mm: 14"};
-  return kKind;
+EffectKind effect_sides() {
+  return effect_kind<Sides>(
+      "sides", 20, en::say("The side faces of the body are visible"), "albedo: 0.12, depth_mm: 14");
 }
 
 }  // namespace alltact

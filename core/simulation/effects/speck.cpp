@@ -1,7 +1,6 @@
 // A speck of dirt on the view face darkens it: light = light (1 - darkness * part), part the share
 // of the pixel that a disc of `radius_mm` about (s_mm, y_mm) covers.
 #include "core/simulation/effect.h"
-#include "core/simulation/face_mark.h"
 
 namespace alltact {
 
@@ -15,15 +14,14 @@ class Speck final : public RadianceEffect {
         radius_(Varying::read(p, "radius_mm", strength_up_to(50))),
         darkness_(p.number("darkness", strength_up_to(1))) {}
 
-  Message sentence() const override { return en::say("A speck of dirt is on the face"); }
   bool is_repeatable() const override { return true; }
 
   Status validate(const SceneFacts& scene) const override { return check_position(scene, s_, y_); }
 
-  std::unique_ptr<const Rows> begin(const FrameContext& frame,
-                                    const FrameGeometry& geometry) const override {
+  Rows begin(const FrameContext& frame, const FrameGeometry& geometry) const override {
     const Eigen::Vector2d at(frame(s_), frame(y_));
-    return std::make_unique<MarkRows>(geometry, FaceMark{at, at, frame(radius_)}, 1 - darkness_, 0);
+    return [this, &camera = geometry.rays().camera(), mark = FaceMark{at, at, frame(radius_)}](
+               RowView& row) { mark_row(camera, mark, 1 - darkness_, 0, row); };
   }
 
  private:
@@ -33,14 +31,11 @@ class Speck final : public RadianceEffect {
 
 }  // namespace
 
-const EffectKind& effect_speck() {
-  static const EffectKind kKind{
-      "speck",
-      Stage::kRadiance,
-      15,
-      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Speck>(p); },
-      "s_mm: 40, y_mm: 2, radius_mm: 0.5, darkness: 0.5"};
-  return kKind;
+EffectKind effect_speck() {
+  return effect_kind<Speck>("speck",
+                            15,
+                            en::say("A speck of dirt is on the face"),
+                            "s_mm: 40, y_mm: 2, radius_mm: 0.5, darkness: 0.5");
 }
 
 }  // namespace alltact

@@ -9,8 +9,6 @@ class Sway final : public GeometryEffect {
  public:
   explicit Sway(YamlSection& p) : sway_(DegreeOfFreedom::read(p, "sway_mm", {-100, 100})) {}
 
-  Message sentence() const override { return en::say("The finger leans sideways"); }
-
   Status validate(const SceneFacts& scene) const override {
     if (scene.finger.face.kind == FaceKind::kFlat)
       return Error{en::say("a flat sensor does not sway"), "", en::say("leave sway out")};
@@ -28,14 +26,9 @@ class Sway final : public GeometryEffect {
 
 }  // namespace
 
-const EffectKind& effect_sway() {
-  static const EffectKind kKind{
-      "sway",
-      Stage::kGeometry,
-      11,
-      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Sway>(p); },
-      "sway_mm: {from: -2, to: 2}"};
-  return kKind;
+EffectKind effect_sway() {
+  return effect_kind<Sway>(
+      "sway", 11, en::say("The finger leans sideways"), "sway_mm: {from: -2, to: 2}");
 }
 
 }  // namespace alltact

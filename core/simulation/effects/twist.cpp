@@ -12,8 +12,6 @@ class Twist final : public GeometryEffect {
  public:
   explicit Twist(YamlSection& p) : twist_(DegreeOfFreedom::read(p, "twist_deg", {-60, 60})) {}
 
-  Message sentence() const override { return en::say("The finger twists about its length"); }
-
   Status validate(const SceneFacts& scene) const override {
     if (scene.finger.face.kind == FaceKind::kFlat)
       return Error{en::say("a flat sensor does not twist"), "", en::say("leave twist out")};
@@ -31,14 +29,9 @@ class Twist final : public GeometryEffect {
 
 }  // namespace
 
-const EffectKind& effect_twist() {
-  static const EffectKind kKind{
-      "twist",
-      Stage::kGeometry,
-      12,
-      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Twist>(p); },
-      "twist_deg: {from: -8, to: 8}"};
-  return kKind;
+EffectKind effect_twist() {
+  return effect_kind<Twist>(
+      "twist", 12, en::say("The finger twists about its length"), "twist_deg: {from: -8, to: 8}");
 }
 
 }  // namespace alltact

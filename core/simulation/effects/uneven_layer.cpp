@@ -36,51 +36,36 @@ class UnevenLayer final : public GeometryEffect {
       : share_(p.number("share", strength_up_to(0.1))),
         length_mm_(p.number("length_mm", {0.5, 1000})) {}
 
-  Message sentence() const override { return en::say("The layer is not equally thick everywhere"); }
-
   void apply(const FrameContext& frame, FrameGeometry& geometry) const override {
-    geometry.layer_changes.push_back(std::make_shared<Waves>(*this, frame.seed));
+    std::array<LayerWave, kLayerWaves> waves;
+    for (std::uint32_t k = 0; k < kLayerWaves; ++k) {
+      const double angle = k * std::numbers::pi / kLayerWaves;
+      waves[k] = {static_cast<float>(std::cos(angle) / length_mm_),
+                  static_cast<float>(std::sin(angle) / length_mm_),
+                  static_cast<float>(philox_uniform(frame.seed, "uneven-layer", 0, k))};
+    }
+    geometry.layer_changes.emplace_back(
+        [waves, share = static_cast<float>(share_)](
+            const FaceRow& face, RowScratch& scratch, float* luf_mm) {
+          float* sum = scratch.floats();
+          std::fill(sum + face.first, sum + face.last, 0.0F);
+          for (const LayerWave& wave : waves)
+            add_layer_wave(face.first, face.last, wave, face.s_mm, face.y_mm, face.shift_mm, sum);
+          for (int u = face.first; u < face.last; ++u) luf_mm[u] *= 1.0F + share * 0.5F * sum[u];
+        });
   }
 
  private:
-  class Waves final : public LayerChange {
-   public:
-    Waves(const UnevenLayer& layer, std::uint64_t seed) : share_(static_cast<float>(layer.share_)) {
-      for (std::uint32_t k = 0; k < kLayerWaves; ++k) {
-        const double angle = k * std::numbers::pi / kLayerWaves;
-        waves_[k] = {static_cast<float>(std::cos(angle) / layer.length_mm_),
-                     static_cast<float>(std::sin(angle) / layer.length_mm_),
-                     static_cast<float>(philox_uniform(seed, "uneven-layer", 0, k))};
-      }
-    }
-
-    void row(const FaceRow& face, RowScratch& scratch, float* luf_mm) const override {
-      float* sum = scratch.floats();
-      std::fill(sum + face.first, sum + face.last, 0.0F);
-      for (const LayerWave& wave : waves_)
-        add_layer_wave(face.first, face.last, wave, face.s_mm, face.y_mm, face.shift_mm, sum);
-      for (int u = face.first; u < face.last; ++u) luf_mm[u] *= 1.0F + share_ * 0.5F * sum[u];
-    }
-
-   private:
-    float share_;
-    std::array<LayerWave, kLayerWaves> waves_;
-  };
-
   double share_, length_mm_;
 };
 
 }  // namespace
 
-const EffectKind& effect_uneven_layer() {
-  static const EffectKind kKind{"uneven-layer",
-                                Stage::kGeometry,
-                                20,
-                                [](YamlSection& p) -> std::shared_ptr<const Effect> {
-                                  return std::make_shared<UnevenLayer>(p);
-                                },
-                                "share: 0.03, length_mm: 12"};
-  return kKind;
+EffectKind effect_uneven_layer() {
+  return effect_kind<UnevenLayer>("uneven-layer",
+                                  20,
+                                  en::say("The layer is not equally thick everywhere"),
+                                  "share: 0.03, length_mm: 12");
 }
 
 }  // namespace alltact

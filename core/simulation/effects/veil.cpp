@@ -10,10 +10,6 @@ class Veil final : public SensorEffect {
  public:
   explicit Veil(YamlSection& p) : share_(p.number("share", {0, 1, true, true, true})) {}
 
-  Message sentence() const override {
-    return en::say("Part of the light spreads over the entire image");
-  }
-
   bool needs_full_image() const override { return true; }
   void process_image(const FrameContext&,
                      const FrameGeometry&,
@@ -32,14 +28,9 @@ class Veil final : public SensorEffect {
 
 }  // namespace
 
-const EffectKind& effect_veil() {
-  static const EffectKind kKind{
-      "veil",
-      Stage::kSensor,
-      15,
-      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Veil>(p); },
-      "share: 0.02"};
-  return kKind;
+EffectKind effect_veil() {
+  return effect_kind<Veil>(
+      "veil", 15, en::say("Part of the light spreads over the entire image"), "share: 0.02");
 }
 
 }  // namespace alltact

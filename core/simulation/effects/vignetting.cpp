@@ -52,8 +52,6 @@ class Vignetting final : public RadianceEffect {
     polynomial_ = {static_cast<float>(k[0]), static_cast<float>(k[1]), static_cast<float>(k[2])};
   }
 
-  Message sentence() const override { return en::say("The image is darker towards its corners"); }
-
   Status validate(const SceneFacts& scene) const override {
     if (cos4_ && scene.finger.camera.model == CameraModel::kOrthographic)
       return Error{en::say("the rays of an orthographic camera do not spread"),
@@ -62,46 +60,36 @@ class Vignetting final : public RadianceEffect {
     return {};
   }
 
-  std::unique_ptr<const Rows> begin(const FrameContext&,
-                                    const FrameGeometry& geometry) const override {
-    return std::make_unique<VignettingRows>(*this, geometry.rays());
+  Rows begin(const FrameContext&, const FrameGeometry& geometry) const override {
+    const PixelRays& rays = geometry.rays();
+    if (cos4_)
+      return [&rays](RowView& row) {
+        float* share = row.scratch.floats();
+        const RayRow ray = rays.row(row.v, row.scratch);
+        vignette_cos4(row.width, ray.direction_x, ray.direction_y, share);
+        apply(share, row);
+      };
+    const CameraParameters& camera = rays.camera().parameters();
+    const double x = std::max(camera.cx_px, camera.width_px - 1 - camera.cx_px);
+    const double y = std::max(camera.cy_px, camera.height_px - 1 - camera.cy_px);
+    return [this, &camera, per_r2 = static_cast<float>(1 / (x * x + y * y))](RowView& row) {
+      float* share = row.scratch.floats();
+      const double from_middle = row.v - camera.cy_px;
+      vignette_polynomial(row.width,
+                          static_cast<float>(camera.cx_px),
+                          static_cast<float>(from_middle * from_middle),
+                          per_r2,
+                          polynomial_,
+                          share);
+      apply(share, row);
+    };
   }
 
  private:
-  class VignettingRows final : public Rows {
-   public:
-    VignettingRows(const Vignetting& vignetting, const PixelRays& rays)
-        : vignetting_(vignetting), rays_(rays) {
-      const CameraParameters& camera = rays.camera().parameters();
-      const double x = std::max(camera.cx_px, camera.width_px - 1 - camera.cx_px);
-      const double y = std::max(camera.cy_px, camera.height_px - 1 - camera.cy_px);
-      per_r2_ = static_cast<float>(1 / (x * x + y * y));
-    }
-
-    void row(RowView& row) const override {
-      float* share = row.scratch.floats();
-      if (vignetting_.cos4_) {
-        const RayRow ray = rays_.row(row.v, row.scratch);
-        vignette_cos4(row.width, ray.direction_x, ray.direction_y, share);
-      } else {
-        const CameraParameters& camera = rays_.camera().parameters();
-        const double y = row.v - camera.cy_px;
-        vignette_polynomial(row.width,
-                            static_cast<float>(camera.cx_px),
-                            static_cast<float>(y * y),
-                            per_r2_,
-                            vignetting_.polynomial_,
-                            share);
-      }
-      for (const Surface& surface : row.surfaces)
-        for (int u = surface.first; u < surface.last; ++u) surface.light[u] *= share[u];
-    }
-
-   private:
-    const Vignetting& vignetting_;
-    const PixelRays& rays_;
-    float per_r2_ = 0;
-  };
+  static void apply(const float* share, RowView& row) {
+    for (const Surface& surface : row.surfaces)
+      for (int u = surface.first; u < surface.last; ++u) surface.light[u] *= share[u];
+  }
 
   bool cos4_;
   VignettingPolynomial polynomial_{};
@@ -109,15 +97,9 @@ class Vignetting final : public RadianceEffect {
 
 }  // namespace
 
-const EffectKind& effect_vignetting() {
-  static const EffectKind kKind{"vignetting",
-                                Stage::kRadiance,
-                                90,
-                                [](YamlSection& p) -> std::shared_ptr<const Effect> {
-                                  return std::make_shared<Vignetting>(p);
-                                },
-                                "kind: cos4"};
-  return kKind;
+EffectKind effect_vignetting() {
+  return effect_kind<Vignetting>(
+      "vignetting", 90, en::say("The image is darker towards its corners"), "kind: cos4");
 }
 
 }  // namespace alltact

@@ -12,8 +12,6 @@ class Warming final : public GeometryEffect {
       : loss_(p.number("loss", {0, 1, true, true, true})),
         after_s_(p.number("after_s", strength_up_to(1e6))) {}
 
-  Message sentence() const override { return en::say("The lamps lose light while they warm up"); }
-
   Status validate(const SceneFacts& scene) const override {
     if (scene.lamp_count == 0)
       return Error{
@@ -32,15 +30,12 @@ class Warming final : public GeometryEffect {
 
 }  // namespace
 
-const EffectKind& effect_warming() {
-  static const EffectKind kKind{
-      "warming",
-      Stage::kGeometry,
-      73,
-      [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<Warming>(p); },
-      "loss: 0.1, after_s: 60",
-      {"leds"}};
-  return kKind;
+EffectKind effect_warming() {
+  return effect_kind<Warming>("warming",
+                              73,
+                              en::say("The lamps lose light while they warm up"),
+                              "loss: 0.1, after_s: 60",
+                              {"leds"});
 }
 
 }  // namespace alltact

@@ -13,7 +13,6 @@ class WornMarker final : public GeometryEffect {
     markers_ = read_marker_numbers(p);
   }
 
-  Message sentence() const override { return en::say("Dots are worn and fainter"); }
   bool is_repeatable() const override { return true; }
 
   Status validate(const SceneFacts& scene) const override {
@@ -40,16 +39,12 @@ class WornMarker final : public GeometryEffect {
 
 }  // namespace
 
-const EffectKind& effect_worn_marker() {
-  static const EffectKind kKind{"worn-marker",
-                                Stage::kGeometry,
-                                62,
-                                [](YamlSection& p) -> std::shared_ptr<const Effect> {
-                                  return std::make_shared<WornMarker>(p);
-                                },
-                                "markers: [2], wear: 0.5",
-                                {"sides", "markers"}};
-  return kKind;
+EffectKind effect_worn_marker() {
+  return effect_kind<WornMarker>("worn-marker",
+                                 62,
+                                 en::say("Dots are worn and fainter"),
+                                 "markers: [2], wear: 0.5",
+                                 {"sides", "markers"});
 }
 
 }  // namespace alltact

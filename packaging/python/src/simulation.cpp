@@ -61,8 +61,8 @@ void bind_simulation(py::module_& module) {
           py::arg("path"),
           py::kw_only(),
           py::arg("seed") = 1)
-      .property("name", [](const OpenScene& s) { return s.scene.name(); })
-      .property("why", [](const OpenScene& s) { return s.scene.why(); })
+      .property("name", [](const OpenScene& s) { return s.scene.name; })
+      .property("why", [](const OpenScene& s) { return s.scene.why; })
       .property("effects", [](const OpenScene& s) { return s.plan.effects(); })
       .property("frames_per_s", [](const OpenScene& s) { return s.plan.frames_per_s(); })
       .property("camera",

@@ -35,7 +35,7 @@ TEST(Experiments, NamesAreDifferentAndScenesAreThere) {
       ASSERT_TRUE(scene) << scene.error().sentence();
       std::string expected = name;
       std::replace(expected.begin(), expected.end(), '_', ' ');
-      EXPECT_EQ(scene->name(), expected);
+      EXPECT_EQ(scene->name, expected);
     }
   }
 }

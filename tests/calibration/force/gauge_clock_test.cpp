@@ -1,5 +1,5 @@
 // How late a gauge is, told by the markers of fingers whose delay is known.
-#include "calibration/force/gauge_clock.h"
+#include "calibration/force/collect_force.h"
 
 #include <random>
 #include <set>

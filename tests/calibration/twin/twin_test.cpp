@@ -1,7 +1,6 @@
 // Twins of fingers whose every number is known: what can be seen in their pictures comes out.
 #include "calibration/twin/twin.h"
 
-#include "calibration/twin/twin_inputs.h"
 #include "calibration/twin/twin_scene.h"
 #include "core/finger/finger_store.h"
 #include "core/image/image_file.h"

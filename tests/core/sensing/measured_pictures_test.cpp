@@ -119,7 +119,7 @@ TEST(Resolution, MovesWhatAFingerKnowsInPixels) {
 
 TEST(Region, ToldDepthIsThatOfTheWholeFaceAndNothingBeside) {
   PipelineSettings all;
-  all.light = LightChange::kIgnored;  // which looks at all of the skin that it is given
+  all.correct_light = false;  // which looks at all of the skin that it is given
   const FrameResult whole = pressed_once(all);
   PipelineSettings part = all;
   part.region = {6.0, 12.5};
@@ -159,7 +159,7 @@ TEST(AverageFrames, QuietTheNoiseByTheirSquareRoot) {
   const auto untouched_sd = [](int frames) {
     PipelineSettings settings = with("average-frames", std::to_string(frames));
     settings.smoothing_px = 0;
-    settings.light = LightChange::kIgnored;
+    settings.correct_light = false;
     // The reference without noise of its own: the mean of many.
     cv::Mat sum = cv::Mat::zeros(FlatSensor::kHeight, FlatSensor::kWidth, CV_32F);
     for (std::uint64_t i = 0; i < 64; ++i)
@@ -222,18 +222,18 @@ TEST(Rays, ParallelOnesTellDepthAtTheSamePixelByTheSlopeAlone) {
   Finger finger = flat_sensor_finger(true);
   finger.mapping->along = MappingAlong::kNormal;
   const FingerSnapshot snapshot = FingerSnapshot::of({}, finger).value();
-  const auto along = [&](LayerRays rays) {
+  const auto along = [&](bool exact_rays) {
     PipelineSettings settings;
-    settings.rays = rays;
+    settings.exact_rays = exact_rays;
     return Pipeline::with_library(
                ReferenceLibrary::single(untouched_picture(1)).value(), snapshot, settings)
         .finger()
         .mapping->along;
   };
-  EXPECT_EQ(along(LayerRays::kExact), MappingAlong::kNormal);
-  EXPECT_EQ(along(LayerRays::kParallel), MappingAlong::kProjected);
+  EXPECT_EQ(along(true), MappingAlong::kNormal);
+  EXPECT_EQ(along(false), MappingAlong::kProjected);
   // What presses are read with, and thus the mapping, does not depend on it.
-  EXPECT_EQ(settings_for_presses(with("rays", "parallel")).rays, LayerRays::kExact);
+  EXPECT_TRUE(settings_for_presses(with("rays", "parallel")).exact_rays);
 }
 
 TEST(Undistortion, NoneTakesTheLensAsOneThatBendsNothing) {

@@ -22,7 +22,7 @@ TEST(Scene, EveryShippedSceneCompilesAndSaysWhy) {
     SCOPED_TRACE(entry.path());
     const auto scene = Scene::load(entry.path());
     ASSERT_TRUE(scene) << scene.error().sentence();
-    EXPECT_GT(scene->why().size(), 20U);
+    EXPECT_GT(scene->why.size(), 20U);
     const auto plan = Plan::compile(*scene, 1);
     ASSERT_TRUE(plan) << plan.error().sentence();
     ++scenes;

@@ -1,5 +1,5 @@
 // PLY as assimp and others write it, in every type and byte order; and what is none is refused.
-#include "core/thumbnail/read_triangles.h"
+#include "core/thumbnail/thumbnail.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,4 @@
 // Meshes that were written are read as they were, and those that were cut are refused.
-#include "core/thumbnail/read_triangles.h"
 
 #include "core/mesh/surface_file.h"
 #include "core/thumbnail/thumbnail.h"

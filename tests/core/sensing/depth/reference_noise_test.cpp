@@ -107,11 +107,11 @@ TEST(ReferenceNoise, IsNeverLessThanQuantisationAndNotToldOfWhatCannotBeMeasured
 
 /// What the pipeline says of depths and differences: whatever the light is taken to be, and without
 /// a change of depth.
-class FlatNoise : public testing::TestWithParam<LightChange> {};
+class FlatNoise : public testing::TestWithParam<bool> {};
 
 TEST_P(FlatNoise, IsMeasuredByThePipelineAndMovesNoDepth) {
   PipelineSettings settings;
-  settings.light = GetParam();
+  settings.correct_light = GetParam();
   const Mapping mapping = Mapping::create(*flat_finger_of_noise(true).mapping).value();
   for (const double sigma : {0.5, 1.0, 2.5}) {
     const double truth = std::hypot(sigma, kQuantisation);
@@ -138,7 +138,7 @@ TEST_P(FlatNoise, IsMeasuredByThePipelineAndMovesNoDepth) {
 
       DifferenceOptions as_before;  // one grey level
       as_before.smoothing = smoothing;
-      as_before.correct_light = GetParam() == LightChange::kCorrected;
+      as_before.correct_light = GetParam();
       const DepthMap before =
           depth_map(measured.grey, *measured.reference, *measured.shape, as_before, mapping);
       EXPECT_EQ(cv::countNonZero(before.flags != measured.depth->flags), 0);
@@ -157,9 +157,7 @@ TEST_P(FlatNoise, IsMeasuredByThePipelineAndMovesNoDepth) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Light,
-                         FlatNoise,
-                         testing::Values(LightChange::kIgnored, LightChange::kCorrected));
+INSTANTIATE_TEST_SUITE_P(Light, FlatNoise, testing::Bool());
 
 }  // namespace
 }  // namespace alltact

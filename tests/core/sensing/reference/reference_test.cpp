@@ -265,7 +265,7 @@ double told_sd(int dented) {
     faces.push_back(warp_face(grey, chart, grid));
   }
   const ReferenceError error = reference_error(grid, faces, [](int i) {
-    Neighbours neighbours{{}, Eigen::VectorXd::Constant(4, 0.25), 1.0};
+    PoseNeighbours neighbours{{}, Eigen::VectorXd::Constant(4, 0.25), 1.0};
     for (int k = 1; k <= 4; ++k) neighbours.rows.push_back((i + 9 * k) % kFrames);
     return neighbours;
   });

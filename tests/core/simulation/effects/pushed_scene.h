@@ -1,7 +1,7 @@
 // Fingers that are pushed, and what a plan's truth does not tell of them.
 #pragma once
 
-#include "core/simulation/scene_content.h"
+#include "core/simulation/plan.h"
 #include "tests/core/simulation/effects/effect_scene.h"
 
 #include <optional>
@@ -23,19 +23,18 @@ class PlacedScene {
  public:
   explicit PlacedScene(const std::string& text)
       : scene_(Scene::parse(text, "test.yaml").value()),
-        rays_(Camera::create(scene_.content().finger.camera).value()) {}
+        rays_(Camera::create(scene_.finger.camera).value()) {}
 
   [[nodiscard]] FrameGeometry at(int frame, double later = 0) const {
-    FramePlan plan(scene_.content(), 7, frame);
+    FramePlan plan(scene_, 7, frame);
     plan.move_to(later);
-    const Scene::Content& content = scene_.content();
     std::optional<FaceCurve> curve;
-    if (content.finger.face.kind == FaceKind::kFinRay) {
-      curve.emplace(content.base_mm, content.incline_rad, content.length_mm);
+    if (scene_.finger.face.kind == FaceKind::kFinRay) {
+      curve.emplace(scene_.base_mm, scene_.incline_rad, scene_.length_mm);
       for (const auto& step : plan.geometry) step.effect->shape(step.context, *curve);
       curve->integrate();
     }
-    FrameGeometry geometry(rays_, content.finger.face, std::move(curve));
+    FrameGeometry geometry(rays_, scene_.finger.face, std::move(curve));
     for (const auto& step : plan.geometry) step.effect->apply(step.context, geometry);
     return geometry;
   }
